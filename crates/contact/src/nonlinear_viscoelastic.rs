@@ -1,0 +1,200 @@
+use serde::{Deserialize, Serialize};
+
+use crate::error::{ParameterError, require};
+use crate::{ContactForce, Overlap};
+
+/// Nonlinear viscoelastic impact element: a Hertz spring, and a damper that acts on approach only.
+///
+/// Approach (δ̇ > 0): F = β̄ δ^1.5 + c̄ δ̇ with c̄ = 2 ξ̄ √(β̄ √δ m), m the reduced mass; restitution: F = β̄ δ^1.5.
+/// The force never pulls. Source: R. Jankowski, *Earthquake Engng Struct. Dyn.* 34 (2005) 595; the paper, Table 3
+/// (misprinted there, see the crate's front page).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NonlinearViscoelastic {
+    /// Impact stiffness β̄ \[N/m^1.5\], > 0.
+    #[serde(rename = "impact_stiffness_n_per_m1_5")]
+    pub impact_stiffness: f64,
+    /// Impact damping ratio ξ̄ \[–\], ≥ 0.
+    pub impact_damping_ratio: f64,
+}
+
+impl NonlinearViscoelastic {
+    /// Force and tangents while a pair touches.
+    ///
+    /// Precondition: `overlap.deformation` > 0. The tangents jump at δ̇ = 0, and ∂F/∂δ grows without bound as
+    /// δ → 0 on approach, like δ^(−3/4).
+    pub fn respond(&self, overlap: &Overlap) -> ContactForce {
+        let root = overlap.deformation.sqrt();
+        let spring = self.impact_stiffness * overlap.deformation * root;
+        let spring_tangent = 1.5 * self.impact_stiffness * root;
+        if overlap.rate <= 0.0 {
+            return ContactForce {
+                force: spring,
+                stiffness: spring_tangent,
+                damping: 0.0,
+            };
+        }
+        let damping = 2.0
+            * self.impact_damping_ratio
+            * (self.impact_stiffness * root * overlap.reduced_mass).sqrt();
+        ContactForce {
+            force: spring + damping * overlap.rate,
+            stiffness: spring_tangent + 0.25 * damping * overlap.rate / overlap.deformation,
+            damping,
+        }
+    }
+
+    /// Coefficient of restitution \[–\] delivered to a free pair, exactly: e = exp(−ζ acos ζ/√(1−ζ²)), ζ = 2ξ̄/√5.
+    ///
+    /// With s = δ^2.5 as the variable the approach is a linear damped oscillator of damping ratio ζ, whence the
+    /// relation; it holds for every approach speed.
+    pub fn restitution(&self) -> f64 {
+        let zeta = 2.0 * self.impact_damping_ratio / 5.0_f64.sqrt();
+        libm::exp(-zeta * arc_over_chord(zeta))
+    }
+
+    /// Checks β̄ > 0 and ξ̄ ≥ 0, both finite.
+    ///
+    /// # Errors
+    /// [`ParameterError`] for the first parameter out of range.
+    pub fn check(&self) -> Result<(), ParameterError> {
+        require(
+            self.impact_stiffness > 0.0 && self.impact_stiffness.is_finite(),
+            "impact_stiffness_n_per_m1_5",
+            self.impact_stiffness,
+            "a finite number > 0",
+        )?;
+        require(
+            self.impact_damping_ratio >= 0.0 && self.impact_damping_ratio.is_finite(),
+            "impact_damping_ratio",
+            self.impact_damping_ratio,
+            "a finite number >= 0",
+        )
+    }
+}
+
+/// acos ζ/√(1−ζ²), continued through ζ = 1 (where it is 0/0 and equals 1) as acosh ζ/√(ζ²−1).
+fn arc_over_chord(zeta: f64) -> f64 {
+    let below = 1.0 - zeta;
+    if below.abs() < 1e-3 {
+        // Σ n!/(2n+1)!! (1−ζ)^n; the first term left out is below 1e-18 here.
+        let mut sum = 0.0;
+        for n in (1..=6).rev() {
+            let n = f64::from(n);
+            sum = (1.0 + sum) * below * n / (2.0 * n + 1.0);
+        }
+        1.0 + sum
+    } else if below > 0.0 {
+        libm::acos(zeta) / (below * (1.0 + zeta)).sqrt()
+    } else {
+        libm::acosh(zeta) / (-below * (1.0 + zeta)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn law(impact_damping_ratio: f64) -> NonlinearViscoelastic {
+        NonlinearViscoelastic {
+            impact_stiffness: 2.75e9,
+            impact_damping_ratio,
+        }
+    }
+
+    /// A free impact, integrated in small steps of the classical Runge–Kutta method: (e, momentum gained / m v₀).
+    fn free_impact(law: &NonlinearViscoelastic, reduced_mass: f64, speed: f64) -> (f64, f64) {
+        let force = |deformation: f64, rate: f64| {
+            if deformation <= 0.0 {
+                return 0.0;
+            }
+            law.respond(&Overlap {
+                deformation,
+                rate,
+                reduced_mass,
+            })
+            .force
+        };
+        let (mut x, mut v, dt) = (0.0, speed, 2e-7);
+        let acceleration = |x, v| -force(x, v) / reduced_mass;
+        loop {
+            let (k1, l1) = (v, acceleration(x, v));
+            let (k2, l2) = (
+                v + 0.5 * dt * l1,
+                acceleration(x + 0.5 * dt * k1, v + 0.5 * dt * l1),
+            );
+            let (k3, l3) = (
+                v + 0.5 * dt * l2,
+                acceleration(x + 0.5 * dt * k2, v + 0.5 * dt * l2),
+            );
+            let (k4, l4) = (v + dt * l3, acceleration(x + dt * k3, v + dt * l3));
+            x += dt * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+            v += dt * (l1 + 2.0 * l2 + 2.0 * l3 + l4) / 6.0;
+            if x <= 0.0 {
+                return (-v / speed, (speed - v) / speed);
+            }
+        }
+    }
+
+    #[test]
+    fn reference_restitution_of_a_free_impact() {
+        for ratio in [0.0, 0.1, 0.35, 0.8, 1.2, 2.5] {
+            let (measured, _) = free_impact(&law(ratio), 73_170.0, 0.3);
+            let stated = law(ratio).restitution();
+            assert!(
+                (measured - stated).abs() < 2e-5,
+                "damping ratio {ratio}: measured {measured}, stated {stated}"
+            );
+        }
+    }
+
+    #[test]
+    fn limit_restitution_is_smooth_through_critical_damping() {
+        let at = |zeta: f64| law(zeta * 5.0_f64.sqrt() / 2.0).restitution();
+        for offset in [1e-9, 0.999e-3, 1.001e-3] {
+            let middle = 0.5 * (at(1.0 - offset) + at(1.0 + offset));
+            assert!(
+                (middle - at(1.0)).abs() < 1e-6,
+                "offset {offset}: {middle} against {}",
+                at(1.0)
+            );
+        }
+        let jump = at(1.0 - 0.999_999e-3) - at(1.0 - 1.000_001e-3);
+        assert!(jump.abs() < 1e-8, "series meets closed form: {jump}");
+    }
+
+    #[test]
+    fn limit_no_damping_is_elastic() {
+        assert!(
+            (law(0.0).restitution() - 1.0).abs() < 1e-15,
+            "no damping must return all energy"
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn reference_tangents_are_the_derivatives(
+            deformation in 1e-5..0.05_f64,
+            rate in prop_oneof![-2.0..-1e-3_f64, 1e-3..2.0_f64],
+            ratio in 0.0..2.0_f64,
+        ) {
+            let at = |deformation, rate| law(ratio).respond(&Overlap { deformation, rate, reduced_mass: 7e4 });
+            let here = at(deformation, rate);
+            let (hx, hv) = (1e-5 * deformation, 1e-5 * rate.abs());
+            let stiffness = (at(deformation + hx, rate).force - at(deformation - hx, rate).force) / (2.0 * hx);
+            let damping = (at(deformation, rate + hv).force - at(deformation, rate - hv).force) / (2.0 * hv);
+            prop_assert!((here.stiffness - stiffness).abs() <= 1e-6 * stiffness.abs(), "{here:?} {stiffness}");
+            let scale = here.force / rate.abs();
+            prop_assert!((here.damping - damping).abs() <= 1e-6 * scale, "{here:?} {damping}");
+        }
+
+        #[test]
+        fn limit_never_pulls(
+            deformation in 1e-12..1.0_f64, rate in -10.0..10.0_f64, ratio in 0.0..5.0_f64, reduced_mass in 1.0..1e9_f64,
+        ) {
+            let force = law(ratio).respond(&Overlap { deformation, rate, reduced_mass }).force;
+            prop_assert!(force > 0.0, "{force}");
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Lines and numbers of a text that may hold any bytes.
+
+use std::borrow::Cow;
+
+use crate::ReadError;
+
+/// Longest piece of a text that a message repeats, in characters.
+const EXCERPT: usize = 60;
+
+/// One line of a text, without its end, and its number from 1.
+///
+/// It stays bytes until a field is cut out: the columns of fixed-width data are counted in bytes,
+/// and old headers hold letters of many code pages.
+#[derive(Clone, Copy)]
+pub(crate) struct Line<'a> {
+    pub(crate) number: usize,
+    pub(crate) bytes: &'a [u8],
+}
+
+impl<'a> Line<'a> {
+    pub(crate) fn is_blank(self) -> bool {
+        self.bytes.trim_ascii().is_empty()
+    }
+
+    pub(crate) fn is_comment(self) -> bool {
+        self.bytes.starts_with(b"#")
+    }
+
+    /// The line as text; bytes that are not UTF-8 become replacement characters.
+    pub(crate) fn text(self) -> Cow<'a, str> {
+        String::from_utf8_lossy(self.bytes)
+    }
+
+    /// The start of the line, for a message.
+    pub(crate) fn excerpt(self) -> String {
+        excerpt(self.bytes)
+    }
+
+    /// The number in a field of this line; `field` counts from 1.
+    pub(crate) fn finite(self, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
+        let line = self.number;
+        match number(bytes) {
+            None => Err(ReadError::NotANumber {
+                line,
+                field,
+                found: excerpt(bytes),
+            }),
+            Some(value) if !value.is_finite() => Err(ReadError::NotFinite {
+                line,
+                field,
+                found: excerpt(bytes),
+            }),
+            Some(value) => Ok(value),
+        }
+    }
+}
+
+/// The lines of a text that end in LF, CR LF or CR, without a byte order mark.
+pub(crate) fn lines(bytes: &[u8]) -> Vec<Line<'_>> {
+    let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let mut lines = Vec::new();
+    while !rest.is_empty() {
+        let end = rest
+            .iter()
+            .position(|byte| matches!(byte, b'\n' | b'\r'))
+            .unwrap_or(rest.len());
+        let (bytes, after) = rest.split_at(end);
+        lines.push(Line {
+            number: lines.len() + 1,
+            bytes,
+        });
+        rest = after
+            .strip_prefix(b"\r\n")
+            .or_else(|| after.get(1..))
+            .unwrap_or_default();
+    }
+    lines
+}
+
+/// A number as C or Fortran writes it, `1.5D-3` included; blanks around it are skipped.
+pub(crate) fn number(bytes: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(bytes.trim_ascii()).ok()?;
+    text.parse()
+        .ok()
+        .or_else(|| text.replace(['D', 'd'], "E").parse().ok())
+}
+
+fn excerpt(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes.trim_ascii());
+    match text.char_indices().nth(EXCERPT) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into_owned(),
+    }
+}

@@ -1,0 +1,178 @@
+//! The ground acceleration that structures are shaken with.
+
+use crate::RecordError;
+
+/// A time this close to a sample, in time steps, is the time of that sample.
+///
+/// The quotient of two decimal numbers misses the whole number by a few parts in 10¹⁶ of itself, so
+/// 10⁻⁹ holds for records of some millions of samples and is far below any interval that was
+/// measured.
+const COINCIDENCE: f64 = 1e-9;
+
+/// Largest number of samples that resampling makes: 0.8 GB of them.
+const MAX_SAMPLES: u32 = 100_000_000;
+
+/// A `Record` is a uniformly sampled ground acceleration \[m/s²\] together with where it came from.
+///
+/// The first sample is at t = 0; the acceleration is linear between samples and zero before the
+/// first and after the last. There is at least one sample, and all are finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    time_step: f64,
+    samples: Vec<f64>,
+    source: String,
+}
+
+impl Record {
+    /// Makes a record of accelerations \[m/s²\] that are `time_step` \[s\] apart.
+    ///
+    /// `source` says where they came from, in any words.
+    ///
+    /// # Errors
+    /// Refuses an empty list, a sample that is not finite, and a time step that is not finite and
+    /// above zero.
+    pub fn new(
+        time_step: f64,
+        samples: Vec<f64>,
+        source: impl Into<String>,
+    ) -> Result<Self, RecordError> {
+        checked_step(time_step)?;
+        if samples.is_empty() {
+            return Err(RecordError::Empty);
+        }
+        if let Some(index) = samples.iter().position(|sample| !sample.is_finite()) {
+            let found = samples[index];
+            return Err(RecordError::Sample { index, found });
+        }
+        let source = source.into();
+        Ok(Self {
+            time_step,
+            samples,
+            source,
+        })
+    }
+
+    /// Returns the time between two samples \[s\], above zero.
+    pub fn time_step(&self) -> f64 {
+        self.time_step
+    }
+
+    /// Returns the ground acceleration at t = 0, Δt, 2Δt, … \[m/s²\].
+    pub fn samples(&self) -> &[f64] {
+        &self.samples
+    }
+
+    /// Returns where the record came from: the comments or title lines of its file.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// Returns the time of the last sample \[s\], zero for a single one.
+    pub fn duration(&self) -> f64 {
+        (self.samples.len() - 1) as f64 * self.time_step
+    }
+
+    /// Returns the ground acceleration \[m/s²\] at a time \[s\]: linear between samples, zero
+    /// outside.
+    ///
+    /// A time within 10⁻⁹ of a step from a sample gives that sample exactly. A time that is NaN
+    /// gives NaN.
+    pub fn at(&self, time: f64) -> f64 {
+        let position = time / self.time_step;
+        let nearest = position.round();
+        let position = if (position - nearest).abs() <= COINCIDENCE {
+            nearest
+        } else {
+            position
+        };
+        if position < 0.0 || position > (self.samples.len() - 1) as f64 {
+            return 0.0;
+        }
+        let index = whole(position);
+        let left = self.samples[index];
+        // The last sample has no right neighbour, and needs none: its fraction is zero.
+        let right = self.samples.get(index + 1).copied().unwrap_or(left);
+        left + (right - left) * (position - position.floor())
+    }
+
+    /// Returns the record sampled every `time_step` \[s\], linear between the samples of this one.
+    ///
+    /// Grid points that coincide with a sample take it exactly, so an integer fraction of the step
+    /// changes nothing. A longer step skips peaks, and no filter guards against aliasing. What
+    /// remains after the last grid point inside the record, less than one new step, is dropped.
+    ///
+    /// # Errors
+    /// Refuses a time step that is not finite and above zero, or that needs more than 10⁸ samples.
+    pub fn resampled(&self, time_step: f64) -> Result<Self, RecordError> {
+        checked_step(time_step)?;
+        let duration = self.duration();
+        let last = (duration / time_step + COINCIDENCE).floor();
+        if last >= f64::from(MAX_SAMPLES) {
+            return Err(RecordError::TooManySamples {
+                time_step,
+                duration,
+                allowed: MAX_SAMPLES,
+            });
+        }
+        let samples = (0..=whole(last))
+            .map(|step| self.at(step as f64 * time_step))
+            .collect();
+        Self::new(time_step, samples, self.source.clone())
+    }
+
+    /// Returns the record with every acceleration multiplied by `factor`, which may be negative or
+    /// zero.
+    ///
+    /// # Errors
+    /// Refuses a factor that is not finite, or one that makes a sample so.
+    pub fn scaled(&self, factor: f64) -> Result<Self, RecordError> {
+        if !factor.is_finite() {
+            return Err(RecordError::Factor { found: factor });
+        }
+        let samples = self.samples.iter().map(|sample| factor * sample).collect();
+        Self::new(self.time_step, samples, self.source.clone())
+    }
+
+    /// Returns the record with the sign of every acceleration changed: the same shaking, right for
+    /// left.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let samples = self.samples.iter().map(|sample| -sample).collect();
+        Self {
+            samples,
+            ..self.clone()
+        }
+    }
+
+    /// Returns the time \[s\] and the value \[m/s²\], with its sign, of the largest absolute
+    /// acceleration.
+    ///
+    /// Of several equal ones it is the first.
+    pub fn peak(&self) -> (f64, f64) {
+        let mut peak = (0, self.samples[0]);
+        for (index, &sample) in self.samples.iter().enumerate() {
+            if sample.abs() > peak.1.abs() {
+                peak = (index, sample);
+            }
+        }
+        (peak.0 as f64 * self.time_step, peak.1)
+    }
+}
+
+fn checked_step(time_step: f64) -> Result<(), RecordError> {
+    if time_step.is_finite() && time_step > 0.0 {
+        Ok(())
+    } else {
+        Err(RecordError::TimeStep { found: time_step })
+    }
+}
+
+/// The whole part of a number of time steps; negative numbers and NaN give 0.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "callers have bounded the number; the cast saturates and never panics"
+)]
+fn whole(steps: f64) -> usize {
+    steps as usize
+}

@@ -1,0 +1,1 @@
+//! Earthquake-induced structural pounding: the program and the library.

@@ -1,0 +1,94 @@
+use thiserror::Error;
+
+/// A model or excitation that cannot be run, found before the first step.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// A value outside its valid range.
+    #[error("{place}: found {found}, allowed {allowed}")]
+    OutOfRange {
+        /// Where in the model, for example `nodes[1].inverse_mass`.
+        place: String,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// A pair that does not join a node with its right neighbour, in order.
+    #[error(
+        "pairs[{pair}]: joins nodes {left} and {right}; allowed are neighbours (left, left + 1) of {n_nodes} nodes, \
+         in order from left to right, at least one of them not a wall"
+    )]
+    NotNeighbours {
+        /// Index of the pair.
+        pair: usize,
+        /// Node index on its left.
+        left: usize,
+        /// Node index on its right.
+        right: usize,
+        /// Number of nodes in the row.
+        n_nodes: usize,
+    },
+    /// Structures that already overlap at t = 0.
+    #[error(
+        "pairs[{pair}]: the initial displacements overlap by {overlap} m; allowed 0 or less: widen the gap or change \
+         the initial displacements"
+    )]
+    OverlapsAtStart {
+        /// Index of the pair.
+        pair: usize,
+        /// Deformation at t = 0 \[m\].
+        overlap: f64,
+    },
+    /// Ground acceleration that has no samples.
+    #[error("excitation: found no samples, allowed one or more")]
+    NoSamples,
+}
+
+/// A run that ended before its last step.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// A number stopped being finite in this step.
+    #[error(
+        "structure {structure} at t = {time} s: the response is no longer a finite number; use a smaller time step \
+         (found {time_step} s)"
+    )]
+    Diverged {
+        /// Index of the structure, from the left.
+        structure: usize,
+        /// End of the step \[s\].
+        time: f64,
+        /// Time step of the run \[s\].
+        time_step: f64,
+    },
+    /// Newton's method did not reach equilibrium.
+    #[error(
+        "structures {first} to {last} at t = {time} s: no equilibrium after {iterations} Newton iterations \
+         (residual {residual:e} of the forces' sum, allowed {allowed:e}); use a smaller time step"
+    )]
+    NotConverged {
+        /// Index of the leftmost structure of the cluster.
+        first: usize,
+        /// Index of its rightmost structure.
+        last: usize,
+        /// End of the step \[s\].
+        time: f64,
+        /// Iterations done.
+        iterations: u32,
+        /// Largest residual of equilibrium relative to the sum of the magnitudes of its terms.
+        residual: f64,
+        /// The residual allowed.
+        allowed: f64,
+    },
+    /// A run setting outside its valid range.
+    #[error("{setting}: found {found}, allowed {allowed}")]
+    Setting {
+        /// Name of the setting.
+        setting: &'static str,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+}

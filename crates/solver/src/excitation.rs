@@ -1,0 +1,121 @@
+use crate::{Clock, ModelError};
+
+/// Ground acceleration at equally spaced instants, linear between them, zero outside; first sample at t = 0.
+///
+/// Stepping methods sample it once per run; its segments are what a closed form needs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Excitation<'a> {
+    time_step: f64,
+    samples: &'a [f64],
+}
+
+/// Instants closer to a sample than this fraction of a segment take the sample itself.
+const SNAP: f64 = 1e-9;
+
+impl<'a> Excitation<'a> {
+    /// Borrows ground accelerations \[m/s²\], `time_step` \[s\] apart.
+    ///
+    /// # Errors
+    /// [`ModelError`] when there is no sample, one is not finite, or `time_step` is not a finite number > 0.
+    pub fn new(time_step: f64, samples: &'a [f64]) -> Result<Self, ModelError> {
+        if samples.is_empty() {
+            return Err(ModelError::NoSamples);
+        }
+        if !(time_step.is_finite() && time_step > 0.0) {
+            return Err(ModelError::OutOfRange {
+                place: "excitation.time_step".into(),
+                found: time_step,
+                allowed: "a finite number > 0",
+            });
+        }
+        if let Some(index) = samples.iter().position(|sample| !sample.is_finite()) {
+            return Err(ModelError::OutOfRange {
+                place: format!("excitation.samples[{index}]"),
+                found: samples[index],
+                allowed: "a finite number",
+            });
+        }
+        Ok(Self { time_step, samples })
+    }
+
+    /// Ground acceleration at every node of a clock, 0..=n \[m/s²\].
+    pub(crate) fn sampled(&self, clock: Clock) -> Vec<f64> {
+        let ratio = clock.time_step / self.time_step;
+        (0..=clock.n_steps)
+            .map(|step| self.at_position(step as f64 * ratio))
+            .collect()
+    }
+
+    /// Ground acceleration at a `position` counted in samples.
+    fn at_position(&self, position: f64) -> f64 {
+        let sample = |index: f64| {
+            // Precondition of the cast: index is a whole number ≥ 0; beyond the last sample `get` says so.
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a whole number >= 0"
+            )]
+            let index = index as usize;
+            self.samples.get(index).copied().unwrap_or(0.0)
+        };
+        let nearest = position.round();
+        if (position - nearest).abs() < SNAP {
+            return sample(nearest);
+        }
+        let below = position.floor();
+        if below + 1.0 >= self.samples.len() as f64 {
+            return 0.0;
+        }
+        let fraction = position - below;
+        (1.0 - fraction) * sample(below) + fraction * sample(below + 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_sampled_linearly_and_zero_outside() {
+        let ground = [1.0, 3.0, -1.0];
+        let excitation = Excitation::new(0.01, &ground).unwrap();
+        let clock = Clock {
+            time_step: 0.005,
+            n_steps: 6,
+        };
+        assert_eq!(
+            excitation.sampled(clock),
+            [1.0, 2.0, 3.0, 1.0, -1.0, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn limit_own_grid_takes_the_samples() {
+        let ground: Vec<f64> = (0..1000).map(|i| f64::from(i).sqrt()).collect();
+        let excitation = Excitation::new(0.01, &ground).unwrap();
+        assert_eq!(
+            excitation.sampled(Clock {
+                time_step: 0.01,
+                n_steps: 999
+            }),
+            ground
+        );
+        let fine = excitation.sampled(Clock {
+            time_step: 0.01 / 3.0,
+            n_steps: 2997,
+        });
+        assert!(
+            fine.iter().step_by(3).eq(&ground),
+            "every third node is a sample"
+        );
+    }
+
+    #[test]
+    fn extreme_bad_excitations_are_refused() {
+        assert_eq!(Excitation::new(0.01, &[]), Err(ModelError::NoSamples));
+        for time_step in [0.0, -0.01, f64::NAN, f64::INFINITY] {
+            assert!(Excitation::new(time_step, &[1.0]).is_err(), "{time_step}");
+        }
+        assert!(Excitation::new(0.01, &[0.0, f64::NAN]).is_err(), "NaN");
+    }
+}

@@ -1,0 +1,54 @@
+//! Time integration of rows of adjacent structures that may collide.
+//!
+//! A [`Row`] (the model) is integrated under an [`Excitation`] on a [`Clock`] by an [`Integrator`]; a [`Recorder`]
+//! sees the motion as [`Span`]s and [`Impact`]s and keeps what it was made for; [`Work`] counts what the run cost.
+//!
+//! ```
+//! use pounding_solver::{
+//!     CentralDifference, Clock, Elastic, Excitation, Integrator, Node, Peaks, Row, Start,
+//! };
+//!
+//! let row = Row::new(vec![Node::structure(75e3, 23e3, Elastic { stiffness: 2.056e6 })], vec![])?;
+//! let ground = [0.0, 1.0, -1.0, 0.0];
+//! let excitation = Excitation::new(0.1, &ground)?;
+//! let method = Integrator::CentralDifference(CentralDifference { start: Start::Consistent });
+//! let mut peaks = Peaks::new(row.nodes().len());
+//! method.run(&row, excitation, Clock { time_step: 0.01, n_steps: 100 }, &mut peaks)?;
+//! assert!(peaks.of(0).displacement.value.abs() > 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Signs: displacements are relative to the ground and positive to the right; structures stand left to right; the
+//! load on a structure is p = −m·`a_g`. Units are SI. In a step only + − × ÷ √ are used, so that every machine gives
+//! the same bits.
+//!
+//! Left out: files, printing, units other than SI, contact search (neighbours are known).
+
+mod central_difference;
+mod clock;
+mod column;
+mod damping;
+mod error;
+mod excitation;
+mod integrator;
+mod newmark;
+mod newton;
+mod recorder;
+mod recorders;
+mod row;
+mod work;
+
+pub use central_difference::{CentralDifference, Start};
+pub use clock::Clock;
+pub use column::{Elastic, ElastoPlastic, Response, RestoringForce};
+pub use damping::Damping;
+pub use error::{ModelError, RunError};
+pub use excitation::Excitation;
+pub use integrator::Integrator;
+pub use newmark::Newmark;
+pub use recorder::{Impact, Recorder, Span, State, Velocities};
+pub use recorders::{
+    Collision, Collisions, Histories, History, Peak, Peaks, StructurePeaks, TransferredMomentum,
+};
+pub use row::{Node, Pair, Row};
+pub use work::Work;

@@ -1,0 +1,92 @@
+use crate::{Impact, Pair, Recorder, Span};
+
+/// One touching of a pair, from touch to parting.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Collision {
+    /// Index of the pair in its row.
+    pub pair: usize,
+    /// First instant with a pounding force, or the instant of the impact \[s\].
+    pub start: f64,
+    /// Last instant with a pounding force, or the instant of the impact \[s\].
+    pub end: f64,
+    /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit.
+    pub peak_force: Option<f64>,
+    /// Impulse ∫F dt \[N·s\].
+    pub impulse: f64,
+}
+
+/// Records the collisions of every pair, in the order in which they begin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Collisions {
+    /// For each structure, the pair it is the left neighbour of.
+    pair_of_left: Vec<Option<usize>>,
+    /// For each pair, the index of its collision that goes on.
+    open: Vec<Option<usize>>,
+    found: Vec<Collision>,
+}
+
+impl Collisions {
+    /// For a row of `n_structures` (walls included) with these pairs.
+    pub fn new(n_structures: usize, pairs: &[Pair]) -> Self {
+        let mut pair_of_left = vec![None; n_structures];
+        for (index, pair) in pairs.iter().enumerate() {
+            pair_of_left[pair.left] = Some(index);
+        }
+        Self {
+            pair_of_left,
+            open: vec![None; pairs.len()],
+            found: Vec::new(),
+        }
+    }
+
+    /// The collisions of all pairs.
+    pub fn all(&self) -> &[Collision] {
+        &self.found
+    }
+}
+
+impl Recorder for Collisions {
+    fn span(&mut self, span: &Span) {
+        let Some(pair) = self.pair_of_left[span.structure] else {
+            return;
+        };
+        let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
+        if start == 0.0 && end == 0.0 {
+            return;
+        }
+        let impulse = 0.5 * span.duration() * (start + end);
+        let index = *self.open[pair].get_or_insert_with(|| {
+            let first = if start > 0.0 {
+                span.start_time
+            } else {
+                span.end_time
+            };
+            self.found.push(Collision {
+                pair,
+                start: first,
+                end: first,
+                peak_force: Some(start),
+                impulse: 0.0,
+            });
+            self.found.len() - 1
+        });
+        let collision = &mut self.found[index];
+        collision.impulse += impulse;
+        if end > 0.0 {
+            collision.end = span.end_time;
+            collision.peak_force = collision.peak_force.map(|peak| peak.max(end));
+        } else {
+            self.open[pair] = None;
+        }
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        self.found.push(Collision {
+            pair: impact.pair,
+            start: impact.time,
+            end: impact.time,
+            peak_force: None,
+            impulse: impact.impulse,
+        });
+    }
+}

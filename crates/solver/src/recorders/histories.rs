@@ -1,0 +1,74 @@
+use crate::{Impact, Recorder, Span, State};
+
+/// States of one structure at equal intervals from t = 0 on.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct History {
+    /// The states; number i is at i · interval.
+    pub states: Vec<State>,
+}
+
+/// Records the history of every structure at equal intervals, whatever the steps of the method were.
+///
+/// With the interval equal to the time step the histories are the nodes of the method, bit for bit. Where velocities
+/// jump at a recorded instant, the state before the jump is kept.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Histories {
+    interval: f64,
+    structures: Vec<History>,
+}
+
+/// Instants closer to the end of a span than this fraction of the interval take the end itself.
+const SNAP: f64 = 1e-9;
+
+impl Histories {
+    /// For a row of `n_structures` (walls included), a state every `interval` \[s\], up to `duration` \[s\].
+    pub fn new(n_structures: usize, interval: f64, duration: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a capacity, not a result"
+        )]
+        let capacity = (duration / interval) as usize + 2;
+        let structures = vec![History { states: Vec::new() }; n_structures];
+        let mut histories = Self {
+            interval,
+            structures,
+        };
+        for history in &mut histories.structures {
+            history.states.reserve_exact(capacity);
+        }
+        histories
+    }
+
+    /// Interval between states \[s\].
+    pub fn interval(&self) -> f64 {
+        self.interval
+    }
+
+    /// History of one structure, counted from the left.
+    pub fn of(&self, structure: usize) -> &History {
+        &self.structures[structure]
+    }
+}
+
+impl Recorder for Histories {
+    fn span(&mut self, span: &Span) {
+        let states = &mut self.structures[span.structure].states;
+        let near = SNAP * self.interval;
+        loop {
+            let time = states.len() as f64 * self.interval;
+            if time > span.end_time + near {
+                return;
+            }
+            states.push(if (time - span.end_time).abs() <= near {
+                span.end
+            } else if (time - span.start_time).abs() <= near {
+                span.start
+            } else {
+                span.at(time)
+            });
+        }
+    }
+
+    fn impact(&mut self, _: &Impact) {}
+}

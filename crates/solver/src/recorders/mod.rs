@@ -1,0 +1,11 @@
+//! Recorders: each keeps one kind of result and sees only spans and impacts.
+
+mod collisions;
+mod histories;
+mod peaks;
+mod transferred_momentum;
+
+pub use collisions::{Collision, Collisions};
+pub use histories::{Histories, History};
+pub use peaks::{Peak, Peaks, StructurePeaks};
+pub use transferred_momentum::TransferredMomentum;

@@ -1,0 +1,55 @@
+use crate::{Impact, Recorder, Span};
+
+/// Records the transferred momentum of every structure: H = ∫ |net pounding force| dt \[N·s\].
+///
+/// Forces from both sides at one instant cancel before the magnitude is taken, so a structure hit from left and right
+/// at once gets little. Forces are integrated by the trapezoidal rule; impacts of one instant are summed first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TransferredMomentum {
+    structures: Vec<Sum>,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Sum {
+    closed: f64,
+    /// Net impulse of the instant `open_time`; its magnitude counts once the instant has passed.
+    open: f64,
+    open_time: f64,
+}
+
+impl TransferredMomentum {
+    /// For a row of `n_structures`, walls included.
+    pub fn new(n_structures: usize) -> Self {
+        Self {
+            structures: vec![Sum::default(); n_structures],
+        }
+    }
+
+    /// Transferred momentum of one structure, counted from the left \[N·s\].
+    pub fn of(&self, structure: usize) -> f64 {
+        let sum = self.structures[structure];
+        sum.closed + sum.open.abs()
+    }
+
+    fn add(&mut self, structure: usize, impulse: f64, time: f64) {
+        let sum = &mut self.structures[structure];
+        if time > sum.open_time {
+            sum.closed += sum.open.abs();
+            sum.open = 0.0;
+            sum.open_time = time;
+        }
+        sum.open += impulse;
+    }
+}
+
+impl Recorder for TransferredMomentum {
+    fn span(&mut self, span: &Span) {
+        let magnitudes = span.start.pounding_force().abs() + span.end.pounding_force().abs();
+        self.structures[span.structure].closed += 0.5 * span.duration() * magnitudes;
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        self.add(impact.left, -impact.impulse, impact.time);
+        self.add(impact.right, impact.impulse, impact.time);
+    }
+}

@@ -1,0 +1,176 @@
+use pounding_contact::{ContactLaw, reduced_mass};
+
+use crate::{ModelError, RestoringForce};
+
+/// One structure of a row (SDOF), or a fixed wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node<Column> {
+    /// Inverse mass \[1/kg\], ≥ 0; 0 for a fixed wall, which stays where it is.
+    pub inverse_mass: f64,
+    /// Damping coefficient c \[N·s/m\], ≥ 0.
+    pub damping: f64,
+    /// The columns.
+    pub column: Column,
+    /// Displacement at t = 0 \[m\].
+    pub initial_displacement: f64,
+    /// Velocity at t = 0 \[m/s\].
+    pub initial_velocity: f64,
+}
+
+impl<Column> Node<Column> {
+    /// A structure at rest with a mass \[kg\] and a damping coefficient \[N·s/m\].
+    pub fn structure(mass: f64, damping: f64, column: Column) -> Self {
+        Self {
+            inverse_mass: 1.0 / mass,
+            damping,
+            column,
+            initial_displacement: 0.0,
+            initial_velocity: 0.0,
+        }
+    }
+
+    /// A fixed wall; its column is asked at displacement 0 only and moves nothing.
+    pub fn wall(column: Column) -> Self {
+        Self {
+            inverse_mass: 0.0,
+            damping: 0.0,
+            column,
+            initial_displacement: 0.0,
+            initial_velocity: 0.0,
+        }
+    }
+
+    /// Whether the node is a fixed wall.
+    pub fn is_wall(&self) -> bool {
+        self.inverse_mass == 0.0
+    }
+}
+
+/// Two neighbours that can touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// Node index of the left neighbour.
+    pub left: usize,
+    /// Node index of the right neighbour.
+    pub right: usize,
+    /// Gap at rest g \[m\], ≥ 0.
+    pub gap: f64,
+    /// What happens while they touch.
+    pub law: ContactLaw,
+}
+
+/// The model: structures from left to right and the pairs of them that can touch.
+///
+/// Structures that cannot touch share no pair, and nothing of one then enters the arithmetic of the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row<Column> {
+    nodes: Vec<Node<Column>>,
+    pairs: Vec<Pair>,
+}
+
+impl<Column: RestoringForce> Row<Column> {
+    /// Checks and keeps the nodes and pairs.
+    ///
+    /// # Errors
+    /// [`ModelError`] for a mass, damping or initial state out of range, a pair that is not made of neighbours in
+    /// order, a negative gap, a contact parameter out of range, or neighbours that overlap at t = 0.
+    pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
+        for (index, node) in nodes.iter().enumerate() {
+            check_node(index, node)?;
+        }
+        for (index, pair) in pairs.iter().enumerate() {
+            let in_order = index == 0 || pairs[index - 1].left < pair.left;
+            let neighbours = pair.right == pair.left + 1 && pair.right < nodes.len();
+            if !in_order
+                || !neighbours
+                || (nodes[pair.left].is_wall() && nodes[pair.right].is_wall())
+            {
+                return Err(ModelError::NotNeighbours {
+                    pair: index,
+                    left: pair.left,
+                    right: pair.right,
+                    n_nodes: nodes.len(),
+                });
+            }
+            check_pair(index, pair)?;
+            let overlap = nodes[pair.left].initial_displacement
+                - nodes[pair.right].initial_displacement
+                - pair.gap;
+            if overlap > 0.0 {
+                return Err(ModelError::OverlapsAtStart {
+                    pair: index,
+                    overlap,
+                });
+            }
+        }
+        Ok(Self { nodes, pairs })
+    }
+
+    /// The structures and walls, from left to right.
+    pub fn nodes(&self) -> &[Node<Column>] {
+        &self.nodes
+    }
+
+    /// The pairs that can touch, from left to right.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+
+    /// Reduced mass of a pair \[kg\].
+    pub(crate) fn reduced_mass(&self, pair: &Pair) -> f64 {
+        reduced_mass(
+            self.nodes[pair.left].inverse_mass,
+            self.nodes[pair.right].inverse_mass,
+        )
+    }
+}
+
+fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelError> {
+    const NOT_NEGATIVE: &str = "a finite number >= 0";
+    const FINITE: &str = "a finite number";
+    let require = |valid: bool, field: &str, found: f64, allowed: &'static str| {
+        if valid && found.is_finite() {
+            return Ok(());
+        }
+        Err(ModelError::OutOfRange {
+            place: format!("nodes[{index}].{field}"),
+            found,
+            allowed,
+        })
+    };
+    require(
+        node.inverse_mass >= 0.0,
+        "inverse_mass",
+        node.inverse_mass,
+        NOT_NEGATIVE,
+    )?;
+    require(node.damping >= 0.0, "damping", node.damping, NOT_NEGATIVE)?;
+    require(
+        true,
+        "initial_displacement",
+        node.initial_displacement,
+        FINITE,
+    )?;
+    let moves = !node.is_wall() || node.initial_velocity == 0.0;
+    require(
+        moves,
+        "initial_velocity",
+        node.initial_velocity,
+        "a finite number; 0 for a wall",
+    )
+}
+
+fn check_pair(index: usize, pair: &Pair) -> Result<(), ModelError> {
+    if !(pair.gap >= 0.0 && pair.gap.is_finite()) {
+        return Err(ModelError::OutOfRange {
+            place: format!("pairs[{index}].gap"),
+            found: pair.gap,
+            allowed: "a finite number >= 0",
+        });
+    }
+    pair.law.check().map_err(|error| ModelError::OutOfRange {
+        place: format!("pairs[{index}].{}", error.parameter),
+        found: error.found,
+        allowed: error.allowed,
+    })
+}

@@ -1,0 +1,219 @@
+//! Claims about three structures (sections 4 and 5).
+
+use super::{Claim, Finding, Law, Run, Runs, change, is_slight, momentum, peak_force};
+use crate::{Structure, StudyError};
+
+const LAYOUTS: [&str; 3] = ["A", "B", "C"];
+
+pub(super) fn half_step_in_layout_c(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+    let coarse = runs.scene("claims", "layout C elastic, stereomechanical, 10 ms")?;
+    let fine = runs.scene("figure-11a", "layout C elastic")?;
+    let totals = [coarse, fine].map(|run| momentum(run, 1));
+    let forces = [coarse, fine].map(peak_force);
+    let overlaps = [coarse, fine].map(|run| 1e3 * largest_overlap(run));
+    let stated =
+        forces[1] > forces[0] && is_slight(totals[0], totals[1]) && overlaps[0] > overlaps[1];
+    Ok(Claim {
+        claim: "Layout C elastic needs 0.005 s: at 0.01 s the structures tangle; halving the step raises the peak \
+                force and leaves the transferred momentum the same",
+        place: "4.1",
+        computed: format!(
+            "10 ms against 5 ms: overlap {:.1} against {:.1} mm, peak force {:.0} against {:.0} kN, momentum of the \
+             weak structure {:.0} against {:.0} kN·s ({:+.0} %)",
+            overlaps[0],
+            overlaps[1],
+            forces[0],
+            forces[1],
+            totals[0],
+            totals[1],
+            change(totals[0], totals[1])
+        ),
+        finding: Finding::of(stated, true),
+    })
+}
+
+/// Largest deformation of any pair over the history \[m\].
+fn largest_overlap((scene, outcome): Run<'_>) -> f64 {
+    let histories = outcome
+        .histories
+        .as_ref()
+        .expect("the studies used here keep histories");
+    let mut largest = 0.0_f64;
+    for (left, contact) in scene.contacts.iter().flatten().enumerate() {
+        let pairs = histories
+            .of(left)
+            .states
+            .iter()
+            .zip(&histories.of(left + 1).states);
+        largest = pairs
+            .map(|(left, right)| left.displacement - right.displacement - contact.gap_m)
+            .fold(largest, f64::max);
+    }
+    largest
+}
+
+/// Counts over layouts, structures and both time steps in which a comparison of two runs is true:
+/// (at the paper's time step, of how many, at half of it, of how many).
+fn count(
+    runs: &Runs<'_>,
+    sides: &[[(&str, Law); 2]],
+    is_true: impl Fn(f64, f64) -> bool,
+) -> Result<[usize; 4], StudyError> {
+    let mut counts = [0; 4];
+    for layout in LAYOUTS {
+        for [a, b] in sides {
+            let (a, b) = (
+                runs.layout(layout, a.0, a.1)?,
+                runs.layout(layout, b.0, b.1)?,
+            );
+            for step in 0..2 {
+                for structure in 0..a[step].0.structures.len() {
+                    let values = (momentum(a[step], structure), momentum(b[step], structure));
+                    counts[2 * step] += usize::from(is_true(values.0, values.1));
+                    counts[2 * step + 1] += 1;
+                }
+            }
+        }
+    }
+    Ok(counts)
+}
+
+/// The finding and its sentence from such counts.
+fn finding(counts: [usize; 4]) -> (String, Finding) {
+    let [stated, of, half, of_half] = counts;
+    let words = format!(
+        "true of {stated} of {of} transferred momenta at the paper's time steps, of {half} of {of_half} at half of them"
+    );
+    (words, Finding::of(stated == of, half == of_half))
+}
+
+pub(super) fn less_momentum_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+    let sides = Law::BOTH.map(|law| [("elastic", law), ("nonlinear", law)]);
+    let (computed, finding) = finding(count(runs, &sides, |elastic, nonlinear| {
+        nonlinear < elastic
+    })?);
+    Ok(Claim {
+        claim: "Nonlinear structures transfer less momentum than elastic ones",
+        place: "4.1",
+        computed,
+        finding,
+    })
+}
+
+pub(super) fn more_momentum_stereomechanical(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+    let sides = [Law::BOTH.map(|law| ("elastic", law))];
+    let (computed, finding) = finding(count(runs, &sides, |stereo, visco| stereo > visco)?);
+    Ok(Claim {
+        claim: "Elastic structures: the stereomechanical approach transfers more momentum than the viscoelastic element",
+        place: "4.2, 4.3",
+        computed,
+        finding,
+    })
+}
+
+pub(super) fn same_momentum_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+    let sides = [Law::BOTH.map(|law| ("nonlinear", law))];
+    let same = |stereo: f64, visco: f64| (stereo - visco).abs() == 0.0 || is_slight(stereo, visco);
+    let (computed, finding) = finding(count(runs, &sides, same)?);
+    Ok(Claim {
+        claim: "Nonlinear structures: both contact models transfer the same momentum (read as within 20 %)",
+        place: "4.2, 4.3",
+        computed,
+        finding,
+    })
+}
+
+/// Plastic displacement of a structure at every instant of the history \[m\].
+pub(super) fn plastic_displacement((scene, outcome): Run<'_>, index: usize) -> Vec<f64> {
+    let Structure::Sdof(structure) = &scene.structures[index] else {
+        return Vec::new();
+    };
+    let histories = outcome
+        .histories
+        .as_ref()
+        .expect("the studies used here keep histories");
+    let states = histories.of(index).states.iter();
+    states
+        .map(|state| state.displacement - state.restoring_force / structure.stiffness_n_per_m)
+        .collect()
+}
+
+pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+    // Rounding of u − f/k is far below this, yielding far above.
+    const YIELDS: f64 = 1e-9;
+    let travelled = |scene: &str, weak: usize| -> Result<(f64, usize), StudyError> {
+        let history = plastic_displacement(runs.scene("figure-15", scene)?, weak);
+        let steps: Vec<f64> = history
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0]).abs())
+            .collect();
+        let incursions = steps
+            .windows(2)
+            .filter(|pair| pair[0] <= YIELDS && pair[1] > YIELDS)
+            .count();
+        Ok((
+            1e3 * steps.iter().filter(|step| **step > YIELDS).sum::<f64>(),
+            incursions,
+        ))
+    };
+    let free = travelled("no pounding", 0)?;
+    let stereo = travelled("layout C, stereomechanical", 1)?;
+    let visco = travelled("layout C, viscoelastic", 1)?;
+    let words = |(travel, incursions): (f64, usize)| {
+        format!("{incursions} incursions of {travel:.0} mm in all")
+    };
+    Ok(Claim {
+        claim: "Between two stiff structures (layout C) the weak one makes fewer nonlinear incursions than alone",
+        place: "4.3, Fig. 15",
+        computed: format!(
+            "alone {}; in layout C {} (stereomechanical), {} (viscoelastic)",
+            words(free),
+            words(stereo),
+            words(visco)
+        ),
+        finding: Finding::of(
+            stereo.0 < free.0 && visco.0 < free.0,
+            stereo.1 < free.1 && visco.1 < free.1,
+        ),
+    })
+}
+
+pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
+    let peak = |run: Run<'_>| {
+        let displacement = |index| 1e3 * run.1.peaks.of(index).displacement.value.abs();
+        (0..run.0.structures.len())
+            .map(displacement)
+            .fold(0.0, f64::max)
+    };
+    let (mut stated, mut half) = (0, 0);
+    let mut computed = Vec::new();
+    for law in Law::BOTH {
+        for behaviour in ["elastic", "nonlinear"] {
+            let mut peaks = [[0.0; 2]; 3];
+            for (layout, peaks) in LAYOUTS.into_iter().zip(&mut peaks) {
+                *peaks = runs.layout(layout, behaviour, law)?.map(peak);
+            }
+            let largest_in_b =
+                |step: usize| peaks[1][step] > peaks[0][step] && peaks[1][step] > peaks[2][step];
+            stated += usize::from(largest_in_b(0));
+            half += usize::from(largest_in_b(1));
+            computed.push(format!(
+                "{} {behaviour} {:.0}, {:.0}, {:.0} mm",
+                law.name(),
+                peaks[0][0],
+                peaks[1][0],
+                peaks[2][0]
+            ));
+        }
+    }
+    Ok(Claim {
+        claim: "The stiff structure between two weak ones (layout B) is the least favourable layout by maximum \
+                displacement",
+        place: "5",
+        computed: format!(
+            "layouts A, B, C: {}; true in {stated} of 4 cases, at half the time steps in {half} of 4",
+            computed.join("; ")
+        ),
+        finding: Finding::of(stated == 4, half == 4),
+    })
+}

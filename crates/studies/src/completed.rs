@@ -1,0 +1,90 @@
+//! A study whose scenes have run.
+
+use crate::{Outcome, Output, Prepared, Scene, StudyError, StudyFile};
+
+/// A study whose scenes have run, in the order of the study; there is at least one.
+#[derive(Debug)]
+pub struct Completed {
+    /// The study.
+    pub file: StudyFile,
+    /// Its scenes, prepared.
+    pub prepared: Vec<Prepared>,
+    /// What each scene left behind.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Completed {
+    /// Runs every scene of a study; `done` is called after each.
+    ///
+    /// # Errors
+    /// [`StudyError`] of the first scene that cannot be prepared or run.
+    pub fn run(file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
+        use rayon::prelude::*;
+        let prepared = file
+            .study
+            .scenes
+            .iter()
+            .map(|scene| Prepared::new(scene, file.base()))
+            .collect::<Result<Vec<_>, _>>()?;
+        let keeps_histories = file.study.output.needs_histories();
+        let outcomes = prepared
+            .par_iter()
+            .zip(&file.study.scenes)
+            .map(|(prepared, scene)| {
+                let outcome = prepared.run(keeps_histories.then(|| scene.method.time_step()));
+                done();
+                outcome
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Self {
+            file,
+            prepared,
+            outcomes,
+        })
+    }
+
+    /// Scenes with what they left behind.
+    pub fn runs(&self) -> impl Iterator<Item = (&Scene, &Outcome)> {
+        self.file.study.scenes.iter().zip(&self.outcomes)
+    }
+
+    /// The run of the scene with this name.
+    pub fn of(&self, scene: &str) -> Option<(&Scene, &Outcome)> {
+        self.runs().find(|(candidate, _)| candidate.name == scene)
+    }
+
+    /// An error about this study's file.
+    pub(crate) fn refuse(
+        &self,
+        place: &'static str,
+        found: String,
+        allowed: &'static str,
+    ) -> StudyError {
+        StudyError::Study {
+            path: self.file.path.clone(),
+            place,
+            found,
+            allowed,
+        }
+    }
+}
+
+impl Output {
+    /// Whether the output shows what happened step by step.
+    fn needs_histories(&self) -> bool {
+        match self {
+            Self::Claims
+            | Self::PoundingForcesTable { .. }
+            | Self::DisplacementFigure
+            | Self::PoundingFigure
+            | Self::FirstCollisionFigure
+            | Self::ShearForceFigure { .. } => true,
+            Self::StructuresTable
+            | Self::FirstCollisionTable
+            | Self::TransferredMomentumTable
+            | Self::TextTable { .. }
+            | Self::RecordFigure
+            | Self::LayoutFigure => false,
+        }
+    }
+}

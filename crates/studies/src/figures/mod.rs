@@ -1,0 +1,94 @@
+//! Figures: what a study draws.
+
+mod collisions;
+mod histories;
+mod layouts;
+
+use pounding_solver::State;
+
+use crate::plot::{PlotError, Shade, render_png};
+use crate::{Completed, Outcome, Output, Scene, Structure, StudyError};
+
+/// The figure of a study as PNG; nothing for a study that prints a table.
+///
+/// # Errors
+/// [`StudyError`] when the scenes do not give what the figure shows.
+pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> {
+    let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
+    let png = match &completed.file.study.output {
+        Output::RecordFigure => {
+            render_png(&histories::record(scene, completed.prepared[0].record()))
+        }
+        Output::DisplacementFigure => render_png(&histories::displacements(scene, outcome)),
+        Output::PoundingFigure => render_png(&collisions::pounding(scene, outcome)),
+        Output::FirstCollisionFigure => render_png(&collisions::first_collisions(completed)),
+        Output::LayoutFigure => render_png(&layouts::drawing(&completed.file.study.scenes)),
+        Output::ShearForceFigure { structure } => {
+            render_png(&histories::shear_forces(completed, structure)?)
+        }
+        Output::StructuresTable
+        | Output::PoundingForcesTable { .. }
+        | Output::FirstCollisionTable
+        | Output::TransferredMomentumTable
+        | Output::TextTable { .. }
+        | Output::Claims => return Ok(None),
+    };
+    png.map(Some).map_err(|source: PlotError| StudyError::Plot {
+        path: completed.file.path.clone(),
+        source,
+    })
+}
+
+/// Colour of a structure by its place in the row.
+fn shade(index: usize) -> Shade {
+    [
+        Shade::Blue,
+        Shade::Vermilion,
+        Shade::Ink,
+        Shade::Green,
+        Shade::Amber,
+        Shade::Grey,
+    ][index % 6]
+}
+
+/// Name of a structure with its period, for a legend.
+fn label(structure: &Structure) -> String {
+    match structure {
+        Structure::Sdof(sdof) => format!("{} (T = {:.1} s)", capital(&sdof.name), sdof.period()),
+        Structure::Wall => "Wall".into(),
+    }
+}
+
+/// A name with its first letter large.
+fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters
+        .next()
+        .map(|first| first.to_uppercase().chain(letters).collect())
+        .unwrap_or_default()
+}
+
+/// A quantity of one structure over time, as points.
+fn points(outcome: &Outcome, index: usize, quantity: impl Fn(&State) -> f64) -> Vec<(f64, f64)> {
+    let histories = outcome
+        .histories
+        .as_ref()
+        .expect("figures of histories ask for them");
+    let states = histories.of(index).states.iter().enumerate();
+    states
+        .map(|(i, state)| (i as f64 * histories.interval(), quantity(state)))
+        .collect()
+}
+
+/// Whether any contact of the scene is impulsive.
+fn is_impulsive(scene: &Scene) -> bool {
+    use pounding_contact::ContactLaw;
+    scene
+        .contacts
+        .iter()
+        .flatten()
+        .any(|contact| match contact.law {
+            ContactLaw::Stereomechanical(_) => true,
+            ContactLaw::NonlinearViscoelastic(_) => false,
+        })
+}

@@ -1,0 +1,32 @@
+//! Scenes and studies of structural pounding: what a user writes, what the paper printed, and what comes out.
+//!
+//! A [`Scene`] is one row of structures under one record. A [`Study`] is scenes and what to print of them; the
+//! studies of the paper are data files, one per table and figure. [`Studies::reproduce`] turns a folder of them into tables,
+//! figures, the agreement with the published numbers and the verdicts on the paper's claims.
+//!
+//! Left out: integration (`pounding-solver`), record formats (`pounding-motion`).
+
+mod agreement;
+mod claims;
+mod completed;
+mod error;
+mod figures;
+pub mod plot;
+mod prepared;
+mod reproduce;
+mod scene;
+mod study;
+mod tables;
+
+pub use agreement::{
+    CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
+};
+pub use claims::{Claim, Finding, claims, claims_csv};
+pub use completed::Completed;
+pub use error::{SceneError, StudyError};
+pub use figures::figure_png;
+pub use prepared::{Outcome, Prepared};
+pub use reproduce::{Reproduction, Studies};
+pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
+pub use study::{Output, Study, StudyFile, read_json};
+pub use tables::{Table, Value, digits};

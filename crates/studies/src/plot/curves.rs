@@ -1,0 +1,269 @@
+//! What a curve looks like, in its panel and in a legend.
+
+use super::clip::{self, Box2};
+use super::scale::Frame;
+use super::{Curve, Fill, Kind, Pen, Point, Shade, Shape};
+
+/// Width of a curve in points.
+const LINE: f64 = 1.05;
+
+/// Width of a thin curve and of the outline of an area in points.
+const THIN: f64 = 0.65;
+
+/// How much an area hides what lies behind it.
+const OPACITY: f64 = 0.5;
+
+/// Half the size of the form that marks a point \[mm\].
+pub(super) const FORM: f64 = 0.75;
+
+/// Draws a curve in its panel.
+pub(super) fn shapes(curve: &Curve, frame: &Frame) -> Vec<Shape> {
+    match curve.kind {
+        Kind::Line | Kind::Thin | Kind::Dashed => lines(curve, frame),
+        Kind::Stems => curve
+            .points
+            .iter()
+            .flat_map(|&point| stem(point, curve.shade, frame))
+            .collect(),
+        Kind::Area => runs(&curve.points)
+            .iter()
+            .flat_map(|run| area(run, curve.shade, frame))
+            .collect(),
+        Kind::Points => visible(curve, frame)
+            .map(|point| form(point, curve.shade))
+            .collect(),
+    }
+}
+
+/// Returns points of the curve on the paper, close enough to each other to tell what a box would hide.
+pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
+    let placed = |&point: &Point| frame.place(point);
+    let points: Vec<Point> = match curve.kind {
+        Kind::Points => return visible(curve, frame).collect(),
+        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area => {
+            curve.points.iter().map(placed).collect()
+        }
+        Kind::Stems => {
+            let foot = |&(x, _): &Point| (frame.across(x), frame.base());
+            curve
+                .points
+                .iter()
+                .flat_map(|point| [foot(point), placed(point), foot(point)])
+                .collect()
+        }
+    };
+    clip::pieces(&points, frame.edges)
+        .iter()
+        .flat_map(|piece| piece.windows(2))
+        .flat_map(|pair| between(pair[0], pair[1]))
+        .collect()
+}
+
+/// Returns the width that the sample of a curve should have in a legend \[mm\].
+pub(super) fn sample_width(kind: Kind) -> f64 {
+    match kind {
+        Kind::Line | Kind::Thin | Kind::Dashed => 7.0,
+        Kind::Area => 4.0,
+        Kind::Stems | Kind::Points => 2.0,
+    }
+}
+
+/// Draws the sample of a curve in a legend, from a point at half height to the right.
+pub(super) fn sample(curve: &Curve, (left, middle): Point, width: f64) -> Vec<Shape> {
+    let centre = left + width / 2.0;
+    let pen = pen(curve);
+    match curve.kind {
+        Kind::Line | Kind::Thin | Kind::Dashed => {
+            vec![Shape::line((left, middle), (left + width, middle), pen)]
+        }
+        Kind::Stems => {
+            let (foot, head) = ((centre, middle - 1.3), (centre, middle + 0.6));
+            vec![Shape::line(foot, head, pen), form(head, curve.shade)]
+        }
+        Kind::Area => {
+            let (corner, size) = ((left, middle - 0.9), (width, 1.8));
+            let fill = Some(Fill {
+                shade: curve.shade,
+                opacity: OPACITY,
+            });
+            vec![Shape::Rectangle {
+                corner,
+                size,
+                fill,
+                outline: Some(pen),
+            }]
+        }
+        Kind::Points => vec![form((centre, middle), curve.shade)],
+    }
+}
+
+/// Returns the pen of a curve.
+fn pen(curve: &Curve) -> Pen {
+    match curve.kind {
+        Kind::Line | Kind::Stems | Kind::Points => Pen::solid(curve.shade, LINE),
+        Kind::Thin | Kind::Area => Pen::solid(curve.shade, THIN),
+        Kind::Dashed => Pen::dashed(curve.shade, LINE),
+    }
+}
+
+fn lines(curve: &Curve, frame: &Frame) -> Vec<Shape> {
+    let points: Vec<Point> = curve
+        .points
+        .iter()
+        .map(|&point| frame.place(point))
+        .collect();
+    let pieces = clip::pieces(&points, frame.edges);
+    pieces
+        .into_iter()
+        .map(|points| Shape::Line {
+            points,
+            pen: pen(curve),
+        })
+        .collect()
+}
+
+fn stem((x, y): (f64, f64), shade: Shade, frame: &Frame) -> Vec<Shape> {
+    if x < frame.x.0 || frame.x.1 < x {
+        return Vec::new();
+    }
+    let ((_, bottom), (_, top)) = frame.edges;
+    let (foot, head) = ((frame.across(x), frame.base()), frame.place((x, y)));
+    let cut = (head.0, head.1.clamp(bottom, top));
+    let mut shapes = vec![Shape::line(foot, cut, Pen::solid(shade, LINE))];
+    // A head at the edge would claim that the value ends there.
+    if clip::contains(frame.edges, head) {
+        shapes.push(form(head, shade));
+    }
+    shapes
+}
+
+fn area(run: &[(f64, f64)], shade: Shade, frame: &Frame) -> Vec<Shape> {
+    let ((left, bottom), (right, top)) = frame.edges;
+    let tall: Box2 = ((left, f64::NEG_INFINITY), (right, f64::INFINITY));
+    let points: Vec<Point> = run.iter().map(|&point| frame.place(point)).collect();
+    let mut shapes = Vec::new();
+    for piece in clip::pieces(&points, tall) {
+        let edge: Vec<Point> = piece
+            .into_iter()
+            .map(|(x, y)| (x, y.clamp(bottom, top)))
+            .collect();
+        let (first, last) = (edge[0].0, edge[edge.len() - 1].0);
+        let mut corners = vec![(first, frame.base())];
+        corners.extend(&edge);
+        corners.push((last, frame.base()));
+        shapes.push(Shape::Polygon {
+            corners,
+            fill: Fill {
+                shade,
+                opacity: OPACITY,
+            },
+        });
+        shapes.push(Shape::Line {
+            points: edge,
+            pen: Pen::solid(shade, THIN),
+        });
+    }
+    shapes
+}
+
+/// Cuts a curve into the runs that leave zero, each with the zeros beside it.
+fn runs(points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    let mut runs = Vec::new();
+    let mut run: Vec<(f64, f64)> = Vec::new();
+    for &point in points {
+        let zero = point.1 == 0.0;
+        match run.len() {
+            1 if zero && run[0].1 == 0.0 => run[0] = point,
+            0 => run.push(point),
+            _ if zero => {
+                run.push(point);
+                runs.push(std::mem::replace(&mut run, vec![point]));
+            }
+            _ => run.push(point),
+        }
+    }
+    runs.push(run);
+    runs.retain(|run| run.len() > 1);
+    runs
+}
+
+/// Returns the points of a curve that lie in the panel, on the paper.
+fn visible(curve: &Curve, frame: &Frame) -> impl Iterator<Item = Point> {
+    let frame = *frame;
+    curve
+        .points
+        .iter()
+        .map(move |&point| frame.place(point))
+        .filter(move |&point| clip::contains(frame.edges, point))
+}
+
+/// Returns points on a segment, about a millimetre apart.
+fn between(from: Point, to: Point) -> Vec<Point> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "paper is at most 2 m wide and high"
+    )]
+    let steps = (dx.abs().max(dy.abs()).ceil() as u32).max(1);
+    (0..steps)
+        .map(|k| f64::from(k) / f64::from(steps))
+        .map(|s| (from.0 + s * dx, from.1 + s * dy))
+        .collect()
+}
+
+/// Draws the form of a shade, which tells points apart even in grey.
+fn form(centre: Point, shade: Shade) -> Shape {
+    let (x, y) = centre;
+    let corners = |corners: &[Point]| {
+        let corners = corners
+            .iter()
+            .map(|(dx, dy)| (x + FORM * dx, y + FORM * dy))
+            .collect();
+        Shape::Polygon {
+            corners,
+            fill: Fill::solid(shade),
+        }
+    };
+    match shade {
+        Shade::Vermilion => corners(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
+        Shade::Ink => corners(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.1)]),
+        Shade::Green => corners(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)]),
+        Shade::Amber => corners(&[(-1.1, 0.8), (1.1, 0.8), (0.0, -1.1)]),
+        Shade::Blue | Shade::Grey | Shade::Silver | Shade::Mist | Shade::White => Shape::Circle {
+            centre,
+            radius: FORM,
+            fill: Some(Fill::solid(shade)),
+            outline: None,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_runs_leave_out_the_rest_at_zero() {
+        let points = [
+            (0.0, 0.0),
+            (1.0, 0.0),
+            (2.0, 5.0),
+            (3.0, 0.0),
+            (4.0, 0.0),
+            (5.0, 0.0),
+            (6.0, 1.0),
+        ];
+        let expected = [
+            vec![(1.0, 0.0), (2.0, 5.0), (3.0, 0.0)],
+            vec![(5.0, 0.0), (6.0, 1.0)],
+        ];
+        assert_eq!(runs(&points), expected);
+    }
+
+    #[test]
+    fn limit_no_run_in_a_curve_at_zero() {
+        assert!(runs(&[]).is_empty());
+        assert!(runs(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)]).is_empty());
+    }
+}

@@ -1,0 +1,81 @@
+//! What can be wrong with a picture.
+
+/// A picture cannot be drawn; each variant is one thing that its author can put right.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlotError {
+    /// A figure has no panel, or no column to put panels in.
+    #[error("a figure needs at least one panel and one column")]
+    NoPanel,
+    /// The paper is too small to hold the panels, or not between 1 mm and 2 m wide and high.
+    #[error(
+        "{width_mm} mm × {height_mm} mm is no size that the picture fits in: make it larger or show less"
+    )]
+    Size {
+        /// Width asked for \[mm\].
+        width_mm: f64,
+        /// Height asked for \[mm\].
+        height_mm: f64,
+    },
+    /// The weights of the panels are not all positive numbers.
+    #[error("panel {panel} has weight {weight}: weights must be positive")]
+    Weight {
+        /// Index of the panel, from 0.
+        panel: usize,
+        /// The weight found.
+        weight: f64,
+    },
+    /// A point of a curve is not a pair of finite numbers.
+    #[error("panel {panel}, curve {curve}, point {point} is not finite")]
+    CurvePoint {
+        /// Index of the panel, from 0.
+        panel: usize,
+        /// Index of the curve in its panel, from 0.
+        curve: usize,
+        /// Index of the point in its curve, from 0.
+        point: usize,
+    },
+    /// A marker, reference line or note of a panel is not at finite numbers.
+    #[error("panel {panel} has a marker, a level or a note at a number that is not finite")]
+    Mark {
+        /// Index of the panel, from 0.
+        panel: usize,
+    },
+    /// An axis cannot span this range: its ends must be finite, in order, and far enough apart to be told from each other.
+    #[error("axis `{axis}` cannot run from {from} to {to}")]
+    Range {
+        /// Label of the axis.
+        axis: String,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+    },
+    /// A coordinate of a drawing is not finite or lies far off the paper.
+    #[error("shape {shape} of a drawing has a coordinate that is not on the paper")]
+    Coordinate {
+        /// Index of the shape, from 0.
+        shape: usize,
+    },
+    /// A text holds a character that the bundled font does not have.
+    #[error(
+        "the bundled font lacks {character:?} in {text:?}: choose another, or add it to the subset"
+    )]
+    Character {
+        /// The character.
+        character: char,
+        /// The whole text.
+        text: String,
+    },
+    /// A text does not fit on the paper.
+    #[error("{text:?} runs off the paper: shorten it or make the picture larger")]
+    LongText {
+        /// The whole text.
+        text: String,
+    },
+    /// The picture was understood but the renderer refused it: a mistake of ours.
+    #[error("the renderer refused the picture at the stage `{stage}`")]
+    Renderer {
+        /// Which step of rendering.
+        stage: &'static str,
+    },
+}

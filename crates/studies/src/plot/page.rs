@@ -1,0 +1,360 @@
+//! From millimetres to SVG, by plotters.
+//!
+//! Plotters counts in whole units, so the canvas is large: a hundred units to the millimetre.
+//! Nothing outside this file and `text.rs` knows plotters.
+
+use plotters::backend::{DrawingBackend, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, FontTransform, RGBAColor, RGBColor, ShapeStyle, TextStyle};
+
+use super::text::{CAPITAL, FAMILY, MM_PER_POINT};
+use super::{Align, Drawing, Fill, Pen, PlotError, Point, Shade, Shape, dash, text};
+
+/// Units of the canvas in a millimetre.
+const UNITS: f64 = 100.0;
+
+/// Plotters divides the size of text by this before writing it.
+const TEXT_SIZE: f64 = 1.24;
+
+/// Plotters puts the middle of text this much above its baseline, as a part of the size.
+const MIDDLE: f64 = 0.25;
+
+/// Length and half width of the head of an arrow, in widths of the line.
+const HEAD: (f64, f64) = (7.0, 2.6);
+
+/// Draws a picture as an SVG whose letters still need the bundled font.
+pub(super) fn svg(drawing: &Drawing) -> Result<String, PlotError> {
+    text::check(drawing)?;
+    unchecked(drawing)
+}
+
+/// Draws a picture, whatever characters it holds.
+pub(super) fn unchecked(drawing: &Drawing) -> Result<String, PlotError> {
+    let (width_mm, height_mm) = (drawing.width, drawing.height);
+    let sound = |length: f64| (1.0..=2000.0).contains(&length);
+    if !(sound(width_mm) && sound(height_mm)) {
+        return Err(PlotError::Size {
+            width_mm,
+            height_mm,
+        });
+    }
+    let mut written = String::new();
+    let canvas = SVGBackend::with_string(&mut written, (size(width_mm), size(height_mm)));
+    let mut page = Page {
+        canvas,
+        height: height_mm,
+    };
+    page.rectangle((0.0, 0.0), (width_mm, height_mm), Fill::solid(Shade::White))?;
+    for (index, shape) in drawing.shapes.iter().enumerate() {
+        if !on_paper(drawing, shape) {
+            return Err(PlotError::Coordinate { shape: index });
+        }
+        page.shape(shape)?;
+    }
+    page.canvas.present().map_err(|_| REFUSED)?;
+    drop(page);
+    Ok(with_header(&written, drawing))
+}
+
+/// The error of a canvas in memory, which cannot fail.
+const REFUSED: PlotError = PlotError::Renderer { stage: "SVG" };
+
+/// Gives the large canvas its size on paper; lines meet in round corners, so that spikes stay spikes.
+fn with_header(written: &str, drawing: &Drawing) -> String {
+    let body = written.split_once('>').map_or("", |(_, body)| body);
+    let (width, height) = (drawing.width, drawing.height);
+    let (columns, rows) = (size(width), size(height));
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" \
+         viewBox=\"0 0 {columns} {rows}\" stroke-linejoin=\"round\" font-family=\"{FAMILY}\">{body}"
+    )
+}
+
+/// Tells whether all of a shape is at finite places on the paper or not far off.
+fn on_paper(drawing: &Drawing, shape: &Shape) -> bool {
+    let reach = 10.0 * drawing.width.max(drawing.height);
+    let near = |&(x, y): &Point| x.abs() <= reach && y.abs() <= reach;
+    match shape {
+        Shape::Rectangle { corner, size, .. } => near(corner) && near(size),
+        Shape::Circle { centre, radius, .. } => near(centre) && near(&(*radius, 0.0)),
+        Shape::Polygon {
+            corners: points, ..
+        }
+        | Shape::Line { points, .. } => points.iter().all(near),
+        Shape::Arrow { from, to, .. } => near(from) && near(to),
+        Shape::Text { at, .. } => near(at),
+    }
+}
+
+/// Returns a length in units, at least one.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "lengths are below 1e5 mm"
+)]
+fn size(length: f64) -> u32 {
+    (length * UNITS).round().max(1.0) as u32
+}
+
+/// Returns a colour for plotters.
+fn colour(shade: Shade, opacity: f64) -> RGBAColor {
+    let (red, green, blue) = shade.rgb();
+    RGBColor(red, green, blue).mix(opacity)
+}
+
+/// Returns the look of a line for plotters.
+fn stroke(pen: Pen) -> ShapeStyle {
+    ShapeStyle {
+        color: colour(pen.shade, 1.0),
+        filled: false,
+        stroke_width: size(pen.points * MM_PER_POINT),
+    }
+}
+
+/// Returns the look of an inside for plotters.
+fn inside(fill: Fill) -> ShapeStyle {
+    ShapeStyle {
+        color: colour(fill.shade, fill.opacity),
+        filled: true,
+        stroke_width: 0,
+    }
+}
+
+/// A page is a canvas that takes millimetres and counts upwards.
+struct Page<'a> {
+    canvas: SVGBackend<'a>,
+    height: f64,
+}
+
+impl Page<'_> {
+    fn shape(&mut self, shape: &Shape) -> Result<(), PlotError> {
+        match shape {
+            Shape::Rectangle {
+                corner,
+                size,
+                fill,
+                outline,
+            } => {
+                if let Some(fill) = *fill {
+                    self.rectangle(*corner, *size, fill)?;
+                }
+                let Some(pen) = *outline else { return Ok(()) };
+                let ((x, y), (width, height)) = (*corner, *size);
+                let corners = [
+                    (x, y),
+                    (x + width, y),
+                    (x + width, y + height),
+                    (x, y + height),
+                    (x, y),
+                    (x + width, y),
+                ];
+                self.line(&corners, pen)
+            }
+            Shape::Circle {
+                centre,
+                radius,
+                fill,
+                outline,
+            } => self.circle(*centre, *radius, (*fill, *outline)),
+            Shape::Polygon { corners, fill } => self.polygon(corners, *fill),
+            Shape::Line { points, pen } => self.line(points, *pen),
+            Shape::Arrow {
+                from,
+                to,
+                pen,
+                both,
+            } => {
+                let ends = if *both {
+                    vec![(*from, *to), (*to, *from)]
+                } else {
+                    vec![(*from, *to)]
+                };
+                self.arrow((*from, *to), &ends, *pen)
+            }
+            Shape::Text { .. } => self.text(shape),
+        }
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "`on_paper` bounds coordinates to 2e6 units"
+    )]
+    fn unit(&self, (x, y): Point) -> (i32, i32) {
+        (
+            (x * UNITS).round() as i32,
+            ((self.height - y) * UNITS).round() as i32,
+        )
+    }
+
+    fn units(&self, points: &[Point]) -> Vec<(i32, i32)> {
+        let mut units: Vec<_> = points.iter().map(|&point| self.unit(point)).collect();
+        units.dedup();
+        units
+    }
+
+    fn rectangle(
+        &mut self,
+        (x, y): Point,
+        (width, height): Point,
+        fill: Fill,
+    ) -> Result<(), PlotError> {
+        let (upper_left, lower_right) = (self.unit((x, y + height)), self.unit((x + width, y)));
+        self.canvas
+            .draw_rect(upper_left, lower_right, &inside(fill), true)
+            .map_err(|_| REFUSED)
+    }
+
+    fn circle(
+        &mut self,
+        centre: Point,
+        radius: f64,
+        look: (Option<Fill>, Option<Pen>),
+    ) -> Result<(), PlotError> {
+        let centre = self.unit(centre);
+        if let Some(fill) = look.0 {
+            self.canvas
+                .draw_circle(centre, size(radius), &inside(fill), true)
+                .map_err(|_| REFUSED)?;
+        }
+        let Some(pen) = look.1 else { return Ok(()) };
+        self.canvas
+            .draw_circle(centre, size(radius), &stroke(pen), false)
+            .map_err(|_| REFUSED)
+    }
+
+    fn polygon(&mut self, corners: &[Point], fill: Fill) -> Result<(), PlotError> {
+        let corners = self.units(corners);
+        self.canvas
+            .fill_polygon(corners, &inside(fill))
+            .map_err(|_| REFUSED)
+    }
+
+    fn line(&mut self, points: &[Point], pen: Pen) -> Result<(), PlotError> {
+        let pieces = if pen.dashed {
+            dash::dashes(points, pen.points * MM_PER_POINT)
+        } else {
+            vec![points.to_vec()]
+        };
+        for piece in pieces {
+            let units = self.units(&piece);
+            if units.len() > 1 {
+                self.canvas
+                    .draw_path(units, &stroke(pen))
+                    .map_err(|_| REFUSED)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn arrow(
+        &mut self,
+        shaft: (Point, Point),
+        ends: &[(Point, Point)],
+        pen: Pen,
+    ) -> Result<(), PlotError> {
+        let (mut from, mut to) = shaft;
+        let width = pen.points * MM_PER_POINT;
+        for (index, &(start, tip)) in ends.iter().enumerate() {
+            let (dx, dy) = (tip.0 - start.0, tip.1 - start.1);
+            let length = (dx * dx + dy * dy).sqrt();
+            if length == 0.0 {
+                return Ok(());
+            }
+            let (dx, dy) = (dx / length, dy / length);
+            let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
+            let neck = (tip.0 - long * dx, tip.1 - long * dy);
+            let sides = [
+                (neck.0 - wide * dy, neck.1 + wide * dx),
+                (neck.0 + wide * dy, neck.1 - wide * dx),
+            ];
+            self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
+            // The shaft ends inside the head, or its square end would blunt the tip.
+            let end = (tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy);
+            if index == 0 { to = end } else { from = end }
+        }
+        self.line(&[from, to], pen)
+    }
+
+    fn text(&mut self, shape: &Shape) -> Result<(), PlotError> {
+        let Shape::Text {
+            at,
+            text,
+            points,
+            align,
+            upright,
+            shade,
+        } = shape
+        else {
+            return Ok(());
+        };
+        let em = points * MM_PER_POINT;
+        // From the middle of a plotters text to the middle of its capital letters, downwards.
+        let drop = (CAPITAL / 2.0 - MIDDLE) * em;
+        let (at, turn) = if *upright {
+            ((at.0 + drop, at.1), FontTransform::Rotate270)
+        } else {
+            ((at.0, at.1 - drop), FontTransform::None)
+        };
+        let across = match align {
+            Align::Start => HPos::Left,
+            Align::Middle => HPos::Center,
+            Align::End => HPos::Right,
+        };
+        let font = text::font(em * UNITS * TEXT_SIZE).transform(turn);
+        let ink = colour(*shade, 1.0);
+        let style = TextStyle::from(font)
+            .color(&ink)
+            .pos(Pos::new(across, VPos::Center));
+        self.canvas
+            .draw_text(text, &style, self.unit(at))
+            .map_err(|_| REFUSED)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extreme_drawings_are_refused() {
+        let far = Shape::line((0.0, 0.0), (f64::NAN, 1.0), Pen::solid(Shade::Ink, 1.0));
+        let sheet = |width, shapes| Drawing {
+            width,
+            height: 10.0,
+            shapes,
+        };
+        assert_eq!(
+            svg(&sheet(10.0, vec![far])),
+            Err(PlotError::Coordinate { shape: 0 })
+        );
+        assert_eq!(
+            svg(&sheet(0.0, vec![])),
+            Err(PlotError::Size {
+                width_mm: 0.0,
+                height_mm: 10.0
+            })
+        );
+    }
+
+    #[test]
+    fn limit_an_arrow_without_length_draws_nothing() {
+        let arrow = Shape::Arrow {
+            from: (1.0, 1.0),
+            to: (1.0, 1.0),
+            pen: Pen::solid(Shade::Ink, 1.0),
+            both: true,
+        };
+        let blank = Drawing {
+            width: 10.0,
+            height: 10.0,
+            shapes: vec![],
+        };
+        assert_eq!(
+            svg(&Drawing {
+                shapes: vec![arrow],
+                ..blank.clone()
+            }),
+            svg(&blank)
+        );
+    }
+}

@@ -1,0 +1,45 @@
+//! The few colours of the figures.
+
+/// A shade is one of the colours that figures use.
+///
+/// The first six are for curves, best in this order. Printed in grey, their lightness (CIE L*, 0 black to 100 white)
+/// is about 13, 42, 63, 50, 79 and 70: ink, blue and vermilion stay well apart; grey beside vermilion needs another
+/// [`Kind`](super::Kind) as well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shade {
+    /// Nearly black, also for text and axes.
+    Ink,
+    /// Deep blue.
+    Blue,
+    /// Bright orange-red, much lighter than blue.
+    Vermilion,
+    /// Bluish green.
+    Green,
+    /// Golden yellow.
+    Amber,
+    /// Middle grey.
+    Grey,
+    /// Light grey, for markers and fills behind curves.
+    Silver,
+    /// Very light grey, for grids and grounds.
+    Mist,
+    /// Paper.
+    White,
+}
+
+impl Shade {
+    /// Returns red, green and blue, 0 to 255: multiples of 17, which PNG keeps exactly (see `raster.rs`).
+    pub const fn rgb(self) -> (u8, u8, u8) {
+        match self {
+            Self::Ink => (0x22, 0x22, 0x22),
+            Self::Blue => (0x11, 0x66, 0xAA),
+            Self::Vermilion => (0xEE, 0x77, 0x33),
+            Self::Green => (0x11, 0x88, 0x66),
+            Self::Amber => (0xEE, 0xBB, 0x44),
+            Self::Grey => (0xAA, 0xAA, 0xAA),
+            Self::Silver => (0xBB, 0xBB, 0xBB),
+            Self::Mist => (0xDD, 0xDD, 0xDD),
+            Self::White => (0xFF, 0xFF, 0xFF),
+        }
+    }
+}

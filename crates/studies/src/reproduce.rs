@@ -1,0 +1,123 @@
+//! All studies at once: tables, figures, agreement and claims.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use crate::{
+    Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, agreement_csv,
+    claims, claims_csv, figure_png,
+};
+
+/// The studies of a folder and the published numbers they are compared with.
+#[derive(Debug)]
+pub struct Studies {
+    files: Vec<StudyFile>,
+    published: PublishedValues,
+}
+
+/// Everything that the studies give.
+#[derive(Debug)]
+pub struct Reproduction {
+    /// Contents of the results folder by relative path.
+    pub files: BTreeMap<PathBuf, Vec<u8>>,
+    /// Every published number with its computed one.
+    pub comparisons: Vec<Comparison>,
+    /// The paper's claims, tested.
+    pub claims: Vec<Claim>,
+    /// Disagreements that are not listed, and listed ones that have vanished.
+    pub surprises: Vec<String>,
+}
+
+impl Studies {
+    /// Reads `*.json` and `published/*.csv` of a folder.
+    ///
+    /// # Errors
+    /// [`StudyError`] naming the file and place that cannot be read.
+    pub fn read(folder: &Path) -> Result<Self, StudyError> {
+        Ok(Self {
+            files: StudyFile::read_all(folder)?,
+            published: PublishedValues::read(&folder.join("published"))?,
+        })
+    }
+
+    /// Number of times that [`Self::reproduce`] calls `done`.
+    pub fn n_units(&self) -> usize {
+        self.files.len()
+            + self
+                .files
+                .iter()
+                .map(|file| file.study.scenes.len())
+                .sum::<usize>()
+    }
+
+    /// Runs every scene and makes every table and figure; `done` is called after each scene and each study.
+    ///
+    /// The result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// The first [`StudyError`] in the order of the studies.
+    pub fn reproduce(self, done: &(impl Fn() + Sync)) -> Result<Reproduction, StudyError> {
+        let completed = self
+            .files
+            .into_par_iter()
+            .map(|file| Completed::run(file, done))
+            .collect::<Result<Vec<_>, _>>()?;
+        let made = completed
+            .par_iter()
+            .map(|study| {
+                let made = Made::of(study);
+                done();
+                made
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut files = BTreeMap::new();
+        let mut values = BTreeMap::new();
+        for (study, made) in completed.iter().zip(made) {
+            let id = &study.file.id;
+            if let Some(table) = made.table {
+                files.insert(
+                    Path::new("tables").join(id).with_extension("csv"),
+                    table.to_csv().into_bytes(),
+                );
+                values.insert(
+                    id.strip_prefix("table-").unwrap_or(id).to_string(),
+                    table.values,
+                );
+            }
+            if let Some(png) = made.figure {
+                files.insert(Path::new("figures").join(id).with_extension("png"), png);
+            }
+        }
+        let comparisons = self.published.compare(&values);
+        let claims = claims(&completed)?;
+        files.insert(
+            "agreement.csv".into(),
+            agreement_csv(&comparisons).into_bytes(),
+        );
+        files.insert("claims.csv".into(), claims_csv(&claims).into_bytes());
+        let surprises = self.published.surprises(&comparisons);
+        Ok(Reproduction {
+            files,
+            comparisons,
+            claims,
+            surprises,
+        })
+    }
+}
+
+/// What one study makes.
+struct Made {
+    table: Option<Table>,
+    figure: Option<Vec<u8>>,
+}
+
+impl Made {
+    fn of(study: &Completed) -> Result<Self, StudyError> {
+        Ok(Self {
+            table: Table::of(study)?,
+            figure: figure_png(study)?,
+        })
+    }
+}

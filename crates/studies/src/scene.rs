@@ -1,0 +1,147 @@
+//! What a user writes: a row of structures under a record, with its settings.
+
+use pounding_contact::ContactLaw;
+use pounding_solver::Start;
+use serde::{Deserialize, Serialize};
+
+/// One row of structures under one record, with the method that integrates it.
+///
+/// Structures stand left to right. Checking happens when the scene is [prepared](crate::Prepared).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Name, unique within its study.
+    pub name: String,
+    /// The record and how it is used.
+    pub record: RecordUse,
+    /// Duration of the run \[s\], a whole number of time steps.
+    pub duration_s: f64,
+    /// The structures and walls, from left to right.
+    pub structures: Vec<Structure>,
+    /// One contact between each structure and its right neighbour; absent when the structures stand apart.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contacts: Option<Vec<Contact>>,
+    /// The method of time integration.
+    pub method: Method,
+}
+
+/// A record and how a scene uses it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RecordUse {
+    /// File, relative to the folder of the file that names it.
+    pub file: String,
+    /// What one g of the file is worth \[m/s²\].
+    pub gravity_m_per_s2: f64,
+    /// Factor on the ground acceleration \[–\].
+    #[serde(default = "one")]
+    pub scale: f64,
+    /// Whether the shaking is reversed (left becomes right).
+    #[serde(default)]
+    pub reversed: bool,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// A structure or a wall of a row.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Structure {
+    /// A structure of one storey (single degree of freedom).
+    Sdof(Sdof),
+    /// A fixed wall; it moves with the ground.
+    Wall,
+}
+
+impl Structure {
+    /// Name for tables and figures.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Sdof(structure) => &structure.name,
+            Self::Wall => "wall",
+        }
+    }
+}
+
+/// A structure of one storey.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sdof {
+    /// Name for tables and figures.
+    pub name: String,
+    /// Mass m \[kg\], > 0.
+    pub mass_kg: f64,
+    /// Elastic stiffness k \[N/m\], > 0.
+    pub stiffness_n_per_m: f64,
+    /// Viscous damping; it stays that of the elastic structure when the columns yield.
+    pub damping: Damping,
+    /// Yield force \[N\], > 0; absent for elastic columns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yield_force_n: Option<f64>,
+    /// Displacement at t = 0 \[m\].
+    #[serde(default)]
+    pub initial_displacement_m: f64,
+    /// Velocity at t = 0 \[m/s\].
+    #[serde(default)]
+    pub initial_velocity_m_per_s: f64,
+}
+
+/// How the viscous damping of a structure is given.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Damping {
+    /// Damping ratio ζ \[–\], ≥ 0.
+    Ratio(f64),
+    /// Rayleigh damping c = α m + β k.
+    Rayleigh {
+        /// Mass coefficient α \[1/s\], ≥ 0.
+        alpha_per_s: f64,
+        /// Stiffness coefficient β \[s\], ≥ 0.
+        beta_s: f64,
+    },
+}
+
+/// What lies between two neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Gap at rest \[m\], ≥ 0.
+    pub gap_m: f64,
+    /// The contact law.
+    pub law: ContactLaw,
+}
+
+/// A method of time integration with its settings.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Method {
+    /// Central difference method.
+    CentralDifference {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// How the first step begins.
+        start: Start,
+    },
+    /// Newmark's method.
+    Newmark {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// β \[–\]: 1/4 is average acceleration, 1/6 linear acceleration.
+        beta: f64,
+        /// γ \[–\]: 1/2 for order two.
+        gamma: f64,
+    },
+}
+
+impl Method {
+    /// Time step \[s\].
+    pub fn time_step(&self) -> f64 {
+        match *self {
+            Self::CentralDifference { time_step_s, .. } | Self::Newmark { time_step_s, .. } => {
+                time_step_s
+            }
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! A study: scenes, and what to print of them. One JSON file per table or figure.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::{Scene, StudyError};
+
+/// Scenes and what to print of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// What the table or figure shows.
+    pub title: String,
+    /// Choices the paper does not state, and where they come from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notes: Option<String>,
+    /// The scenes, in the order of the table or figure.
+    pub scenes: Vec<Scene>,
+    /// What to print.
+    pub output: Output,
+}
+
+/// What a study prints of its scenes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Output {
+    /// Dynamic characteristics of the structures of the first scene.
+    StructuresTable,
+    /// Time and force of every impact, or of every step in contact, one block per scene.
+    PoundingForcesTable {
+        /// Only the first collisions, where the paper prints no more.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        n_collisions: Option<usize>,
+        /// Added to every printed time \[s\].
+        #[serde(default)]
+        label_offset_s: f64,
+    },
+    /// Impulse of the first collision of every scene.
+    FirstCollisionTable,
+    /// Transferred momentum of every structure of every scene.
+    TransferredMomentumTable,
+    /// Single numbers of the running text.
+    TextTable {
+        /// Scenes of which the transferred momentum of the first structure is printed.
+        transferred_momentum: Vec<String>,
+        /// Scenes of which the peak forces of the first two collisions are printed.
+        peak_forces: Vec<String>,
+    },
+    /// Nothing of its own: the scenes are needed to test the paper's claims.
+    Claims,
+    /// The record of the first scene.
+    RecordFigure,
+    /// Displacements of the structures of the first scene, a panel each.
+    DisplacementFigure,
+    /// Displacements of the structures above, pounding forces below, of the first scene.
+    PoundingFigure,
+    /// Pounding force of the first collision, a panel per scene.
+    FirstCollisionFigure,
+    /// The rows of all scenes, drawn.
+    LayoutFigure,
+    /// Shear force of the structure of this name in every scene.
+    ShearForceFigure {
+        /// Name of the structure.
+        structure: String,
+    },
+}
+
+/// A study with the file it came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyFile {
+    /// Name of the file without ending, for example `table-2`.
+    pub id: String,
+    /// The file.
+    pub path: PathBuf,
+    /// What it holds.
+    pub study: Study,
+}
+
+impl StudyFile {
+    /// Reads one study.
+    ///
+    /// # Errors
+    /// [`StudyError`] naming the file and the field.
+    pub fn read(path: &Path) -> Result<Self, StudyError> {
+        let study: Study = read_json(path)?;
+        let refuse = |found: String, allowed| StudyError::Study {
+            path: path.to_path_buf(),
+            place: "scenes",
+            found,
+            allowed,
+        };
+        if study.scenes.is_empty() {
+            return Err(refuse("none".into(), "one or more scenes"));
+        }
+        let mut names = BTreeSet::new();
+        if let Some(twice) = study.scenes.iter().find(|scene| !names.insert(&scene.name)) {
+            return Err(refuse(
+                format!("\"{}\" twice", twice.name),
+                "names that differ",
+            ));
+        }
+        let id = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        Ok(Self {
+            id,
+            path: path.to_path_buf(),
+            study,
+        })
+    }
+
+    /// Reads every `*.json` of a folder, in the order of their names.
+    ///
+    /// # Errors
+    /// [`StudyError`] for the first file that cannot be read.
+    pub fn read_all(folder: &Path) -> Result<Vec<Self>, StudyError> {
+        let unreadable = |source| StudyError::Unreadable {
+            path: folder.to_path_buf(),
+            source,
+        };
+        let mut paths = Vec::new();
+        for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+            let path = entry.map_err(unreadable)?.path();
+            if path
+                .extension()
+                .is_some_and(|extension| extension == "json")
+            {
+                paths.push(path);
+            }
+        }
+        paths.sort();
+        paths.iter().map(|path| Self::read(path)).collect()
+    }
+
+    /// Folder that the files named in its scenes are relative to.
+    pub fn base(&self) -> &Path {
+        self.path.parent().unwrap_or_else(|| Path::new(""))
+    }
+}
+
+/// Reads a JSON file; an error names the field.
+///
+/// # Errors
+/// [`StudyError::Unreadable`] or [`StudyError::Form`].
+pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
+    let text = std::fs::read_to_string(path).map_err(|source| StudyError::Unreadable {
+        path: path.to_path_buf(),
+        source,
+    })?;
+    let mut reader = serde_json::Deserializer::from_str(&text);
+    let value =
+        serde_path_to_error::deserialize(&mut reader).map_err(|error| StudyError::Form {
+            path: path.to_path_buf(),
+            place: error.path().to_string(),
+            source: error.into_inner(),
+        })?;
+    reader.end().map_err(|source| StudyError::Form {
+        path: path.to_path_buf(),
+        place: "end of file".into(),
+        source,
+    })?;
+    Ok(value)
+}

@@ -1,0 +1,60 @@
+//! What must pass before a change lands.
+
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+/// Steps that are commands of cargo: what they are for, arguments, and an environment variable.
+const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
+    (
+        "format",
+        &["fmt", "--all", "--", "--check"],
+        ("CARGO_TERM_QUIET", "false"),
+    ),
+    (
+        "lints",
+        &[
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "--deny",
+            "warnings",
+        ],
+        ("CARGO_TERM_QUIET", "false"),
+    ),
+    // A missing snapshot fails here instead of being written.
+    ("tests", &["test", "--workspace"], ("INSTA_UPDATE", "no")),
+    (
+        "documentation",
+        &["doc", "--workspace", "--no-deps"],
+        ("RUSTDOCFLAGS", "--deny warnings"),
+    ),
+];
+
+/// Runs every step and stops at the first that fails.
+pub(crate) fn run(root: &Path) -> Result<(), String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    for (name, arguments, (variable, value)) in STEPS {
+        println!("── {name}: cargo {}", arguments.join(" "));
+        let started = Instant::now();
+        let status = Command::new(&cargo)
+            .args(arguments)
+            .env(variable, value)
+            .current_dir(root)
+            .status()
+            .map_err(|error| format!("cannot start cargo: {error}"))?;
+        if !status.success() {
+            return Err(format!(
+                "{name} failed; to see it alone: cargo {}",
+                arguments.join(" ")
+            ));
+        }
+        println!(
+            "   {name} passed in {:.0} s",
+            started.elapsed().as_secs_f64()
+        );
+    }
+    println!("── results: cargo xtask reproduce --check");
+    crate::reproduce::run(root, true)
+}

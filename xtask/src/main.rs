@@ -1,0 +1,57 @@
+//! Tasks of the project: `cargo xtask reproduce` and `cargo xtask check`.
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program speaks to its user"
+)]
+
+mod check;
+mod reproduce;
+mod results;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Tasks of the project.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version)]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// Run every study and write every table and figure of the paper into results/.
+    Reproduce {
+        /// Write nothing; fail when results/ is not what a fresh run gives.
+        #[arg(long)]
+        check: bool,
+    },
+    /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
+    Check,
+}
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().task {
+        Task::Reproduce { check } => reproduce::run(&root(), check),
+        Task::Check => check::run(&root()),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The top folder of the workspace.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .parent()
+        .expect("xtask lies in the workspace")
+        .to_path_buf()
+}
