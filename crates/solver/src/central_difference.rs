@@ -1,7 +1,9 @@
 //! Central difference method, with contact as the paper applies it.
 //!
 //! Source: the paper, equations (1)–(3); Chopra, *Dynamics of Structures*, 5.3. Written per unit of mass, so that a
-//! wall is a node of inverse mass 0.
+//! wall is a node of inverse mass 0, and for the increment of the displacement instead of the displacement: the same
+//! equation, but rounding then grows with the number of steps and not with its square (at Δt = 5e-7 s over 3 s it
+//! would spoil the fourth digit).
 
 use pounding_contact::{ContactLaw, Overlap};
 use serde::{Deserialize, Serialize};
@@ -32,8 +34,9 @@ pub enum Start {
 
 /// What each structure carries from step to step.
 struct Body<Memory> {
-    previous: f64,
     displacement: f64,
+    /// Displacement minus that of the node before \[m\].
+    increment: f64,
     /// Central-difference velocity at the node before; what the paper's impact rule looks at.
     velocity: f64,
     memory: Memory,
@@ -53,9 +56,7 @@ struct Coefficients {
     /// 1/(1/Δt² + c/(2mΔt)).
     solve: f64,
     /// 1/Δt² − c/(2mΔt).
-    previous: f64,
-    /// 2/Δt².
-    current: f64,
+    carry: f64,
     /// 1 for a structure, 0 for a wall: walls do not feel inertia.
     mobile: f64,
 }
@@ -68,8 +69,7 @@ impl Coefficients {
             inverse_mass: node.inverse_mass,
             damping,
             solve: 1.0 / (inertia + half),
-            previous: inertia - half,
-            current: 2.0 * inertia,
+            carry: inertia - half,
             mobile: if node.is_wall() { 0.0 } else { 1.0 },
         }
     }
@@ -145,14 +145,14 @@ fn begin<Column: RestoringForce>(
     let response = node.column.respond(u, Column::Memory::default());
     let ground = if node.is_wall() { 0.0 } else { ground };
     let acceleration = -ground - node.inverse_mass * (node.damping * v + response.force);
-    let (previous, displacement) = match start {
-        Start::Consistent => (u - dt * v + 0.5 * dt * dt * acceleration, u),
-        Start::FirstLoadUsed => (u - dt * v, u),
-        Start::FirstLoadSkipped => (u, u + dt * v),
+    let (displacement, increment) = match start {
+        Start::Consistent => (u, dt * (v - 0.5 * dt * acceleration)),
+        Start::FirstLoadUsed => (u, dt * v),
+        Start::FirstLoadSkipped => (u + dt * v, dt * v),
     };
     Body {
-        previous,
         displacement,
+        increment,
         velocity: v,
         memory: response.memory,
         start: State {
@@ -193,8 +193,7 @@ fn touch<Column: RestoringForce, Memory>(
             let reduced_mass = row.reduced_mass(pair);
             match pair.law {
                 ContactLaw::NonlinearViscoelastic(law) => {
-                    let before = left.previous - right.previous - pair.gap;
-                    let rate = (deformation - before) / dt;
+                    let rate = (left.increment - right.increment) / dt;
                     let force = law
                         .respond(&Overlap {
                             deformation,
@@ -235,9 +234,8 @@ fn advance<Column: RestoringForce>(
         constants.inverse_mass * (pounding_force - response.force) - constants.mobile * ground;
     let jump = constants.inverse_mass * body.impulse;
     let load = smooth + jump / dt;
-    let next = constants.solve
-        * (load - constants.previous * body.previous + constants.current * body.displacement);
-    let velocity = (next - body.previous) / (2.0 * dt);
+    let increment = constants.solve * (load + constants.carry * body.increment);
+    let velocity = (increment + body.increment) / (2.0 * dt);
     let state = State {
         displacement: body.displacement,
         // The central velocity lies in the middle of the jump.
@@ -247,8 +245,8 @@ fn advance<Column: RestoringForce>(
         force_from_left: body.force_from_left,
         force_from_right: body.force_from_right,
     };
-    body.previous = body.displacement;
-    body.displacement = next;
+    body.displacement += increment;
+    body.increment = increment;
     body.velocity = velocity;
     body.memory = response.memory;
     state

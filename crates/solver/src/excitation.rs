@@ -67,7 +67,8 @@ impl<'a> Excitation<'a> {
             return 0.0;
         }
         let fraction = position - below;
-        (1.0 - fraction) * sample(below) + fraction * sample(below + 1.0)
+        let (left, right) = (sample(below), sample(below + 1.0));
+        left + fraction * (right - left)
     }
 }
 

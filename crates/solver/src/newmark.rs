@@ -163,7 +163,7 @@ fn balance<Column: RestoringForce>(
                 first,
                 last,
                 time,
-                iterations: newton::MAX_ITERATIONS,
+                iterations: failure.iterations,
                 residual: failure.residual,
                 allowed: newton::TOLERANCE,
             }

@@ -2,17 +2,24 @@
 //!
 //! The unknowns are the accelerations at the end of the step. With displacement increments as unknowns the terms
 //! 4u/Δt² would cancel and leave a residual of 1e-9 at Δt = 1e-4 s; accelerations do not cancel.
+//!
+//! A correction is halved until the residual falls: the damper of the viscoelastic element starts like δ^(1/4), and a
+//! full correction can jump out of contact and back for ever.
 
 use pounding_contact::{ContactLaw, Overlap};
 
-use crate::{Node, Response, RestoringForce, Row, Work};
+use crate::{Node, Pair, Response, RestoringForce, Row, Work};
 
 /// Largest residual of equilibrium accepted, relative to the sum of the magnitudes of its terms.
 ///
-/// Rounding leaves about 1e-15; a tighter bound buys nothing.
+/// Rounding of those terms leaves about 1e-15; what rounding of displacements and velocities leaves is added.
 pub(crate) const TOLERANCE: f64 = 1e-12;
+/// Relative rounding of a displacement, a velocity or a deformation: each goes through up to four operations.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Iterations after which a cluster is given up.
 pub(crate) const MAX_ITERATIONS: u32 = 50;
+/// Halvings of one correction after which a cluster is given up.
+const MAX_HALVINGS: u32 = 30;
 
 /// One structure during a step.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +41,12 @@ pub(crate) struct Trial<Memory> {
     /// Pounding force from the right neighbour \[N\].
     pub(crate) force_from_right: f64,
     residual: f64,
+    /// Sum of the magnitudes of the residual's terms.
     scale: f64,
+    /// What rounding of displacement and velocity alone can do to the residual.
+    rounding: f64,
+    /// The correction under way.
+    correction: f64,
     diagonal: f64,
     /// ∂residual/∂acceleration of the left neighbour.
     lower: f64,
@@ -59,10 +71,22 @@ impl<Memory: Copy + Default> Trial<Memory> {
             force_from_right: 0.0,
             residual: 0.0,
             scale: 0.0,
+            rounding: 0.0,
+            correction: 0.0,
             diagonal: 0.0,
             lower: 0.0,
             upper: 0.0,
         }
+    }
+}
+
+impl<Memory> Trial<Memory> {
+    /// Adds a force to the equation of a structure.
+    fn push(&mut self, inverse_mass: f64, force: f64, (tangent, rounding): (f64, f64)) {
+        self.residual -= inverse_mass * force;
+        self.scale += inverse_mass * force.abs();
+        self.rounding += inverse_mass * rounding;
+        self.diagonal += inverse_mass * tangent;
     }
 }
 
@@ -75,9 +99,10 @@ pub(crate) struct Slopes {
     pub(crate) velocity: f64,
 }
 
-/// An equilibrium that was not found: iterations and the relative residual left.
+/// An equilibrium that was not found, with the relative residual left.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NotConverged {
+    pub(crate) iterations: u32,
     pub(crate) residual: f64,
 }
 
@@ -87,43 +112,87 @@ pub(crate) struct NotConverged {
 pub(crate) fn solve<Column: RestoringForce>(
     row: &Row<Column>,
     trials: &mut [Trial<Column::Memory>],
+    range: (usize, usize),
+    step: (Slopes, f64),
+    work: &mut Work,
+) -> Result<(), NotConverged> {
+    let (first, last) = range;
+    let mut merit = residual(row, trials, range, step, work);
+    let mut iterations = 0;
+    while !trials[first..=last].iter().all(is_balanced) {
+        let failure = NotConverged {
+            iterations,
+            residual: trials[first..=last]
+                .iter()
+                .map(relative_residual)
+                .fold(0.0, f64::max),
+        };
+        if iterations == MAX_ITERATIONS {
+            return Err(failure);
+        }
+        iterations += 1;
+        work.newton_iterations += 1;
+        correct(&mut trials[first..=last]);
+        let mut halvings = 0;
+        loop {
+            let tried = residual(row, trials, range, step, work);
+            // Balanced within rounding, the merit may no longer fall. Not a number never passes.
+            if tried < merit || trials[first..=last].iter().all(is_balanced) {
+                merit = tried;
+                break;
+            }
+            if halvings == MAX_HALVINGS {
+                return Err(failure);
+            }
+            halvings += 1;
+            for trial in &mut trials[first..=last] {
+                trial.correction *= 0.5;
+                trial.acceleration -= trial.correction;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn is_balanced<Memory>(trial: &Trial<Memory>) -> bool {
+    trial.residual.abs() <= TOLERANCE * trial.scale + trial.rounding
+}
+
+fn relative_residual<Memory>(trial: &Trial<Memory>) -> f64 {
+    if trial.residual == 0.0 {
+        0.0
+    } else {
+        trial.residual.abs() / trial.scale
+    }
+}
+
+/// Evaluates the residuals of a cluster; returns their sum of squares, each times its mass.
+///
+/// That weight makes light and heavy structures count alike. Walls have no residual.
+fn residual<Column: RestoringForce>(
+    row: &Row<Column>,
+    trials: &mut [Trial<Column::Memory>],
     (first, last): (usize, usize),
     (slopes, ground): (Slopes, f64),
     work: &mut Work,
-) -> Result<(), NotConverged> {
-    let mut worst = f64::INFINITY;
-    for iteration in 0..=MAX_ITERATIONS {
-        for (node, trial) in row.nodes()[first..=last]
-            .iter()
-            .zip(&mut trials[first..=last])
-        {
-            evaluate(node, trial, slopes, ground);
-        }
-        work.force_evaluations += (last - first + 1) as u64;
-        couple(row, trials, (first, last), slopes);
-        let cluster = &mut trials[first..=last];
-        worst = cluster.iter().map(relative_residual).fold(0.0, f64::max);
-        if worst <= TOLERANCE {
-            return Ok(());
-        }
-        if iteration < MAX_ITERATIONS {
-            correct(cluster);
-            work.newton_iterations += 1;
-        }
+) -> f64 {
+    let nodes = &row.nodes()[first..=last];
+    for (node, trial) in nodes.iter().zip(&mut trials[first..=last]) {
+        evaluate(node, trial, slopes, ground);
     }
-    Err(NotConverged { residual: worst })
-}
-
-/// A residual that is not a number counts as infinite, so that it never passes.
-fn relative_residual<Memory>(trial: &Trial<Memory>) -> f64 {
-    let ratio = trial.residual.abs() / trial.scale;
-    if trial.residual == 0.0 {
-        0.0
-    } else if ratio.is_nan() {
-        f64::INFINITY
-    } else {
-        ratio
+    work.force_evaluations += nodes.len() as u64;
+    let inside = |pair: &&Pair| first <= pair.left && pair.right <= last;
+    for pair in row.pairs().iter().filter(inside) {
+        couple(row, pair, trials, slopes);
     }
+    let weighted = |(node, trial): (&Node<Column>, &Trial<Column::Memory>)| {
+        if node.is_wall() {
+            0.0
+        } else {
+            trial.residual * trial.residual / node.inverse_mass
+        }
+    };
+    nodes.iter().zip(&trials[first..=last]).map(weighted).sum()
 }
 
 /// Residual and tangent of one structure, its neighbours left out, per unit of mass.
@@ -141,56 +210,47 @@ fn evaluate<Column: RestoringForce>(
     let (damping, restoring) = (w * node.damping * trial.velocity, w * trial.response.force);
     trial.residual = trial.acceleration + damping + restoring + ground;
     trial.scale = trial.acceleration.abs() + damping.abs() + restoring.abs() + ground.abs();
+    trial.rounding = ROUNDING
+        * w
+        * (trial.response.tangent * trial.displacement.abs() + node.damping * trial.velocity.abs());
     trial.diagonal =
         1.0 + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
     (trial.lower, trial.upper) = (0.0, 0.0);
     (trial.force_from_left, trial.force_from_right) = (0.0, 0.0);
 }
 
-/// Adds the pounding forces between the structures of a cluster.
+/// Adds the pounding force of one pair.
 fn couple<Column: RestoringForce>(
     row: &Row<Column>,
+    pair: &Pair,
     trials: &mut [Trial<Column::Memory>],
-    (first, last): (usize, usize),
     slopes: Slopes,
 ) {
-    for pair in row
-        .pairs()
-        .iter()
-        .filter(|pair| first <= pair.left && pair.right <= last)
-    {
-        let (left, right) = (&trials[pair.left], &trials[pair.right]);
-        let deformation = left.displacement - right.displacement - pair.gap;
-        let ContactLaw::NonlinearViscoelastic(law) = pair.law else {
-            continue;
-        };
-        if deformation > 0.0 {
-            let rate = left.velocity - right.velocity;
-            let reduced_mass = row.reduced_mass(pair);
-            let contact = law.respond(&Overlap {
-                deformation,
-                rate,
-                reduced_mass,
-            });
-            let tangent =
-                contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
-            let (w_left, w_right) = (
-                row.nodes()[pair.left].inverse_mass,
-                row.nodes()[pair.right].inverse_mass,
-            );
-            let left = &mut trials[pair.left];
-            left.force_from_right = -contact.force;
-            left.residual += w_left * contact.force;
-            left.scale += w_left * contact.force;
-            left.diagonal += w_left * tangent;
-            left.upper = -w_left * tangent;
-            let right = &mut trials[pair.right];
-            right.force_from_left = contact.force;
-            right.residual -= w_right * contact.force;
-            right.scale += w_right * contact.force;
-            right.diagonal += w_right * tangent;
-            right.lower = -w_right * tangent;
-        }
+    let (left, right) = (&trials[pair.left], &trials[pair.right]);
+    let deformation = left.displacement - right.displacement - pair.gap;
+    let ContactLaw::NonlinearViscoelastic(law) = pair.law else {
+        return;
+    };
+    if deformation > 0.0 {
+        let rate = left.velocity - right.velocity;
+        let contact = law.respond(&Overlap {
+            deformation,
+            rate,
+            reduced_mass: row.reduced_mass(pair),
+        });
+        let rounding = ROUNDING
+            * (contact.stiffness * (left.displacement.abs() + right.displacement.abs() + pair.gap)
+                + contact.damping * (left.velocity.abs() + right.velocity.abs()));
+        let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
+        let node = |index: usize| row.nodes()[index].inverse_mass;
+        let left = &mut trials[pair.left];
+        left.force_from_right = -contact.force;
+        left.upper = -node(pair.left) * tangent;
+        left.push(node(pair.left), -contact.force, (tangent, rounding));
+        let right = &mut trials[pair.right];
+        right.force_from_left = contact.force;
+        right.lower = -node(pair.right) * tangent;
+        right.push(node(pair.right), contact.force, (tangent, rounding));
     }
 }
 
@@ -208,6 +268,7 @@ fn correct<Memory>(cluster: &mut [Trial<Memory>]) {
     let mut right = 0.0;
     for trial in cluster.iter_mut().rev() {
         right = (-trial.residual - trial.upper * right) / trial.diagonal;
+        trial.correction = right;
         trial.acceleration += right;
     }
 }

@@ -35,7 +35,9 @@ impl Completed {
                 done();
                 outcome
             })
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Vec<_>>();
+        // Collected first: of several errors, the first in order is reported, not the first in time.
+        let outcomes = outcomes.into_iter().collect::<Result<Vec<_>, _>>()?;
         Ok(Self {
             file,
             prepared,

@@ -4,6 +4,7 @@ use pounding_motion::{ReadError, RecordError};
 use pounding_solver::{ModelError, RunError};
 use thiserror::Error;
 
+use crate::Scene;
 use crate::plot::PlotError;
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
@@ -18,18 +19,42 @@ pub enum StudyError {
         /// What the system says.
         source: std::io::Error,
     },
+    /// A file that is not JSON.
+    #[error("{}: not JSON: {source}", path.display())]
+    Syntax {
+        /// The file.
+        path: PathBuf,
+        /// What was found and expected, with line and column.
+        source: serde_json::Error,
+    },
     /// A JSON file that is not of the expected form.
     #[error("{}: {place}: {source}", path.display())]
     Form {
         /// The file.
         path: PathBuf,
-        /// The field, for example `scenes[0].structures[1].mass_kg`.
+        /// The field, for example `scenes[0].structures[1].sdof.mass_kg`.
         place: String,
         /// What was found and expected, with line and column.
         source: serde_json::Error,
     },
+    /// No choice or several where a JSON file must make one, such as two contact laws for one contact.
+    #[error(
+        "{}: {place}: found none or several choices at line {line} column {column}, allowed is one, as \"choice\" or \
+         {{\"choice\": settings}}",
+        path.display()
+    )]
+    Choice {
+        /// The file.
+        path: PathBuf,
+        /// The field.
+        place: String,
+        /// Line of the fault.
+        line: usize,
+        /// Its column.
+        column: usize,
+    },
     /// A CSV file of the project that is not of the expected form.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {}", path.display(), counted_from_one(source))]
     Csv {
         /// The file.
         path: PathBuf,
@@ -53,10 +78,12 @@ pub enum StudyError {
         source: SceneError,
     },
     /// A run that ended early.
-    #[error("scene \"{scene}\": {source}")]
+    #[error("scene \"{scene}\": {source}{}", named(structures))]
     Run {
         /// Name of the scene.
         scene: String,
+        /// Index, from the left, and name of every structure concerned.
+        structures: Vec<(usize, String)>,
         /// What happened, in which structure and when.
         source: RunError,
     },
@@ -99,7 +126,7 @@ pub enum SceneError {
     /// A value outside its valid range.
     #[error("{place}: found {found}, allowed {allowed}")]
     OutOfRange {
-        /// The field, for example `structures[1].mass_kg`.
+        /// The field, for example `structures[1].sdof.mass_kg`.
         place: String,
         /// The value found.
         found: f64,
@@ -119,13 +146,95 @@ pub enum SceneError {
         /// Number of structures.
         n_structures: usize,
     },
+    /// A time step with which the method is unstable even without contact.
+    #[error(
+        "method.{method}.time_step_s: found {time_step}, allowed less than {} (structures[{structure}], \"{name}\", grows \
+         without bound from there on); contact can ask for less",
+        crate::digits(*limit)
+    )]
+    Unstable {
+        /// Name of the method.
+        method: &'static str,
+        /// Time step found \[s\].
+        time_step: f64,
+        /// Critical time step \[s\].
+        limit: f64,
+        /// Index of the structure that sets it.
+        structure: usize,
+        /// Its name.
+        name: String,
+    },
     /// A scene without structures.
     #[error("structures: found none, allowed one or more")]
     NoStructures,
+    /// Neighbours that already overlap at t = 0.
+    #[error(
+        "contacts[{contact}].gap_m: found {gap}, but the initial displacements of structures[{contact}] and [{}] close \
+         that gap and overlap by {} m; allowed is a gap that they leave open, or other initial_displacement_m",
+        contact + 1,
+        crate::digits(*overlap)
+    )]
+    OverlapsAtStart {
+        /// Index of the contact.
+        contact: usize,
+        /// Gap found \[m\].
+        gap: f64,
+        /// Deformation at t = 0 \[m\].
+        overlap: f64,
+    },
+    /// A contact between two walls.
+    #[error(
+        "contacts[{contact}]: found a wall on either side, allowed at most one wall per contact"
+    )]
+    BetweenWalls {
+        /// Index of the contact.
+        contact: usize,
+    },
     /// A row that the solver refuses.
     #[error(transparent)]
-    Model(#[from] ModelError),
+    Model(ModelError),
     /// A use of the record that is out of range.
-    #[error("record: {0}")]
+    #[error("record: {0}; change record.scale or record.gravity_m_per_s2")]
     Record(#[from] RecordError),
+}
+
+impl SceneError {
+    /// Says in the words of the scene why the solver refuses its row.
+    pub(crate) fn of_model(error: ModelError, scene: &Scene) -> Self {
+        if let ModelError::OverlapsAtStart { pair, overlap } = error {
+            let contact = scene.contacts.iter().flatten().nth(pair);
+            Self::OverlapsAtStart {
+                contact: pair,
+                gap: contact.map_or(0.0, |contact| contact.gap_m),
+                overlap,
+            }
+        } else if let ModelError::NotNeighbours { pair, .. } = error {
+            // Contacts join neighbours in order: what remains is a wall on either side.
+            Self::BetweenWalls { contact: pair }
+        } else {
+            Self::Model(error)
+        }
+    }
+}
+
+/// The names behind the indices of a run's error.
+fn named(structures: &[(usize, String)]) -> String {
+    let name = |(index, name): &(usize, String)| format!("; structure {index} is \"{name}\"");
+    structures.iter().map(name).collect()
+}
+
+/// The fault in a CSV file with its line and field, both counted from 1 as in messages about records.
+fn counted_from_one(error: &csv::Error) -> String {
+    if let csv::ErrorKind::Deserialize {
+        pos: Some(pos),
+        err,
+    } = error.kind()
+    {
+        let field = err
+            .field()
+            .map_or_else(String::new, |field| format!(", field {}", field + 1));
+        format!("line {}{field}: {}", pos.line(), err.kind())
+    } else {
+        error.to_string()
+    }
 }

@@ -7,6 +7,7 @@
 //! Left out: integration (`pounding-solver`), record formats (`pounding-motion`).
 
 mod agreement;
+mod check;
 mod claims;
 mod completed;
 mod error;

@@ -4,17 +4,21 @@ use std::path::Path;
 
 use pounding_motion::Record;
 use pounding_solver::{
-    CentralDifference, Clock, Collisions, Damping as SolverDamping, Elastic, ElastoPlastic,
-    Excitation, Histories, Integrator, ModelError, Newmark, Node, Pair, Peaks, Recorder,
-    RestoringForce, Row, RunError, TransferredMomentum, Work,
+    CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Histories,
+    Integrator, ModelError, Newmark, Node, Pair, Peaks, Recorder, RestoringForce, Row, RunError,
+    TransferredMomentum, Work,
 };
 
-use crate::{Damping, Method, RecordUse, Scene, SceneError, Sdof, Structure, StudyError};
+use crate::{Method, RecordUse, Scene, SceneError, Structure, StudyError, check};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]
 pub struct Prepared {
     name: String,
+    /// Names of the structures and walls.
+    structures: Vec<String>,
+    /// Name of the method, as scene files spell it.
+    method: &'static str,
     model: Model,
     record: Record,
     clock: Clock,
@@ -54,12 +58,15 @@ impl Prepared {
             scene: scene.name.clone(),
             source,
         };
-        check(scene).map_err(in_scene)?;
+        check::scene(scene).map_err(in_scene)?;
         let record = load(&scene.record, base, in_scene)?;
         let (integrator, clock) = method(scene);
-        let model = model(scene).map_err(|error| in_scene(error.into()))?;
+        let model = model(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
+        let names = scene.structures.iter().map(Structure::name);
         Ok(Self {
             name: scene.name.clone(),
+            structures: names.map(String::from).collect(),
+            method: scene.method.name(),
             model,
             record,
             clock,
@@ -87,10 +94,6 @@ impl Prepared {
             TransferredMomentum::new(n),
         );
         let duration = self.clock.time(self.clock.n_steps);
-        let in_scene = |source| StudyError::Run {
-            scene: self.name.clone(),
-            source,
-        };
         if let Some(interval) = interval {
             let (peaks, collisions, momentum) = base;
             let mut recorder = (
@@ -99,7 +102,7 @@ impl Prepared {
                 momentum,
                 Histories::new(n, interval, duration),
             );
-            let work = self.integrate(&mut recorder).map_err(in_scene)?;
+            let work = self.integrate(&mut recorder)?;
             let (peaks, collisions, momentum, histories) = recorder;
             Ok(Outcome {
                 peaks,
@@ -110,7 +113,7 @@ impl Prepared {
             })
         } else {
             let mut recorder = base;
-            let work = self.integrate(&mut recorder).map_err(in_scene)?;
+            let work = self.integrate(&mut recorder)?;
             let (peaks, collisions, momentum) = recorder;
             Ok(Outcome {
                 peaks,
@@ -123,141 +126,44 @@ impl Prepared {
     }
 
     /// Runs the scene with any recorder.
-    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
+    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
         let excitation = Excitation::new(self.record.time_step(), self.record.samples())
             .expect("a record has samples and a time step > 0");
         match &self.model {
             Model::Elastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
             Model::ElastoPlastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
         }
+        .map_err(|error| self.ended(error))
     }
-}
 
-/// Refuses a value that is not `valid`.
-fn require(
-    valid: bool,
-    place: String,
-    found: f64,
-    allowed: &'static str,
-) -> Result<(), SceneError> {
-    if valid && found.is_finite() {
-        Ok(())
-    } else {
-        Err(SceneError::OutOfRange {
-            place,
-            found,
-            allowed,
-        })
-    }
-}
-
-const POSITIVE: &str = "a finite number > 0";
-const NOT_NEGATIVE: &str = "a finite number >= 0";
-const FINITE: &str = "a finite number";
-
-fn check(scene: &Scene) -> Result<(), SceneError> {
-    let record = &scene.record;
-    let gravity = record.gravity_m_per_s2;
-    require(
-        gravity > 0.0,
-        "record.gravity_m_per_s2".into(),
-        gravity,
-        POSITIVE,
-    )?;
-    require(true, "record.scale".into(), record.scale, FINITE)?;
-    let dt = scene.method.time_step();
-    require(dt > 0.0, "method.time_step_s".into(), dt, POSITIVE)?;
-    let steps = scene.duration_s / dt;
-    require(
-        scene.duration_s > 0.0 && (steps - steps.round()).abs() <= 1e-6 && steps < 1e9,
-        "duration_s".into(),
-        scene.duration_s,
-        "a whole number of time steps (method.time_step_s), at least 1 and fewer than 1e9",
-    )?;
-    if scene.structures.is_empty() {
-        return Err(SceneError::NoStructures);
-    }
-    for (index, structure) in scene.structures.iter().enumerate() {
-        if let Structure::Sdof(structure) = structure {
-            check_structure(index, structure)?;
+    /// Says in the words of the scene why a run ended early.
+    fn ended(&self, source: RunError) -> StudyError {
+        let scene = self.name.clone();
+        let concerned = match source {
+            RunError::Setting {
+                setting,
+                found,
+                allowed,
+            } => {
+                let place = format!("method.{}.{setting}", self.method);
+                let source = SceneError::OutOfRange {
+                    place,
+                    found,
+                    allowed,
+                };
+                return StudyError::Scene { scene, source };
+            }
+            RunError::Diverged { structure, .. } => structure..structure + 1,
+            RunError::NotConverged { first, last, .. } => first..last + 1,
+            _ => 0..0,
+        };
+        let name = |index: usize| (index, self.structures[index].clone());
+        StudyError::Run {
+            scene,
+            structures: concerned.map(name).collect(),
+            source,
         }
     }
-    let Some(contacts) = &scene.contacts else {
-        return Ok(());
-    };
-    let (n_structures, allowed) = (scene.structures.len(), scene.structures.len() - 1);
-    if contacts.len() != allowed {
-        return Err(SceneError::ContactCount {
-            found: contacts.len(),
-            allowed,
-            n_structures,
-        });
-    }
-    for (index, contact) in contacts.iter().enumerate() {
-        require(
-            contact.gap_m >= 0.0,
-            format!("contacts[{index}].gap_m"),
-            contact.gap_m,
-            NOT_NEGATIVE,
-        )?;
-        contact
-            .law
-            .check()
-            .map_err(|error| SceneError::OutOfRange {
-                place: format!("contacts[{index}].law.{}", error.parameter),
-                found: error.found,
-                allowed: error.allowed,
-            })?;
-    }
-    Ok(())
-}
-
-fn check_structure(index: usize, structure: &Sdof) -> Result<(), SceneError> {
-    let place = |field: &str| format!("structures[{index}].{field}");
-    let Sdof {
-        mass_kg: m,
-        stiffness_n_per_m: k,
-        ..
-    } = *structure;
-    require(m > 0.0, place("mass_kg"), m, POSITIVE)?;
-    require(k > 0.0, place("stiffness_n_per_m"), k, POSITIVE)?;
-    match structure.damping {
-        Damping::Ratio(ratio) => {
-            require(ratio >= 0.0, place("damping.ratio"), ratio, NOT_NEGATIVE)?;
-        }
-        Damping::Rayleigh {
-            alpha_per_s,
-            beta_s,
-        } => {
-            require(
-                alpha_per_s >= 0.0,
-                place("damping.rayleigh.alpha_per_s"),
-                alpha_per_s,
-                NOT_NEGATIVE,
-            )?;
-            require(
-                beta_s >= 0.0,
-                place("damping.rayleigh.beta_s"),
-                beta_s,
-                NOT_NEGATIVE,
-            )?;
-        }
-    }
-    if let Some(force) = structure.yield_force_n {
-        require(force > 0.0, place("yield_force_n"), force, POSITIVE)?;
-    }
-    require(
-        true,
-        place("initial_displacement_m"),
-        structure.initial_displacement_m,
-        FINITE,
-    )?;
-    require(
-        true,
-        place("initial_velocity_m_per_s"),
-        structure.initial_velocity_m_per_s,
-        FINITE,
-    )
 }
 
 fn load(
@@ -298,42 +204,6 @@ fn method(scene: &Scene) -> (Integrator, Clock) {
     )]
     let n_steps = (scene.duration_s / time_step).round() as usize;
     (integrator, Clock { time_step, n_steps })
-}
-
-impl Sdof {
-    /// Damping coefficient c \[N·s/m\].
-    pub fn damping_coefficient(&self) -> f64 {
-        self.damping
-            .to_solver()
-            .coefficient(self.mass_kg, self.stiffness_n_per_m)
-    }
-
-    /// Damping ratio ζ \[–\] of the elastic structure.
-    pub fn damping_ratio(&self) -> f64 {
-        self.damping
-            .to_solver()
-            .ratio(self.mass_kg, self.stiffness_n_per_m)
-    }
-
-    /// Natural period T = 2π√(m/k) \[s\].
-    pub fn period(&self) -> f64 {
-        2.0 * std::f64::consts::PI * (self.mass_kg / self.stiffness_n_per_m).sqrt()
-    }
-}
-
-impl Damping {
-    fn to_solver(self) -> SolverDamping {
-        match self {
-            Self::Ratio(ratio) => SolverDamping::Ratio(ratio),
-            Self::Rayleigh {
-                alpha_per_s,
-                beta_s,
-            } => SolverDamping::Rayleigh {
-                alpha: alpha_per_s,
-                beta: beta_s,
-            },
-        }
-    }
 }
 
 fn model(scene: &Scene) -> Result<Model, ModelError> {

@@ -63,7 +63,9 @@ impl Studies {
             .files
             .into_par_iter()
             .map(|file| Completed::run(file, done))
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Vec<_>>();
+        // Collected first: of several errors, the first in order is reported, not the first in time.
+        let completed = completed.into_iter().collect::<Result<Vec<_>, _>>()?;
         let made = completed
             .par_iter()
             .map(|study| {
@@ -71,7 +73,8 @@ impl Studies {
                 done();
                 made
             })
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Vec<_>>();
+        let made = made.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut files = BTreeMap::new();
         let mut values = BTreeMap::new();
         for (study, made) in completed.iter().zip(made) {

@@ -1,7 +1,7 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::Start;
+use pounding_solver::{Damping as SolverDamping, Start};
 use serde::{Deserialize, Serialize};
 
 /// One row of structures under one record, with the method that integrates it.
@@ -23,6 +23,30 @@ pub struct Scene {
     pub contacts: Option<Vec<Contact>>,
     /// The method of time integration.
     pub method: Method,
+}
+
+impl Scene {
+    /// Structure and time step \[s\] from which on the method is unstable for it; nothing for a method without limit.
+    ///
+    /// T/π of the shortest natural period for the central difference method, T/(2π√(γ/2 − β)) for Newmark's with
+    /// β < γ/2. Contact can ask for less.
+    pub(crate) fn critical_time_step(&self) -> Option<(usize, f64)> {
+        let factor = match self.method {
+            Method::CentralDifference { .. } => 1.0,
+            Method::Newmark { beta, gamma, .. } if beta < 0.5 * gamma => {
+                0.5 / (0.5 * gamma - beta).sqrt()
+            }
+            Method::Newmark { .. } => return None,
+        };
+        let limits = self.structures.iter().enumerate();
+        limits
+            .filter_map(|(index, structure)| match structure {
+                Structure::Sdof(structure) => Some((index, structure.period())),
+                Structure::Wall => None,
+            })
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(index, period)| (index, factor * period / std::f64::consts::PI))
+    }
 }
 
 /// A record and how a scene uses it.
@@ -88,6 +112,27 @@ pub struct Sdof {
     pub initial_velocity_m_per_s: f64,
 }
 
+impl Sdof {
+    /// Damping coefficient c \[N·s/m\].
+    pub fn damping_coefficient(&self) -> f64 {
+        self.damping
+            .to_solver()
+            .coefficient(self.mass_kg, self.stiffness_n_per_m)
+    }
+
+    /// Damping ratio ζ \[–\] of the elastic structure.
+    pub fn damping_ratio(&self) -> f64 {
+        self.damping
+            .to_solver()
+            .ratio(self.mass_kg, self.stiffness_n_per_m)
+    }
+
+    /// Natural period T = 2π√(m/k) \[s\].
+    pub fn period(&self) -> f64 {
+        2.0 * std::f64::consts::PI * (self.mass_kg / self.stiffness_n_per_m).sqrt()
+    }
+}
+
 /// How the viscous damping of a structure is given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -101,6 +146,21 @@ pub enum Damping {
         /// Stiffness coefficient β \[s\], ≥ 0.
         beta_s: f64,
     },
+}
+
+impl Damping {
+    fn to_solver(self) -> SolverDamping {
+        match self {
+            Self::Ratio(ratio) => SolverDamping::Ratio(ratio),
+            Self::Rayleigh {
+                alpha_per_s,
+                beta_s,
+            } => SolverDamping::Rayleigh {
+                alpha: alpha_per_s,
+                beta: beta_s,
+            },
+        }
+    }
 }
 
 /// What lies between two neighbours.
@@ -136,6 +196,14 @@ pub enum Method {
 }
 
 impl Method {
+    /// Name as scene files spell it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::CentralDifference { .. } => "central_difference",
+            Self::Newmark { .. } => "newmark",
+        }
+    }
+
     /// Time step \[s\].
     pub fn time_step(&self) -> f64 {
         match *self {

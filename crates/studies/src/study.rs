@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
 use crate::{Scene, StudyError};
@@ -146,23 +146,41 @@ impl StudyFile {
 /// Reads a JSON file; an error names the field.
 ///
 /// # Errors
-/// [`StudyError::Unreadable`] or [`StudyError::Form`].
+/// [`StudyError::Unreadable`], [`StudyError::Syntax`], [`StudyError::Form`] or [`StudyError::Choice`].
 pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
     let text = std::fs::read_to_string(path).map_err(|source| StudyError::Unreadable {
         path: path.to_path_buf(),
         source,
     })?;
-    let mut reader = serde_json::Deserializer::from_str(&text);
-    let value =
-        serde_path_to_error::deserialize(&mut reader).map_err(|error| StudyError::Form {
-            path: path.to_path_buf(),
-            place: error.path().to_string(),
-            source: error.into_inner(),
-        })?;
-    reader.end().map_err(|source| StudyError::Form {
+    let syntax = |source| StudyError::Syntax {
         path: path.to_path_buf(),
-        place: "end of file".into(),
         source,
-    })?;
-    Ok(value)
+    };
+    // First as JSON of any form: the deserialiser of a type calls some fields of a wrong form bad syntax.
+    serde_json::from_str::<IgnoredAny>(&text).map_err(syntax)?;
+    let mut reader = serde_json::Deserializer::from_str(&text);
+    serde_path_to_error::deserialize(&mut reader).map_err(|error| {
+        let path = path.to_path_buf();
+        let place = match error.path().to_string() {
+            whole if whole == "." => "top level".into(),
+            field => field,
+        };
+        let source = error.into_inner();
+        if source.is_syntax() && source.to_string().starts_with("expected value") {
+            // What serde_json says of an enum that is neither a string nor an object with one key.
+            let (line, column) = (source.line(), source.column());
+            StudyError::Choice {
+                path,
+                place,
+                line,
+                column,
+            }
+        } else {
+            StudyError::Form {
+                path,
+                place,
+                source,
+            }
+        }
+    })
 }

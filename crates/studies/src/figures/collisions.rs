@@ -54,7 +54,7 @@ fn displacement_panel(scene: &Scene, outcome: &Outcome) -> Panel {
     for (index, structure) in scene.structures.iter().enumerate() {
         if let (1.., Some(contacts)) = (index, &scene.contacts) {
             let gap = contacts[index - 1].gap_m;
-            let at = (0.01 * scene.duration_s, 1e3 * (shift + 0.5 * gap));
+            let at = (0.0, 1e3 * (shift + 0.5 * gap));
             notes.push(Note {
                 at,
                 text: format!("gap {:.0} mm", 1e3 * gap),

@@ -106,7 +106,8 @@ pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Fig
     let curves: Option<Vec<_>> = completed.runs().zip(0..).map(curve).collect();
     let allowed = "the name of a structure of every scene";
     let place = "output.shear_force_figure.structure";
-    let curves = curves.ok_or_else(|| completed.refuse(place, structure.into(), allowed))?;
+    let curves =
+        curves.ok_or_else(|| completed.refuse(place, format!("\"{structure}\""), allowed))?;
     let panel = |front: &Curve| Panel {
         y: Axis::auto("Shear force (kN)"),
         levels: vec![0.0],

@@ -73,9 +73,13 @@ pub(super) fn text(
 ) -> Result<Table, StudyError> {
     let mut table = Table::new(&["scene", "quantity", "unit", "value"]);
     let run = |name: &String| {
-        completed
-            .of(name)
-            .ok_or_else(|| completed.refuse("output", name.clone(), "names of scenes of the study"))
+        completed.of(name).ok_or_else(|| {
+            completed.refuse(
+                "output.text_table",
+                format!("\"{name}\""),
+                "names of scenes of the study",
+            )
+        })
     };
     let mut push = |row: String, quantity: &str, unit, value| {
         table.rows.push(vec![
@@ -106,7 +110,7 @@ pub(super) fn text(
             let force = collision.peak_force.ok_or_else(|| {
                 completed.refuse(
                     "output.text_table.peak_forces",
-                    name.clone(),
+                    format!("\"{name}\""),
                     "scenes with a compliant contact law",
                 )
             })?;

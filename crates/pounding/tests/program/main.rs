@@ -1,0 +1,88 @@
+//! The program `pounding` from outside: what it prints, and what it says to input that it refuses.
+
+mod records;
+mod runs;
+mod scenes;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+
+const EXAMPLE: &str = "tests/data/two-structures.json";
+
+/// What the program left behind.
+struct Ended {
+    code: i32,
+    stdout: String,
+    stderr: String,
+}
+
+/// Runs the program in a folder.
+fn pounding(folder: &Path, arguments: &[&str]) -> Ended {
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("the program starts");
+    let text = |bytes| String::from_utf8(bytes).expect("the program prints UTF-8");
+    Ended {
+        code: output.status.code().expect("the program ends by itself"),
+        stdout: text(output.stdout),
+        stderr: text(output.stderr),
+    }
+}
+
+/// An empty folder for one test. The program runs in it, so that no message holds a path of this machine.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("program")
+        .join(test);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("the folder of the last run can go");
+    }
+    fs::create_dir_all(&folder).expect("the folder can be made");
+    folder
+}
+
+/// The example scene with its record beside it, `record.csv`: ten samples of nothing.
+fn good_scene() -> Value {
+    let text = fs::read_to_string(EXAMPLE).expect("the example is there");
+    let mut scene: Value = serde_json::from_str(&text).expect("the example is JSON");
+    scene["record"]["file"] = json!("record.csv");
+    scene
+}
+
+/// Runs a scene, given as text, on a record, given as text.
+fn run(test: &str, scene: &str, record: Option<&str>) -> Ended {
+    let folder = folder(test);
+    fs::write(folder.join("scene.json"), scene).expect("the scene can be written");
+    if let Some(record) = record {
+        fs::write(folder.join("record.csv"), record).expect("the record can be written");
+    }
+    pounding(&folder, &["run", "scene.json"])
+}
+
+/// A record at rest: `n_samples` of 0, 0.01 s apart.
+fn quiet(n_samples: usize) -> String {
+    let sample = |index| format!("{},0\n", index as f64 / 100.0);
+    std::iter::once("time_s,acceleration_m_per_s2\n".to_string())
+        .chain((0..n_samples).map(sample))
+        .collect()
+}
+
+/// The message of a run that is refused: exit code 1, nothing on stdout, one line on stderr.
+fn refusal(ended: &Ended) -> String {
+    assert_eq!(
+        (
+            ended.code,
+            ended.stdout.as_str(),
+            ended.stderr.lines().count()
+        ),
+        (1, "", 1),
+        "a refusal is one line on stderr and exit code 1: {}",
+        ended.stderr
+    );
+    ended.stderr.trim_end().into()
+}

@@ -1,0 +1,100 @@
+//! What is said of records that cannot be read or used.
+
+use std::fs;
+use std::path::Path;
+
+use insta::assert_snapshot;
+use serde_json::json;
+
+use crate::{good_scene, quiet, refusal, run};
+
+/// The message for the good scene on a record with this text.
+fn refused(test: &str, record: &str) -> String {
+    refusal(&run(test, &good_scene().to_string(), Some(record)))
+}
+
+/// An AT2 file that declares so many values, with the values as given.
+fn at2(header: &str, values: &str) -> String {
+    format!(
+        "A DATABASE RECORD\nSOMEWHERE 01/02/03 0405, A STATION\nACCELERATION TIME SERIES IN UNITS OF G\n\
+         {header}\n{values}\n"
+    )
+}
+
+#[test]
+fn extreme_record_not_there() {
+    let ended = run("record_not_there", &good_scene().to_string(), None);
+    let missing = fs::read(Path::new("record.csv")).expect_err("no record lies beside the crate");
+    let message = refusal(&ended).replace(&missing.to_string(), "[what the system says]");
+    assert_snapshot!(message, @"error: record.csv: cannot be read: [what the system says]");
+}
+
+#[test]
+fn extreme_record_empty() {
+    assert_snapshot!(refused("record_empty", ""), @"error: record.csv: the text holds nothing but blank lines and comments; give a header followed by numbers");
+}
+
+#[test]
+fn extreme_record_of_comments_only() {
+    assert_snapshot!(refused("record_comments", "# El Centro\n\n"), @"error: record.csv: the text holds nothing but blank lines and comments; give a header followed by numbers");
+}
+
+#[test]
+fn extreme_record_of_unknown_format() {
+    assert_snapshot!(refused("record_format", "El Centro 1940, north-south, 0.02 s\n0.1 0.2\n"), @r#"error: record.csv: line 1 reads "El Centro 1940, north-south, 0.02 s", which begins none of the formats known: CSV (header `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`, comments after `#`) and PEER AT2 (line 4 such as `NPTS= 4000, DT= .01000 SEC`)"#);
+}
+
+#[test]
+fn extreme_record_without_header() {
+    assert_snapshot!(refused("record_header", "0.00,0.1\n0.01,0.2\n"), @r#"error: record.csv: line 1 reads "0.00,0.1", but the header of a CSV must be `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`; put the one that gives the unit above the numbers"#);
+}
+
+#[test]
+fn extreme_record_shorter_than_npts() {
+    let record = at2("NPTS= 5, DT= .0100 SEC", ".1 .2 .3");
+    assert_snapshot!(refused("record_short", &record), @"error: record.csv: the values end on line 5 after 3 of them, but the header declares 5; fetch the file again, or correct NPTS if the values are complete");
+}
+
+#[test]
+fn extreme_record_with_a_word() {
+    let record = quiet(10).replace("0.04,0", "0.04,none");
+    assert_snapshot!(refused("record_word", &record), @r#"error: record.csv: line 6, field 2: "none" is not a number; write it like -0.00640 or -.6403182E-02"#);
+}
+
+#[test]
+fn extreme_record_with_an_infinite_number() {
+    let record = quiet(10).replace("0.04,0", "0.04,inf");
+    assert_snapshot!(refused("record_infinite", &record), @r#"error: record.csv: line 6, field 2: "inf" is not finite, and every number must be; put a measured value there or cut the record before it"#);
+}
+
+#[test]
+fn extreme_record_with_time_standing_still() {
+    let record = quiet(10).replace("0.04,", "0.03,");
+    assert_snapshot!(refused("record_still", &record), @"error: record.csv: line 6: the time is 0.03 s, allowed are times after the 0.03 s of the line before; sort the lines by time and keep one of each");
+}
+
+#[test]
+fn extreme_record_with_a_hole() {
+    let record = quiet(10).replace("0.04,0\n", "");
+    assert_snapshot!(refused("record_hole", &record), @"error: record.csv: line 6: the time changes by 0.02 s from the line before, allowed is the 0.01 s of the other lines; resample the record to equal steps or print its times with more decimals");
+}
+
+#[test]
+fn extreme_record_with_time_step_zero() {
+    let record = at2("NPTS= 3, DT= 0.0 SEC", ".1 .2 .3");
+    assert_snapshot!(refused("record_step_zero", &record), @"error: record.csv: line 4: the time step is 0 s, and must be finite and above 0 s; correct it there");
+}
+
+#[test]
+fn extreme_record_with_negative_time_step() {
+    let record = at2("NPTS= 3, DT= -.0100 SEC", ".1 .2 .3");
+    assert_snapshot!(refused("record_step_negative", &record), @"error: record.csv: line 4: the time step is -0.01 s, and must be finite and above 0 s; correct it there");
+}
+
+#[test]
+fn extreme_record_scaled_out_of_range() {
+    let mut scene = good_scene();
+    scene["record"]["scale"] = json!(1e308);
+    let record = quiet(10).replace("0.04,0", "0.04,100");
+    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record: the acceleration of sample 4 (the first is 0) is inf m/s², and must be finite; change record.scale or record.gravity_m_per_s2"#);
+}

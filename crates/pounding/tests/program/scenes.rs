@@ -1,0 +1,270 @@
+//! What is said of scenes that cannot be read, modelled or run.
+
+use std::fs;
+use std::path::Path;
+
+use insta::assert_snapshot;
+use serde_json::{Value, json};
+
+use crate::{folder, good_scene, pounding, quiet, refusal, run};
+
+/// The message for the good scene with one change.
+fn refused(test: &str, change: impl Fn(&mut Value)) -> String {
+    let mut scene = good_scene();
+    change(&mut scene);
+    let scene = serde_json::to_string_pretty(&scene).expect("a value is written");
+    refusal(&run(test, &scene, Some(&quiet(10))))
+}
+
+#[test]
+fn extreme_scene_not_there() {
+    let ended = pounding(&folder("not_there"), &["run", "scene.json"]);
+    let missing = fs::read(Path::new("scene.json")).expect_err("no scene lies beside the crate");
+    let message = refusal(&ended).replace(&missing.to_string(), "[what the system says]");
+    assert_snapshot!(message, @"error: scene.json: cannot be read: [what the system says]");
+}
+
+#[test]
+fn extreme_scene_not_json() {
+    assert_snapshot!(refusal(&run("not_json", "structures: 2\n", None)), @"error: scene.json: not JSON: expected value at line 1 column 1");
+}
+
+#[test]
+fn extreme_scene_empty() {
+    assert_snapshot!(refusal(&run("empty_scene", "", None)), @"error: scene.json: not JSON: EOF while parsing a value at line 1 column 0");
+}
+
+#[test]
+fn extreme_scene_cut_off() {
+    assert_snapshot!(refusal(&run("cut_off", "{\"name\": \"x\", \"record\": {\"file\": ", None)), @"error: scene.json: not JSON: EOF while parsing a value at line 1 column 33");
+}
+
+#[test]
+fn extreme_scene_with_something_after_it() {
+    let scene = format!("{}\n]", good_scene());
+    assert_snapshot!(refusal(&run("after", &scene, None)), @"error: scene.json: not JSON: trailing characters at line 2 column 1");
+}
+
+#[test]
+fn extreme_study_given_as_scene() {
+    let study = fs::read_to_string("../../studies/table-2.json").expect("the study is there");
+    assert_snapshot!(refusal(&run("study", &study, None)), @"error: scene.json: title: unknown field `title`, expected one of `name`, `record`, `duration_s`, `structures`, `contacts`, `method` at line 2 column 9");
+}
+
+#[test]
+fn extreme_field_unknown() {
+    let message = refused("unknown_field", |scene| {
+        scene["structures"][0]["sdof"]["mas_kg"] = json!(75e3);
+    });
+    assert_snapshot!(message, @"error: scene.json: structures[0].sdof.mas_kg: unknown field `mas_kg`, expected one of `name`, `mass_kg`, `stiffness_n_per_m`, `damping`, `yield_force_n`, `initial_displacement_m`, `initial_velocity_m_per_s` at line 36 column 16");
+}
+
+#[test]
+fn extreme_field_missing() {
+    let message = refused("missing_field", |scene| {
+        let structure = scene["structures"][0]["sdof"].as_object_mut();
+        structure.expect("a structure has fields").remove("mass_kg");
+    });
+    assert_snapshot!(message, @"error: scene.json: structures[0].sdof: missing field `mass_kg` at line 39 column 7");
+}
+
+#[test]
+fn extreme_field_of_other_type() {
+    let message = refused("other_type", |scene| {
+        scene["structures"][1]["sdof"]["mass_kg"] = json!("3000 t");
+    });
+    assert_snapshot!(message, @r#"error: scene.json: structures[1].sdof.mass_kg: invalid type: string "3000 t", expected f64 at line 50 column 27"#);
+}
+
+#[test]
+fn extreme_method_unknown() {
+    let message = refused("unknown_method", |scene| {
+        scene["method"] = json!({"runge_kutta": {"time_step_s": 0.01}});
+    });
+    assert_snapshot!(message, @"error: scene.json: method: unknown variant `runge_kutta`, expected `central_difference` or `newmark` at line 15 column 17");
+}
+
+#[test]
+fn extreme_contact_law_unknown() {
+    let message = refused("unknown_law", |scene| {
+        scene["contacts"][0]["law"] = json!({"hertz": {}});
+    });
+    assert_snapshot!(message, @"error: scene.json: contacts[0].law: unknown variant `hertz`, expected `stereomechanical` or `nonlinear_viscoelastic` at line 6 column 15");
+}
+
+#[test]
+fn extreme_start_unknown() {
+    let message = refused("unknown_start", |scene| {
+        scene["method"]["central_difference"]["start"] = json!("at_rest");
+    });
+    assert_snapshot!(message, @"error: scene.json: method.central_difference.start: unknown variant `at_rest`, expected one of `consistent`, `first_load_used`, `first_load_skipped` at line 16 column 24");
+}
+
+#[test]
+fn extreme_two_contact_laws() {
+    let message = refused("two_laws", |scene| {
+        scene["contacts"][0]["law"]["stereomechanical"] = json!({"restitution": 0.65});
+    });
+    assert_snapshot!(message, @r#"error: scene.json: contacts[0].law: found none or several choices at line 9 column 9, allowed is one, as "choice" or {"choice": settings}"#);
+}
+
+#[test]
+fn extreme_two_kinds_of_damping() {
+    let message = refused("two_dampings", |scene| {
+        scene["structures"][0]["sdof"]["damping"]["ratio"] = json!(0.05);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: structures[0].sdof.damping: found none or several choices at line 31 column 23, allowed is one, as "choice" or {"choice": settings}"#);
+}
+
+#[test]
+fn extreme_damping_as_a_number() {
+    let message = refused("number", |scene| {
+        scene["structures"][0]["sdof"]["damping"] = json!(0.05);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: structures[0].sdof.damping: found none or several choices at line 30 column 20, allowed is one, as "choice" or {"choice": settings}"#);
+}
+
+#[test]
+fn extreme_mass_beyond_all_numbers() {
+    let scene = good_scene().to_string().replace("75000.0", "1e400");
+    assert_snapshot!(refusal(&run("beyond", &scene, Some(&quiet(10)))), @"error: scene.json: structures[0].sdof.mass_kg: number out of range at line 1 column 437");
+}
+
+#[test]
+fn extreme_mass_negative() {
+    let message = refused("negative_mass", |scene| {
+        scene["structures"][0]["sdof"]["mass_kg"] = json!(-75e3);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[0].sdof.mass_kg: found -75000, allowed a finite number > 0"#);
+}
+
+#[test]
+fn extreme_stiffness_zero() {
+    let message = refused("zero_stiffness", |scene| {
+        scene["structures"][1]["sdof"]["stiffness_n_per_m"] = json!(0);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[1].sdof.stiffness_n_per_m: found 0, allowed a finite number > 0"#);
+}
+
+#[test]
+fn extreme_damping_negative() {
+    let message = refused("negative_damping", |scene| {
+        scene["structures"][1]["sdof"]["damping"]["rayleigh"]["beta_s"] = json!(-0.001);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[1].sdof.damping.rayleigh.beta_s: found -0.001, allowed a finite number >= 0"#);
+}
+
+#[test]
+fn extreme_yield_force_zero() {
+    let message = refused("zero_yield_force", |scene| {
+        scene["structures"][0]["sdof"]["yield_force_n"] = json!(0);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[0].sdof.yield_force_n: found 0, allowed a finite number > 0"#);
+}
+
+#[test]
+fn extreme_no_structures() {
+    let message = refused("no_structures", |scene| scene["structures"] = json!([]));
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures: found none, allowed one or more"#);
+}
+
+#[test]
+fn extreme_more_contacts_than_fit() {
+    let message = refused("contacts", |scene| {
+        let contact = scene["contacts"][0].clone();
+        scene["contacts"] = json!([contact, contact]);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts: found 2 for 2 structures, allowed 1 (one between each structure and its right neighbour), or no field `contacts` when they stand apart"#);
+}
+
+#[test]
+fn extreme_contact_between_walls() {
+    let message = refused("walls", |scene| {
+        let contact = scene["contacts"][0].clone();
+        scene["structures"] = json!([scene["structures"][0], "wall", "wall"]);
+        scene["contacts"] = json!([contact, contact]);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[1]: found a wall on either side, allowed at most one wall per contact"#);
+}
+
+#[test]
+fn extreme_restitution_above_one() {
+    let message = refused("restitution", |scene| {
+        scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 1.2}});
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].law.stereomechanical.restitution: found 1.2, allowed 0 to 1"#);
+}
+
+#[test]
+fn extreme_impact_stiffness_zero() {
+    let message = refused("impact_stiffness", |scene| {
+        scene["contacts"][0]["law"]["nonlinear_viscoelastic"]["impact_stiffness_n_per_m1_5"] =
+            json!(0);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].law.nonlinear_viscoelastic.impact_stiffness_n_per_m1_5: found 0, allowed a finite number > 0"#);
+}
+
+#[test]
+fn extreme_gap_negative() {
+    let message = refused("gap", |scene| scene["contacts"][0]["gap_m"] = json!(-0.03));
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].gap_m: found -0.03, allowed a finite number >= 0"#);
+}
+
+#[test]
+fn extreme_gap_closed_at_the_start() {
+    let message = refused("closed", |scene| {
+        scene["structures"][0]["sdof"]["initial_displacement_m"] = json!(0.04);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].gap_m: found 0.03, but the initial displacements of structures[0] and [1] close that gap and overlap by 0.01 m; allowed is a gap that they leave open, or other initial_displacement_m"#);
+}
+
+#[test]
+fn extreme_duration_between_two_steps() {
+    let message = refused("duration", |scene| scene["duration_s"] = json!(10.002));
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1 and fewer than 1e9"#);
+}
+
+#[test]
+fn extreme_time_step_zero() {
+    let message = refused("time_step", |scene| {
+        scene["method"]["central_difference"]["time_step_s"] = json!(0);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.central_difference.time_step_s: found 0, allowed a finite number > 0"#);
+}
+
+#[test]
+fn extreme_gravity_zero() {
+    let message = refused("gravity", |scene| {
+        scene["record"]["gravity_m_per_s2"] = json!(0);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": record.gravity_m_per_s2: found 0, allowed a finite number > 0"#);
+}
+
+#[test]
+fn extreme_beta_above_one_half() {
+    let message = refused("beta", |scene| {
+        scene["method"] = json!({"newmark": {"time_step_s": 0.01, "beta": 0.6, "gamma": 0.5}});
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.newmark.beta: found 0.6, allowed 0 to 0.5"#);
+}
+
+#[test]
+fn extreme_time_step_beyond_the_stability_limit() {
+    let message = refused("unstable", |scene| {
+        scene["method"]["central_difference"]["time_step_s"] = json!(0.1);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.central_difference.time_step_s: found 0.1, allowed less than 0.09549105 (structures[1], "stiff", grows without bound from there on); contact can ask for less"#);
+}
+
+/// Contact far too stiff for the time step: it throws the structures apart, and the second contact overflows.
+#[test]
+fn extreme_run_that_diverges() {
+    let message = refused("diverges", |scene| {
+        let weak = &mut scene["structures"][0]["sdof"];
+        weak["initial_velocity_m_per_s"] = json!(1);
+        weak["yield_force_n"] = Value::Null;
+        let law = &mut scene["contacts"][0]["law"]["nonlinear_viscoelastic"];
+        law["impact_stiffness_n_per_m1_5"] = json!(1e300);
+    });
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structure 0 at t = 0.645 s: the response is no longer a finite number; use a smaller time step (found 0.005 s); structure 0 is "weak""#);
+}

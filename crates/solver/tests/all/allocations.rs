@@ -1,0 +1,65 @@
+//! A step allocates nothing.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use crate::common::{
+    METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
+};
+use pounding_solver::{Excitation, Peaks, Row, TransferredMomentum};
+
+/// The system's allocator with a counter.
+struct Counting;
+
+thread_local! {
+    /// Allocations of this thread: other tests run beside this one.
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+#[expect(
+    unsafe_code,
+    reason = "an allocator is unsafe by nature; this one only counts"
+)]
+// SAFETY: every call goes to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        // SAFETY: the caller's promise is passed on.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller's promise is passed on.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn limit_a_step_allocates_nothing() {
+    let samples = ground();
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let nodes = vec![yielding(WEAK), yielding(STIFF), yielding(WEAK)];
+        let row = Row::new(nodes, pairs(3, 0.02, law)).unwrap();
+        for (name, method) in METHODS {
+            let count = |duration| {
+                let mut recorder = (Peaks::new(3), TransferredMomentum::new(3));
+                let excitation = Excitation::new(0.01, &samples).unwrap();
+                let before = ALLOCATIONS.get();
+                let work = method
+                    .run(&row, excitation, clock(0.005, duration), &mut recorder)
+                    .unwrap();
+                (ALLOCATIONS.get() - before, work)
+            };
+            let ((short, _), (long, work)) = (count(1.0), count(10.0));
+            assert!(work.touching_steps > 0, "{name}: the row must collide");
+            assert_eq!(
+                short, long,
+                "{name}: ten times the steps, the same allocations"
+            );
+            assert!(short > 0, "{name}: the counter must count");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! What the tests of the solver share: structures of the paper, a synthetic ground motion, shorthands.
+use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_solver::{
+    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Histories, Integrator, Newmark,
+    Node, Pair, RestoringForce, Row, Start, Work,
+};
+
+pub(crate) const WEAK: (f64, f64, f64) = (75e3, 2.056e6, 70e3);
+pub(crate) const STIFF: (f64, f64, f64) = (3e6, 1.316e9, 4e6);
+
+pub(crate) const STEREOMECHANICAL: ContactLaw =
+    ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 });
+pub(crate) const VISCOELASTIC: ContactLaw =
+    ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+        impact_stiffness: 2.75e9,
+        impact_damping_ratio: 0.35,
+    });
+
+pub(crate) const CENTRAL: Integrator = Integrator::CentralDifference(CentralDifference {
+    start: Start::Consistent,
+});
+pub(crate) const AVERAGE: Integrator = Integrator::Newmark(Newmark::AVERAGE_ACCELERATION);
+pub(crate) const LINEAR: Integrator = Integrator::Newmark(Newmark::LINEAR_ACCELERATION);
+pub(crate) const METHODS: [(&str, Integrator); 3] = [
+    ("central difference", CENTRAL),
+    ("Newmark 1/4", AVERAGE),
+    ("Newmark 1/6", LINEAR),
+];
+
+pub(crate) fn elastic((mass, stiffness, _): (f64, f64, f64)) -> Node<Elastic> {
+    Node::structure(
+        mass,
+        0.5712 * mass + 0.001_447 * stiffness,
+        Elastic { stiffness },
+    )
+}
+
+pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<ElastoPlastic> {
+    let column = ElastoPlastic {
+        stiffness,
+        yield_force,
+    };
+    Node::structure(mass, 0.5712 * mass + 0.001_447 * stiffness, column)
+}
+
+/// Pairs between all neighbours, with one gap and one law.
+pub(crate) fn pairs(n: usize, gap: f64, law: ContactLaw) -> Vec<Pair> {
+    (1..n)
+        .map(|right| Pair {
+            left: right - 1,
+            right,
+            gap,
+            law,
+        })
+        .collect()
+}
+
+/// Ten seconds of a smooth ground motion sampled every 0.01 s, strong enough for many collisions.
+pub(crate) fn ground() -> Vec<f64> {
+    (0..=1000)
+        .map(|i| {
+            let t = 0.01 * f64::from(i);
+            let envelope = if t < 2.0 { 0.5 * t } else { 1.0 };
+            envelope
+                * (1.9 * libm::sin(5.1 * t)
+                    + 1.3 * libm::sin(9.7 * t + 1.0)
+                    + 0.9 * libm::cos(21.3 * t))
+        })
+        .collect()
+}
+
+pub(crate) fn clock(time_step: f64, duration: f64) -> Clock {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small positive number"
+    )]
+    let n_steps = (duration / time_step).round() as usize;
+    Clock { time_step, n_steps }
+}
+
+/// Histories at every node of the clock.
+pub(crate) fn histories<Column: RestoringForce>(
+    row: &Row<Column>,
+    method: Integrator,
+    ground: &[f64],
+    clock: Clock,
+) -> (Histories, Work) {
+    let duration = clock.time_step * clock.n_steps as f64;
+    let mut histories = Histories::new(row.nodes().len(), clock.time_step, duration);
+    let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
+    let work = method
+        .run(row, excitation, clock, &mut histories)
+        .expect("the run ends");
+    (histories, work)
+}

@@ -1,0 +1,9 @@
+//! Tests of the solver; the kind of each is in its name.
+
+mod allocations;
+mod chopra;
+mod common;
+mod limit;
+mod momentum;
+mod order;
+mod refusals;

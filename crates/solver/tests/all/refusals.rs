@@ -1,0 +1,167 @@
+//! Models and runs that are refused, with the place, what was found and what is allowed.
+
+use insta::assert_snapshot;
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    Clock, Elastic, Excitation, Integrator, ModelError, Newmark, Node, Pair, Row, RunError,
+};
+
+use crate::common::{AVERAGE, CENTRAL, METHODS, STEREOMECHANICAL, WEAK, elastic, ground, pairs};
+
+fn row(nodes: Vec<Node<Elastic>>, pairs: Vec<Pair>) -> ModelError {
+    Row::new(nodes, pairs).expect_err("the row must be refused")
+}
+
+fn run(row: &Row<Elastic>, method: Integrator, clock: Clock) -> RunError {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    method
+        .run(row, excitation, clock, &mut ())
+        .expect_err("the run must end early")
+}
+
+#[test]
+fn extreme_rows_that_cannot_be() {
+    let mut messages = Vec::new();
+    let weak = elastic(WEAK);
+    let bad = |change: fn(&mut Node<Elastic>)| {
+        let mut node = weak;
+        change(&mut node);
+        row(vec![weak, node], vec![])
+    };
+    messages.push(bad(|node| node.inverse_mass = -1.0).to_string());
+    messages.push(bad(|node| node.damping = f64::NAN).to_string());
+    messages.push(bad(|node| node.initial_velocity = f64::INFINITY).to_string());
+    messages.push(bad(|node| (node.inverse_mass, node.initial_velocity) = (0.0, 1.0)).to_string());
+
+    let pair = |left, right, gap| Pair {
+        left,
+        right,
+        gap,
+        law: STEREOMECHANICAL,
+    };
+    messages.push(row(vec![weak; 3], vec![pair(0, 2, 0.1)]).to_string());
+    messages.push(row(vec![weak; 3], vec![pair(1, 2, 0.1), pair(0, 1, 0.1)]).to_string());
+    messages.push(row(vec![weak; 2], vec![pair(0, 1, -0.1)]).to_string());
+    let plastic = ContactLaw::Stereomechanical(Stereomechanical { restitution: 1.2 });
+    messages.push(row(vec![weak; 2], pairs(2, 0.1, plastic)).to_string());
+    let shifted = Node {
+        initial_displacement: 0.15,
+        ..weak
+    };
+    messages.push(row(vec![shifted, weak], vec![pair(0, 1, 0.1)]).to_string());
+    assert_snapshot!(messages.join("\n"));
+}
+
+#[test]
+fn extreme_settings_out_of_range() {
+    let mut messages = Vec::new();
+    let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
+    let clock = Clock {
+        time_step: 0.01,
+        n_steps: 10,
+    };
+    messages.push(
+        run(
+            &row,
+            CENTRAL,
+            Clock {
+                time_step: 0.0,
+                ..clock
+            },
+        )
+        .to_string(),
+    );
+    messages.push(
+        run(
+            &row,
+            Integrator::Newmark(Newmark {
+                beta: 0.25,
+                gamma: 0.4,
+            }),
+            clock,
+        )
+        .to_string(),
+    );
+    messages.push(
+        run(
+            &row,
+            Integrator::Newmark(Newmark {
+                beta: -0.1,
+                gamma: 0.5,
+            }),
+            clock,
+        )
+        .to_string(),
+    );
+    assert_snapshot!(messages.join("\n"));
+}
+
+#[test]
+fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
+    // Critical time step of the central difference method: T/π = 2/ω, whatever the damping.
+    let (mass, stiffness, _) = WEAK;
+    let critical = 2.0 * (mass / stiffness).sqrt();
+    let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
+    let clock = |factor: f64| Clock {
+        time_step: factor * critical,
+        n_steps: 100_000,
+    };
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).unwrap();
+    let work = CENTRAL.run(&row, excitation, clock(0.999), &mut ());
+    assert!(work.is_ok(), "just below the limit: {work:?}");
+    assert_snapshot!(run(&row, CENTRAL, clock(1.01)));
+    assert!(
+        AVERAGE.run(&row, excitation, clock(50.0), &mut ()).is_ok(),
+        "average acceleration has no limit"
+    );
+}
+
+#[test]
+fn extreme_a_number_that_overflows_ends_the_run() {
+    let samples = [1e308; 2000];
+    for (name, method) in METHODS {
+        let soft = Node::structure(1.0, 0.0, Elastic { stiffness: 1e-3 });
+        let row = Row::new(vec![elastic(WEAK), soft], vec![]).unwrap();
+        let excitation = Excitation::new(0.01, &samples).unwrap();
+        let outcome = method.run(
+            &row,
+            excitation,
+            Clock {
+                time_step: 0.01,
+                n_steps: 2000,
+            },
+            &mut (),
+        );
+        assert!(
+            outcome.is_err(),
+            "{name} must not end with infinite displacements"
+        );
+    }
+}
+
+#[test]
+fn extreme_mass_ratios_and_a_closed_gap() {
+    // A million to one, no gap at all: the runs end, and nothing is infinite.
+    for law in [STEREOMECHANICAL, crate::common::VISCOELASTIC] {
+        for ratio in [1e-6, 1e6] {
+            let (mass, stiffness, yield_force) = WEAK;
+            let other = elastic((ratio * mass, 4.0 * ratio * stiffness, yield_force));
+            let row = Row::new(vec![elastic(WEAK), other], pairs(2, 0.0, law)).unwrap();
+            for (name, method) in METHODS {
+                let samples = ground();
+                let excitation = Excitation::new(0.01, &samples).unwrap();
+                let clock = Clock {
+                    time_step: 0.000_1,
+                    n_steps: 20_000,
+                };
+                let work = method.run(&row, excitation, clock, &mut ());
+                assert!(
+                    work.as_ref().is_ok_and(|work| work.touching_steps > 0),
+                    "{name}, {ratio}, {law:?}: {work:?}"
+                );
+            }
+        }
+    }
+}

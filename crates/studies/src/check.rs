@@ -1,0 +1,164 @@
+//! Checks a scene, field by field, before anything is built from it.
+
+use pounding_contact::ContactLaw;
+
+use crate::{Damping, Scene, SceneError, Sdof, Structure};
+
+/// Refuses a value that is not `valid`.
+fn require(
+    valid: bool,
+    place: String,
+    found: f64,
+    allowed: &'static str,
+) -> Result<(), SceneError> {
+    if valid && found.is_finite() {
+        Ok(())
+    } else {
+        Err(SceneError::OutOfRange {
+            place,
+            found,
+            allowed,
+        })
+    }
+}
+
+const POSITIVE: &str = "a finite number > 0";
+const NOT_NEGATIVE: &str = "a finite number >= 0";
+const FINITE: &str = "a finite number";
+
+/// Refuses the first field that cannot be modelled, in the order of the file.
+pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
+    let record = &scene.record;
+    let gravity = record.gravity_m_per_s2;
+    require(
+        gravity > 0.0,
+        "record.gravity_m_per_s2".into(),
+        gravity,
+        POSITIVE,
+    )?;
+    require(true, "record.scale".into(), record.scale, FINITE)?;
+    if scene.structures.is_empty() {
+        return Err(SceneError::NoStructures);
+    }
+    for (index, structure) in scene.structures.iter().enumerate() {
+        if let Structure::Sdof(structure) = structure {
+            check_structure(index, structure)?;
+        }
+    }
+    check_method(scene)?;
+    check_contacts(scene)
+}
+
+fn check_method(scene: &Scene) -> Result<(), SceneError> {
+    let dt = scene.method.time_step();
+    let place = format!("method.{}.time_step_s", scene.method.name());
+    require(dt > 0.0, place, dt, POSITIVE)?;
+    let steps = scene.duration_s / dt;
+    require(
+        scene.duration_s > 0.0 && (steps - steps.round()).abs() <= 1e-6 && steps < 1e9,
+        "duration_s".into(),
+        scene.duration_s,
+        "a whole number of the method's time_step_s, at least 1 and fewer than 1e9",
+    )?;
+    if let Some((structure, limit)) = scene.critical_time_step().filter(|(_, limit)| dt >= *limit) {
+        return Err(SceneError::Unstable {
+            method: scene.method.name(),
+            time_step: dt,
+            limit,
+            structure,
+            name: scene.structures[structure].name().into(),
+        });
+    }
+    Ok(())
+}
+
+fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
+    let Some(contacts) = &scene.contacts else {
+        return Ok(());
+    };
+    let (n_structures, allowed) = (scene.structures.len(), scene.structures.len() - 1);
+    if contacts.len() != allowed {
+        return Err(SceneError::ContactCount {
+            found: contacts.len(),
+            allowed,
+            n_structures,
+        });
+    }
+    for (index, contact) in contacts.iter().enumerate() {
+        require(
+            contact.gap_m >= 0.0,
+            format!("contacts[{index}].gap_m"),
+            contact.gap_m,
+            NOT_NEGATIVE,
+        )?;
+        contact
+            .law
+            .check()
+            .map_err(|error| SceneError::OutOfRange {
+                place: format!(
+                    "contacts[{index}].law.{}.{}",
+                    law_name(&contact.law),
+                    error.parameter
+                ),
+                found: error.found,
+                allowed: error.allowed,
+            })?;
+    }
+    Ok(())
+}
+
+/// Name of a contact law as scene files spell it.
+fn law_name(law: &ContactLaw) -> &'static str {
+    match law {
+        ContactLaw::Stereomechanical(_) => "stereomechanical",
+        ContactLaw::NonlinearViscoelastic(_) => "nonlinear_viscoelastic",
+    }
+}
+
+fn check_structure(index: usize, structure: &Sdof) -> Result<(), SceneError> {
+    let place = |field: &str| format!("structures[{index}].sdof.{field}");
+    let Sdof {
+        mass_kg: m,
+        stiffness_n_per_m: k,
+        ..
+    } = *structure;
+    require(m > 0.0, place("mass_kg"), m, POSITIVE)?;
+    require(k > 0.0, place("stiffness_n_per_m"), k, POSITIVE)?;
+    match structure.damping {
+        Damping::Ratio(ratio) => {
+            require(ratio >= 0.0, place("damping.ratio"), ratio, NOT_NEGATIVE)?;
+        }
+        Damping::Rayleigh {
+            alpha_per_s,
+            beta_s,
+        } => {
+            require(
+                alpha_per_s >= 0.0,
+                place("damping.rayleigh.alpha_per_s"),
+                alpha_per_s,
+                NOT_NEGATIVE,
+            )?;
+            require(
+                beta_s >= 0.0,
+                place("damping.rayleigh.beta_s"),
+                beta_s,
+                NOT_NEGATIVE,
+            )?;
+        }
+    }
+    if let Some(force) = structure.yield_force_n {
+        require(force > 0.0, place("yield_force_n"), force, POSITIVE)?;
+    }
+    require(
+        true,
+        place("initial_displacement_m"),
+        structure.initial_displacement_m,
+        FINITE,
+    )?;
+    require(
+        true,
+        place("initial_velocity_m_per_s"),
+        structure.initial_velocity_m_per_s,
+        FINITE,
+    )
+}

@@ -1,0 +1,55 @@
+//! The same bytes however often and on however many threads.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use pounding_studies::Studies;
+
+/// Every file of a reproduction on so many threads.
+fn files(n_threads: usize) -> BTreeMap<PathBuf, Vec<u8>> {
+    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(n_threads)
+        .build()
+        .expect("threads");
+    let made = pool.install(|| {
+        assert_eq!(
+            rayon::current_num_threads(),
+            n_threads,
+            "the pool is the one in use"
+        );
+        Studies::read(&studies)
+            .expect("readable studies")
+            .reproduce(&|| ())
+    });
+    made.expect("studies that run").files
+}
+
+#[test]
+fn limit_bytes_do_not_depend_on_threads_or_on_the_run() {
+    let once = files(2);
+    let of_kind = |kind: &str| {
+        let is_kind = |path: &&PathBuf| path.extension().is_some_and(|found| found == kind);
+        once.keys().filter(is_kind).count()
+    };
+    assert_eq!(
+        (of_kind("csv"), of_kind("png")),
+        (9, 22),
+        "seven tables, agreement and claims; figures"
+    );
+    for n_threads in [2, 1] {
+        let again = files(n_threads);
+        assert!(
+            once.keys().eq(again.keys()),
+            "{n_threads} threads make the same files"
+        );
+        for (path, bytes) in &once {
+            // No assert_eq: it would print the picture.
+            assert!(
+                *bytes == again[path],
+                "{} with {n_threads} threads",
+                path.display()
+            );
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! What is said of studies that do not fit together, and that what is read is what is written.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use insta::assert_snapshot;
+use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
+use serde_json::{Value, json};
+
+fn studies() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies")
+}
+
+/// A study of the paper as JSON, its record by a path that holds from anywhere.
+fn study(id: &str) -> Value {
+    let text = fs::read_to_string(studies().join(id).with_extension("json")).expect("a study");
+    let mut study: Value = serde_json::from_str(&text).expect("JSON");
+    for scene in study["scenes"].as_array_mut().expect("scenes") {
+        let file = scene["record"]["file"]
+            .as_str()
+            .expect("a path")
+            .to_string();
+        scene["record"]["file"] = json!(studies().join(file).to_str().expect("a path in UTF-8"));
+    }
+    study
+}
+
+/// Reads a study from a file, runs it and makes its table or figure.
+fn make(test: &str, study: &Value) -> Result<(), StudyError> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("scenes")
+        .join(test);
+    fs::create_dir_all(&folder).expect("the folder can be made");
+    let path = folder.join("study.json");
+    fs::write(&path, serde_json::to_string_pretty(study).expect("JSON"))
+        .expect("the study can be written");
+    let completed = Completed::run(StudyFile::read(&path)?, &|| ())?;
+    Table::of(&completed)?;
+    figure_png(&completed)?;
+    Ok(())
+}
+
+/// The message for a study that is refused, from the name of its file on.
+fn refused(test: &str, study: &Value) -> String {
+    let message = make(test, study)
+        .expect_err("a study that is refused")
+        .to_string();
+    let message = message.replace('\\', "/");
+    let (_, message) = message
+        .split_once(&format!("scenes/{test}/"))
+        .expect("the file is named");
+    message.into()
+}
+
+#[test]
+fn extreme_no_scenes() {
+    let mut study = study("table-5");
+    study["scenes"] = json!([]);
+    assert_snapshot!(refused("none", &study), @"study.json: scenes: found none, allowed one or more scenes");
+}
+
+#[test]
+fn extreme_scene_name_twice() {
+    let mut study = study("table-5");
+    study["scenes"][2]["name"] = study["scenes"][0]["name"].clone();
+    assert_snapshot!(refused("twice", &study), @r#"study.json: scenes: found "stereomechanical elastic" twice, allowed names that differ"#);
+}
+
+#[test]
+fn extreme_output_unknown() {
+    let mut study = study("table-5");
+    study["output"] = json!("momentum_table");
+    assert_snapshot!(refused("output", &study), @"study.json: output: unknown variant `momentum_table`, expected one of `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure` at line 3 column 28");
+}
+
+#[test]
+fn extreme_option_of_output_unknown() {
+    let mut study = study("table-2");
+    study["output"]["pounding_forces_table"]["offset_s"] = json!(0.02);
+    assert_snapshot!(refused("option", &study), @"study.json: output.pounding_forces_table.offset_s: unknown field `offset_s`, expected `n_collisions` or `label_offset_s` at line 6 column 16");
+}
+
+#[test]
+fn extreme_field_missing_deep_in_a_study() {
+    let mut study = study("table-2");
+    let contact = study["scenes"][1]["contacts"][0].as_object_mut();
+    contact.expect("a contact has fields").remove("gap_m");
+    assert_snapshot!(refused("deep", &study), @"study.json: scenes[1].contacts[0]: missing field `gap_m` at line 71 column 9");
+}
+
+#[test]
+fn extreme_text_of_a_scene_that_is_not_there() {
+    insta::allow_duplicates! {
+        for quantity in ["transferred_momentum", "peak_forces"] {
+            let mut study = study("text");
+            study["output"]["text_table"][quantity] = json!(["three structures"]);
+            assert_snapshot!(refused("text", &study), @r#"study.json: output.text_table: found "three structures", allowed names of scenes of the study"#);
+        }
+    }
+}
+
+#[test]
+fn extreme_peak_force_of_an_impulsive_law() {
+    let mut study = study("text");
+    study["output"]["text_table"]["peak_forces"] =
+        json!(["two structures stereomechanical elastic"]);
+    assert_snapshot!(refused("impulsive", &study), @r#"study.json: output.text_table.peak_forces: found "two structures stereomechanical elastic", allowed scenes with a compliant contact law"#);
+}
+
+#[test]
+fn extreme_pounding_forces_of_three_structures() {
+    let mut study = study("table-6");
+    study["output"] = json!({"pounding_forces_table": {}});
+    assert_snapshot!(refused("three", &study), @r#"study.json: scenes: found 3 structures in "layout A elastic", allowed two structures per scene"#);
+}
+
+#[test]
+fn extreme_shear_force_of_a_structure_that_is_not_there() {
+    let mut study = study("figure-15");
+    study["output"]["shear_force_figure"]["structure"] = json!("west");
+    assert_snapshot!(refused("shear", &study), @r#"study.json: output.shear_force_figure.structure: found "west", allowed the name of a structure of every scene"#);
+}
+
+#[test]
+fn extreme_scene_that_diverges_is_named() {
+    let mut study = study("table-5");
+    let law = &mut study["scenes"][2]["contacts"][0]["law"]["nonlinear_viscoelastic"];
+    law["impact_stiffness_n_per_m1_5"] = json!(1e300);
+    let error = make("diverges", &study).expect_err("contact far too stiff for the time step");
+    let StudyError::Run {
+        scene, structures, ..
+    } = &error
+    else {
+        panic!("the run should have ended early: {error}");
+    };
+    assert_eq!(scene, "viscoelastic elastic");
+    assert_eq!(structures[..], [(0, "weak".to_string())]);
+}
+
+#[test]
+fn extreme_time_step_at_the_limit() {
+    // T/π = 2/ω of the stiff structure; linear acceleration T√3/π; average acceleration none.
+    let limit = 2.0 * (3e6_f64 / 1.316e9).sqrt();
+    let newmark = |beta: f64| json!({"newmark": {"time_step_s": 0, "beta": beta, "gamma": 0.5}});
+    let central = json!({"central_difference": {"time_step_s": 0, "start": "consistent"}});
+    for (method, limit) in [
+        (central, Some(limit)),
+        (newmark(1.0 / 6.0), Some(3.0_f64.sqrt() * limit)),
+        (newmark(0.25), None),
+    ] {
+        let run = |time_step: f64| {
+            let mut study = study("figure-1");
+            let scene = &mut study["scenes"][0];
+            scene["method"] = method.clone();
+            let settings = scene["method"]
+                .as_object_mut()
+                .expect("a method has settings");
+            for settings in settings.values_mut() {
+                settings["time_step_s"] = json!(time_step);
+            }
+            scene["duration_s"] = json!(1000.0 * time_step);
+            make("limit", &study)
+        };
+        let limit = limit.unwrap_or(f64::NAN);
+        if limit.is_nan() {
+            assert!(run(10.0).is_ok(), "no limit: {method}");
+        } else {
+            assert!(run(0.999 * limit).is_ok(), "below the limit: {method}");
+            let error = run(1.001 * limit).expect_err("above the limit");
+            assert!(error.to_string().contains("allowed less than"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn extreme_the_first_error_is_the_first_scene_on_any_number_of_threads() {
+    let mut study = study("table-7");
+    for scene in study["scenes"].as_array_mut().expect("scenes") {
+        for contact in scene["contacts"].as_array_mut().expect("contacts") {
+            contact["law"]["nonlinear_viscoelastic"]["impact_stiffness_n_per_m1_5"] = json!(1e300);
+        }
+    }
+    for _ in 0..5 {
+        let error = make("first-error", &study).expect_err("every scene diverges");
+        assert!(error.to_string().contains("layout A elastic"), "{error}");
+    }
+}
+
+#[test]
+fn extreme_claims_without_their_scenes() {
+    let error = pounding_studies::claims(&[]).expect_err("no study");
+    assert_snapshot!(error, @r#"studies/table-2.json: found no scene "any"; the claims of the paper are tested on it"#);
+}
+
+#[test]
+fn limit_studies_survive_writing_and_reading() {
+    let files = StudyFile::read_all(&studies()).expect("readable studies");
+    assert!(files.len() > 20, "{} studies", files.len());
+    for file in files {
+        let text = serde_json::to_string_pretty(&file.study).expect("a study can be written");
+        let again: Study = serde_json::from_str(&text).expect("what was written can be read");
+        assert_eq!(again, file.study, "{}", file.id);
+    }
+}
