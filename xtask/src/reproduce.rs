@@ -1,10 +1,12 @@
 //! Every table and figure of the paper, and how close they came.
 
+use std::fmt::Write as _;
+use std::io::{ErrorKind, Write as _, stdout};
 use std::path::Path;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pounding_studies::{Finding, Reproduction, Studies, Verdict};
+use pounding_studies::{Claim, Comparison, Finding, Reproduction, Studies, Verdict};
 
 use crate::results;
 
@@ -35,12 +37,12 @@ pub(crate) fn run(root: &Path, check: bool) -> Result<(), String> {
         );
     } else {
         let changed = results::write(&folder, &made.files)?;
-        println!(
-            "{} files in results/, {changed} of them changed, in {:.1} s\n",
-            made.files.len(),
-            started.elapsed().as_secs_f64()
-        );
-        summarise(&made);
+        let seconds = started.elapsed().as_secs_f64();
+        let files = made.files.len();
+        let summary = summary(&made);
+        say(&format!(
+            "{files} files in results/, {changed} of them changed, in {seconds:.1} s\n\n{summary}"
+        ))?;
     }
     if made.surprises.is_empty() {
         Ok(())
@@ -52,49 +54,58 @@ pub(crate) fn run(root: &Path, check: bool) -> Result<(), String> {
     }
 }
 
+/// Writes to standard output; a reader that has seen enough (`| head`) is no failure.
+fn say(text: &str) -> Result<(), String> {
+    match stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("standard output cannot be written: {error}"))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// How close the numbers came, and where to look.
-fn summarise(made: &Reproduction) {
+fn summary(made: &Reproduction) -> String {
     let numbers = |verdict| {
-        made.comparisons
-            .iter()
-            .filter(|comparison| comparison.verdict == verdict)
-            .count()
+        let with = |comparison: &&Comparison| comparison.verdict == verdict;
+        made.comparisons.iter().filter(with).count()
     };
     let findings = |finding| {
-        made.claims
-            .iter()
-            .filter(|claim| claim.finding == finding)
-            .count()
+        let with = |claim: &&Claim| claim.finding == finding;
+        made.claims.iter().filter(with).count()
     };
-    println!(
-        "Published numbers   {:>4}   results/agreement.csv",
+    let mut text = format!(
+        "Published numbers      {:>4}   results/agreement.csv\n",
         made.comparisons.len()
     );
-    for (verdict, meaning) in [
-        (Verdict::Reproduced, "within 0.1 %"),
-        (Verdict::Close, "within 3 %"),
-        (
-            Verdict::Differs,
-            "further away; the reason stands beside each",
-        ),
-        (Verdict::NotComparable, "of another record"),
-    ] {
-        println!(
-            "  {:<17} {:>4}   {meaning}",
-            verdict.words(),
-            numbers(verdict)
-        );
-    }
-    println!(
-        "Claims of the paper {:>4}   results/claims.csv",
-        made.claims.len()
+    let mut line = |words: &str, count: usize, meaning: &str| {
+        writeln!(text, "  {words:<20} {count:>4}   {meaning}").expect("a string takes all");
+    };
+    line("reproduced", numbers(Verdict::Reproduced), "within 0.1 %");
+    line("close", numbers(Verdict::Close), "within 3 %");
+    line(
+        "differs",
+        numbers(Verdict::Differs),
+        "further away; the reason stands beside each",
     );
+    line(
+        "not comparable",
+        numbers(Verdict::NotComparable),
+        "of another record",
+    );
+    writeln!(
+        text,
+        "Findings of the paper  {:>4}   results/claims.csv",
+        made.claims.len()
+    )
+    .expect("a string takes all");
     for finding in [
         Finding::Holds,
         Finding::HoldsOnlyAsStated,
         Finding::DoesNotHold,
     ] {
-        println!("  {:<19} {:>2}", finding.words(), findings(finding));
+        writeln!(text, "  {:<20} {:>4}", finding.words(), findings(finding))
+            .expect("a string takes all");
     }
-    println!("\nTables in results/tables, figures in results/figures.");
+    text + "\nTables in results/tables, figures in results/figures.\n"
 }

@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold generated files only; anything else in them is stale.
-const GENERATED: [&str; 2] = ["tables", "figures"];
+const GENERATED: [&str; 3] = ["", "tables", "figures"];
+/// What is written by hand.
+const BY_HAND: &str = "README.md";
 
 /// Writes the files that changed and removes stale ones; returns how many changed.
 pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<usize, String> {
@@ -88,7 +90,9 @@ fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBu
         for entry in entries {
             let entry =
                 entry.map_err(|error| format!("{}: {error}", folder.join(name).display()))?;
-            if !files.contains_key(&Path::new(name).join(entry.file_name())) {
+            let file = Path::new(name).join(entry.file_name());
+            let by_hand = file == Path::new(BY_HAND) || entry.path().is_dir();
+            if !by_hand && !files.contains_key(&file) {
                 stale.push(entry.path());
             }
         }

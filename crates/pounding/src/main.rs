@@ -11,7 +11,7 @@ use pounding::studies::{Prepared, Scene, StudyError, read_json};
 
 const EXAMPLE: &str = "\
 Example:
-  pounding run crates/pounding/tests/data/two-structures.json
+  pounding run studies/examples/two-structures.json
 
 A scene is one entry of `scenes` in a file of studies/; the path of its record
 is relative to the folder of the file that holds the scene.";
@@ -53,14 +53,7 @@ fn main() -> ExitCode {
 
 /// Runs a scene; returns the summary.
 fn run(path: &Path) -> Result<String, String> {
-    let message = |error: StudyError| {
-        // The others name their file.
-        if matches!(error, StudyError::Scene { .. } | StudyError::Run { .. }) {
-            format!("{}: {error}", path.display())
-        } else {
-            error.to_string()
-        }
-    };
+    let message = |error: StudyError| error.in_file(path).to_string();
     let scene: Scene = read_json(path).map_err(message)?;
     let base = path.parent().unwrap_or_else(|| Path::new(""));
     let prepared = Prepared::new(&scene, base).map_err(message)?;

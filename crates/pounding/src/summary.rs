@@ -1,8 +1,8 @@
 //! What happened in a scene, as plain text of at most 80 columns, but for a long path.
 
 use pounding::motion::Record;
-use pounding::solver::{Collision, Peak};
-use pounding::studies::{Outcome, Scene, Sdof, Structure, digits};
+use pounding::solver::{Collision, Peak, Start};
+use pounding::studies::{Method, Outcome, Scene, Sdof, Structure, digits};
 
 /// Columns of a terminal.
 const WIDTH: usize = 80;
@@ -14,7 +14,10 @@ const NONE: &str = "–";
 /// Summary of a run.
 pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
     let method = scene.method;
-    let name = method.name().replace('_', " ");
+    let settings = match method {
+        Method::CentralDifference { start, .. } => format!("start: {}", words(start)),
+        Method::Newmark { beta, gamma, .. } => format!("β = {}, γ = {}", short(beta), short(gamma)),
+    };
     let (dt, duration) = (digits(method.time_step()), digits(scene.duration_s));
     let work = outcome.work;
     [
@@ -22,7 +25,10 @@ pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
         paragraph("Record", &record_lines(scene, record).join("\n")),
         paragraph(
             "Method",
-            &format!("{name}, {duration} s in steps of {dt} s"),
+            &format!(
+                "{}, {settings};\n{duration} s in steps of {dt} s",
+                method.name().replace('_', " ")
+            ),
         ),
         structures(scene, outcome),
         pairs(scene, outcome),
@@ -37,6 +43,15 @@ pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
     .join("\n")
 }
 
+/// How a run of the central difference method begins, in words.
+fn words(start: Start) -> &'static str {
+    match start {
+        Start::Consistent => "consistent",
+        Start::FirstLoadUsed => "first load used",
+        Start::FirstLoadSkipped => "first load skipped",
+    }
+}
+
 /// File, use and peak of the record, and what its file says of itself.
 fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
     let used = &scene.record;
@@ -44,11 +59,12 @@ fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
     let mut lines = vec![
         used.file.clone(),
         format!(
-            "peak {} g = {} m/s² at {} s, {} s long, scale {}{}",
+            "peak {} g = {} m/s² at {} s, {} s long in steps of {} s, scale {}{}",
             short(peak / used.gravity_m_per_s2),
             short(peak),
             digits(time),
             digits(record.duration()),
+            digits(record.time_step()),
             digits(used.scale),
             if used.reversed { ", reversed" } else { "" },
         ),

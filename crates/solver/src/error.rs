@@ -51,7 +51,7 @@ pub enum ModelError {
 pub enum RunError {
     /// A number stopped being finite in this step.
     #[error(
-        "structure {structure} at t = {time} s: the response is no longer a finite number; use a smaller time step \
+        "structure {structure} at t = {time:.4} s: the response is no longer a finite number; use a smaller time step \
          (found {time_step} s)"
     )]
     Diverged {
@@ -64,7 +64,7 @@ pub enum RunError {
     },
     /// Newton's method did not reach equilibrium.
     #[error(
-        "structures {first} to {last} at t = {time} s: no equilibrium after {iterations} Newton iterations \
+        "structures {first} to {last} at t = {time:.4} s: no equilibrium after {iterations} Newton iterations \
          (residual {residual:e} of the forces' sum, allowed {allowed:e}); use a smaller time step"
     )]
     NotConverged {

@@ -324,8 +324,10 @@ fn collide<Column: RestoringForce>(
     let mut hits = 0;
     for (pair, impulse) in row.pairs().iter().zip(&mut scratch.impulses) {
         *impulse = 0.0;
-        let ContactLaw::Stereomechanical(law) = pair.law else {
-            continue;
+        let law = match pair.law {
+            ContactLaw::Stereomechanical(law) => law,
+            // Compliant contact took part in the equilibrium.
+            ContactLaw::NonlinearViscoelastic(_) => continue,
         };
         let (left, right) = (&scratch.trials[pair.left], &scratch.trials[pair.right]);
         let rate = left.velocity - right.velocity;

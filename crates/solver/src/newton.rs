@@ -228,8 +228,10 @@ fn couple<Column: RestoringForce>(
 ) {
     let (left, right) = (&trials[pair.left], &trials[pair.right]);
     let deformation = left.displacement - right.displacement - pair.gap;
-    let ContactLaw::NonlinearViscoelastic(law) = pair.law else {
-        return;
+    let law = match pair.law {
+        ContactLaw::NonlinearViscoelastic(law) => law,
+        // Impulsive contact acts between steps.
+        ContactLaw::Stereomechanical(_) => return,
     };
     if deformation > 0.0 {
         let rate = left.velocity - right.velocity;

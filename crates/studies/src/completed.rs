@@ -24,7 +24,9 @@ impl Completed {
             .study
             .scenes
             .iter()
-            .map(|scene| Prepared::new(scene, file.base()))
+            .map(|scene| {
+                Prepared::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
+            })
             .collect::<Result<Vec<_>, _>>()?;
         let keeps_histories = file.study.output.needs_histories();
         let outcomes = prepared
@@ -33,7 +35,7 @@ impl Completed {
             .map(|(prepared, scene)| {
                 let outcome = prepared.run(keeps_histories.then(|| scene.method.time_step()));
                 done();
-                outcome
+                outcome.map_err(|error| error.in_file(&file.path))
             })
             .collect::<Vec<_>>();
         // Collected first: of several errors, the first in order is reported, not the first in time.

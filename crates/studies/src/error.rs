@@ -1,4 +1,4 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pounding_motion::{ReadError, RecordError};
 use pounding_solver::{ModelError, RunError};
@@ -18,6 +18,22 @@ pub enum StudyError {
         path: PathBuf,
         /// What the system says.
         source: std::io::Error,
+    },
+    /// A record file that cannot be read.
+    #[error("record.file: {} cannot be read (it is looked for from the folder of the scene's file): {source}", path.display())]
+    NoRecord {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// A scene of a file that cannot be modelled or run.
+    #[error("{}: {source}", path.display())]
+    InFile {
+        /// The file that holds the scene.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: Box<StudyError>,
     },
     /// A file that is not JSON.
     #[error("{}: not JSON: {source}", path.display())]
@@ -236,5 +252,23 @@ fn counted_from_one(error: &csv::Error) -> String {
         format!("line {}{field}: {}", pos.line(), err.kind())
     } else {
         error.to_string()
+    }
+}
+
+impl StudyError {
+    /// Names the file that holds the scene, where the message does not yet.
+    #[must_use]
+    pub fn in_file(self, path: &Path) -> Self {
+        if matches!(
+            self,
+            Self::Scene { .. } | Self::Run { .. } | Self::NoRecord { .. }
+        ) {
+            Self::InFile {
+                path: path.to_path_buf(),
+                source: Box::new(self),
+            }
+        } else {
+            self
+        }
     }
 }

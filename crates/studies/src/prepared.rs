@@ -174,7 +174,7 @@ fn load(
     let path = base.join(&record.file);
     let text = match std::fs::read(&path) {
         Ok(text) => text,
-        Err(source) => return Err(StudyError::Unreadable { path, source }),
+        Err(source) => return Err(StudyError::NoRecord { path, source }),
     };
     let file =
         pounding_motion::read(&text).map_err(|source| StudyError::Record { path, source })?;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 use serde_json::{Value, json};
 
-const EXAMPLE: &str = "tests/data/two-structures.json";
+const EXAMPLE: &str = "../../studies/examples/two-structures.json";
 
 /// What the program left behind.
 struct Ended {

@@ -26,7 +26,7 @@ fn extreme_record_not_there() {
     let ended = run("record_not_there", &good_scene().to_string(), None);
     let missing = fs::read(Path::new("record.csv")).expect_err("no record lies beside the crate");
     let message = refusal(&ended).replace(&missing.to_string(), "[what the system says]");
-    assert_snapshot!(message, @"error: record.csv: cannot be read: [what the system says]");
+    assert_snapshot!(message, @"error: scene.json: record.file: record.csv cannot be read (it is looked for from the folder of the scene's file): [what the system says]");
 }
 
 #[test]

@@ -169,11 +169,11 @@ fn limit_record_in_either_unit_and_scaled() {
     );
     let (in_si, in_g) = (printed(&in_si), printed(&in_g));
     assert!(
-        in_si.contains("peak 0.4077 g = 4.000 m/s² at 0.2 s, 0.3 s long, scale 1, reversed"),
+        in_si.contains("peak 0.4077 g = 4.000 m/s² at 0.2 s, 0.3 s long in steps of 0.1 s"),
         "{in_si}"
     );
     assert!(
-        in_g.contains("peak 0.4000 g = 4.000 m/s² at 0.2 s, 0.3 s long, scale -0.5\n"),
+        in_g.contains("peak 0.4000 g = 4.000 m/s² at 0.2 s, 0.3 s long in steps of 0.1 s"),
         "{in_g}"
     );
     assert_eq!(

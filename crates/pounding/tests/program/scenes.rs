@@ -266,5 +266,5 @@ fn extreme_run_that_diverges() {
         let law = &mut scene["contacts"][0]["law"]["nonlinear_viscoelastic"];
         law["impact_stiffness_n_per_m1_5"] = json!(1e300);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structure 0 at t = 0.645 s: the response is no longer a finite number; use a smaller time step (found 0.005 s); structure 0 is "weak""#);
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structure 0 at t = 0.6450 s: the response is no longer a finite number; use a smaller time step (found 0.005 s); structure 0 is "weak""#);
 }

@@ -116,7 +116,7 @@ pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError>
         claim: "Elastic structures collide more often than nonlinear ones",
         place: "5",
         computed: format!(
-            "two structures: {}; layouts A, B, C at the paper's time step and half of it: in {beyond} of {cases} cases",
+            "impulses or contacts of two structures: {}; layouts A, B, C at the paper's time step and half of it: in {beyond} of {cases} cases",
             computed.join(", ")
         ),
         finding: Finding::of(stated, beyond == cases),

@@ -83,7 +83,7 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         place: "2, Table 1",
         computed: format!(
             "the published forces need 5 % at 1 Hz and 10 Hz ({coefficients}), which gives the structures {:.2} % and \
-             {:.2} %; with 5 % in each the second collision moves by {shift:+.1} % and the total from {:.1} to {:.1} \
+             {:.2} %; with 5 % in each the force of the second collision changes by {shift:+.1} % and the total from {:.1} to {:.1} \
              kN·s",
             ratios[0],
             ratios[1],

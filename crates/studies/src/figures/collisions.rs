@@ -7,22 +7,26 @@ use pounding_solver::State;
 use super::histories::{minus, time_axis};
 use super::{capital, is_impulsive, label, points, shade};
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Side};
-use crate::{Completed, Outcome, Scene};
+use crate::{Completed, Outcome, Scene, digits};
 
 /// More impacts than this are not marked through the panels: the lines would hide the curves.
-const MOST_MARKERS: usize = 30;
+const MOST_MARKERS: usize = 60;
+/// Impacts closer than this are one meeting and get one line \[s\].
+const SAME_MEETING: f64 = 0.04;
 /// Part of the height of a panel that one line of text needs.
 const ROOM: f64 = 0.08;
 
 /// Displacements with the gaps between the rest positions, and the net pounding force on every structure.
-pub(super) fn pounding(scene: &Scene, outcome: &Outcome) -> Figure {
+pub(super) fn pounding(completed: &Completed) -> Figure {
+    let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
     let mut starts: Vec<f64> = outcome
         .collisions
         .all()
         .iter()
         .map(|collision| collision.start)
         .collect();
-    starts.dedup();
+    starts.sort_by(f64::total_cmp);
+    starts.dedup_by(|later, earlier| *later - *earlier < SAME_MEETING);
     let markers = if starts.len() <= MOST_MARKERS {
         starts
     } else {
@@ -33,6 +37,7 @@ pub(super) fn pounding(scene: &Scene, outcome: &Outcome) -> Figure {
         x: time_axis(scene),
         panels: vec![
             Panel {
+                title: completed.file.study.title.clone(),
                 markers: markers.clone(),
                 ..displacement_panel(scene, outcome)
             },
@@ -114,7 +119,7 @@ fn force_panel(scene: &Scene, outcome: &Outcome) -> Panel {
         side: Side::Right,
     };
     Panel {
-        y: Axis::auto(format!("Pounding force ({unit})")),
+        y: Axis::auto(force_label(scene, unit)),
         levels: vec![0.0],
         notes: if peak.1 == 0.0 {
             Vec::new()
@@ -124,6 +129,16 @@ fn force_panel(scene: &Scene, outcome: &Outcome) -> Panel {
         curves,
         legend: Legend::Hidden,
         ..Panel::default()
+    }
+}
+
+/// What the axis of forces shows: for impacts, whose force has no limit, impulse over the time step.
+fn force_label(scene: &Scene, unit: &str) -> String {
+    if is_impulsive(scene) {
+        let step = digits(1e3 * scene.method.time_step());
+        format!("Impulse / {step} ms ({unit})")
+    } else {
+        format!("Pounding force ({unit})")
     }
 }
 
@@ -222,7 +237,7 @@ pub(super) fn first_collisions(completed: &Completed) -> Figure {
         Panel {
             title: format!("{}: {impulse:.2} kN·s", capital(&scene.name)),
             y: Axis::over(
-                format!("Pounding force ({unit})"),
+                force_label(scene, unit),
                 -1.15 * factor * peak,
                 1.15 * factor * peak,
             ),

@@ -16,6 +16,14 @@ pub(super) fn time_axis(scene: &Scene) -> Axis {
     Axis::over("Time (s)", 0.0, scene.duration_s)
 }
 
+/// The title of a study over its first panel, nothing over the others.
+fn title(completed: &Completed, panel: usize) -> String {
+    match panel {
+        0 => completed.file.study.title.clone(),
+        _ => String::new(),
+    }
+}
+
 /// The record as its file has it: in g, not reversed.
 pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
     let sign = if scene.record.reversed { -1.0 } else { 1.0 };
@@ -62,13 +70,15 @@ pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
 }
 
 /// Displacements of structures that stand apart, a panel each, their peaks marked.
-pub(super) fn displacements(scene: &Scene, outcome: &Outcome) -> Figure {
+pub(super) fn displacements(completed: &Completed) -> Figure {
+    let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
     let panel = |(index, structure)| {
         let peak = outcome.peaks.of(index).displacement;
         let at = (peak.time, 1e3 * peak.value);
         let text = minus(&format!("{:.1} mm at {:.2} s", at.1, at.0));
         let history = points(outcome, index, |state| 1e3 * state.displacement);
         Panel {
+            title: title(completed, index),
             y: Axis::auto("Displacement (mm)"),
             levels: vec![0.0],
             notes: vec![Note {
@@ -96,19 +106,19 @@ pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Fig
         let mut names = scene.structures.iter().map(Structure::name);
         let position = names.position(|name| name == structure)?;
         let history = points(outcome, position, |state| state.restoring_force / 1e3);
-        let shade = if index == 0 {
-            Shade::Grey
-        } else {
-            shade(index - 1)
+        let (kind, shade) = match index {
+            0 => (Kind::Dashed, Shade::Ink),
+            _ => (Kind::Line, shade(index - 1)),
         };
-        Some(Curve::new(Kind::Line, shade, history).named(capital(&scene.name)))
+        Some(Curve::new(kind, shade, history).named(capital(&scene.name)))
     };
     let curves: Option<Vec<_>> = completed.runs().zip(0..).map(curve).collect();
     let allowed = "the name of a structure of every scene";
     let place = "output.shear_force_figure.structure";
     let curves =
         curves.ok_or_else(|| completed.refuse(place, format!("\"{structure}\""), allowed))?;
-    let panel = |front: &Curve| Panel {
+    let panel = |(panel, front): (usize, &Curve)| Panel {
+        title: title(completed, panel),
         y: Axis::auto("Shear force (kN)"),
         levels: vec![0.0],
         curves: vec![curves[0].clone(), front.clone()],
@@ -117,7 +127,7 @@ pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Fig
     Ok(Figure {
         height_in: 5.0,
         x: time_axis(&completed.file.study.scenes[0]),
-        panels: curves.iter().skip(1).map(panel).collect(),
+        panels: curves.iter().skip(1).enumerate().map(panel).collect(),
         ..Figure::default()
     })
 }

@@ -14,13 +14,13 @@ use crate::{Completed, Outcome, Output, Scene, Structure, StudyError};
 /// # Errors
 /// [`StudyError`] when the scenes do not give what the figure shows.
 pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> {
-    let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
+    let scene = &completed.file.study.scenes[0];
     let png = match &completed.file.study.output {
         Output::RecordFigure => {
             render_png(&histories::record(scene, completed.prepared[0].record()))
         }
-        Output::DisplacementFigure => render_png(&histories::displacements(scene, outcome)),
-        Output::PoundingFigure => render_png(&collisions::pounding(scene, outcome)),
+        Output::DisplacementFigure => render_png(&histories::displacements(completed)),
+        Output::PoundingFigure => render_png(&collisions::pounding(completed)),
         Output::FirstCollisionFigure => render_png(&collisions::first_collisions(completed)),
         Output::LayoutFigure => render_png(&layouts::drawing(&completed.file.study.scenes)),
         Output::ShearForceFigure { structure } => {

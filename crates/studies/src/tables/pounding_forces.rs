@@ -33,18 +33,21 @@ pub(super) fn table(
         };
         let (left, right) = (left.name(), right.name());
         if table.header.is_empty() {
-            table.header = ["scene", "collision", "time_s"].map(String::from).to_vec();
+            table.header = ["scene", "collision", "time_s", "label_s"]
+                .map(String::from)
+                .to_vec();
             table
                 .header
                 .extend([left, right].map(|name| format!("force_on_{name}_kn")));
         }
         for line in lines(scene, outcome, n_collisions) {
             let row = format!("{} {}", scene.name, line.label);
-            let time = line.time + label_offset;
+            let label = line.time + label_offset;
             table.rows.push(vec![
                 scene.name.clone(),
                 line.label,
-                digits(time),
+                digits(line.time),
+                digits(label),
                 digits(-line.force / 1e3),
                 digits(line.force / 1e3),
             ]);
@@ -54,7 +57,7 @@ pub(super) fn table(
                 unit,
                 value,
             };
-            table.values.push(value("time".into(), "s", time));
+            table.values.push(value("time".into(), "s", label));
             table
                 .values
                 .push(value(format!("force on {left}"), "kN", -line.force / 1e3));
