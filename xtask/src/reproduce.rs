@@ -91,7 +91,7 @@ fn summary(made: &Reproduction) -> String {
     line(
         "not comparable",
         numbers(Verdict::NotComparable),
-        "of another record",
+        "of another work, whose inputs are not known",
     );
     writeln!(
         text,

@@ -122,8 +122,10 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                     end,
                 });
             }
+            let jump = constants.inverse_mass * body.impulse;
             body.start = end;
-            body.start.velocity += constants.inverse_mass * body.impulse;
+            body.start.velocity += jump;
+            body.start.acceleration -= constants.damping * jump;
         }
         if hit {
             report(row, &bodies, &impulses, clock.time(step), recorder);
@@ -240,7 +242,7 @@ fn advance<Column: RestoringForce>(
         displacement: body.displacement,
         // The central velocity lies in the middle of the jump.
         velocity: velocity - 0.5 * jump,
-        acceleration: smooth - constants.damping * velocity,
+        acceleration: smooth - constants.damping * (velocity - 0.5 * jump),
         restoring_force: response.force,
         force_from_left: body.force_from_left,
         force_from_right: body.force_from_right,

@@ -5,7 +5,7 @@
 
 use pounding_contact::ContactLaw;
 
-use crate::newton::{self, Slopes, Trial};
+use crate::newton::{self, Failure, Slopes, Trial};
 use crate::{
     Clock, Excitation, Impact, Recorder, RestoringForce, Row, RunError, Span, State, Velocities,
     Work,
@@ -91,6 +91,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let slopes = Slopes {
         displacement: settings.beta * dt * dt,
         velocity: settings.gamma * dt,
+        time_step: dt,
     };
     let mut scratch = begin(row, ground[0]);
     let mut work = Work::default();
@@ -110,13 +111,8 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             &mut work,
         )?;
         commit(&mut scratch, clock, step, recorder)?;
-        jump(
-            row,
-            &mut scratch,
-            (ground, clock.time(step)),
-            &mut work,
-            recorder,
-        );
+        work.touching_steps += overlaps(row, &scratch.states);
+        jump(row, &mut scratch, (ground, clock.time(step)), recorder);
         work.steps += 1;
     }
     Ok(work)
@@ -159,13 +155,23 @@ fn balance<Column: RestoringForce>(
 ) -> Result<(), RunError> {
     let mut solve = |trials: &mut [Trial<Column::Memory>], first, last| {
         newton::solve(row, trials, (first, last), (slopes, ground), work).map_err(|failure| {
-            RunError::NotConverged {
-                first,
-                last,
-                time,
-                iterations: failure.iterations,
-                residual: failure.residual,
-                allowed: newton::TOLERANCE,
+            match failure {
+                Failure::NotFinite { structure } => RunError::Diverged {
+                    structure,
+                    time,
+                    time_step: slopes.time_step,
+                },
+                Failure::NotConverged {
+                    iterations,
+                    residual,
+                } => RunError::NotConverged {
+                    first,
+                    last,
+                    time,
+                    iterations,
+                    residual,
+                    allowed: newton::TOLERANCE,
+                },
             }
         })
     };
@@ -193,11 +199,6 @@ fn balance<Column: RestoringForce>(
             solve(&mut scratch.trials, first, last)?;
         }
     }
-    work.touching_steps += scratch
-        .touching
-        .iter()
-        .filter(|touching| **touching)
-        .count() as u64;
     Ok(())
 }
 
@@ -265,19 +266,24 @@ fn commit<Memory: Copy, R: Recorder>(
     Ok(())
 }
 
+/// Number of pairs that overlap.
+fn overlaps<Column: RestoringForce>(row: &Row<Column>, states: &[State]) -> u64 {
+    let overlaps = |pair: &&crate::Pair| {
+        states[pair.left].displacement - states[pair.right].displacement - pair.gap > 0.0
+    };
+    row.pairs().iter().filter(overlaps).count() as u64
+}
+
 /// Impulsive contact at the end of a step: velocities jump, then accelerations follow from equilibrium.
 fn jump<Column: RestoringForce, R: Recorder>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
     (ground, time): (f64, f64),
-    work: &mut Work,
     recorder: &mut R,
 ) {
-    let hits = collide(row, scratch);
-    if hits == 0 {
+    if !collide(row, scratch) {
         return;
     }
-    work.touching_steps += hits;
     // Until the next step the trials keep the velocities before the jump.
     let Scratch {
         states,
@@ -316,12 +322,12 @@ fn jump<Column: RestoringForce, R: Recorder>(
     }
 }
 
-/// Gives every overlapping pair that approaches its impulse, each alone; returns how many there were.
+/// Gives every overlapping pair that approaches its impulse, each alone; true when there was one.
 fn collide<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-) -> u64 {
-    let mut hits = 0;
+) -> bool {
+    let mut hit = false;
     for (pair, impulse) in row.pairs().iter().zip(&mut scratch.impulses) {
         *impulse = 0.0;
         let law = match pair.law {
@@ -335,8 +341,8 @@ fn collide<Column: RestoringForce>(
             *impulse = law.impulse(rate, row.reduced_mass(pair));
             scratch.states[pair.left].velocity -= row.nodes()[pair.left].inverse_mass * *impulse;
             scratch.states[pair.right].velocity += row.nodes()[pair.right].inverse_mass * *impulse;
-            hits += 1;
+            hit = true;
         }
     }
-    hits
+    hit
 }

@@ -81,9 +81,8 @@ impl<Memory: Copy + Default> Trial<Memory> {
 }
 
 impl<Memory> Trial<Memory> {
-    /// Adds a force to the equation of a structure.
+    /// Adds a force to the tangent and the bounds of a structure's equation.
     fn push(&mut self, inverse_mass: f64, force: f64, (tangent, rounding): (f64, f64)) {
-        self.residual -= inverse_mass * force;
         self.scale += inverse_mass * force.abs();
         self.rounding += inverse_mass * rounding;
         self.diagonal += inverse_mass * tangent;
@@ -97,13 +96,17 @@ pub(crate) struct Slopes {
     pub(crate) displacement: f64,
     /// ∂u̇/∂ü \[s\].
     pub(crate) velocity: f64,
+    /// Δt, for messages \[s\].
+    pub(crate) time_step: f64,
 }
 
-/// An equilibrium that was not found, with the relative residual left.
+/// An equilibrium that was not found.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct NotConverged {
-    pub(crate) iterations: u32,
-    pub(crate) residual: f64,
+pub(crate) enum Failure {
+    /// A number of this structure is not finite.
+    NotFinite { structure: usize },
+    /// The residual, relative to the sum of its terms' magnitudes, stays too large.
+    NotConverged { iterations: u32, residual: f64 },
 }
 
 /// Finds the accelerations of nodes `first..=last` that are in equilibrium under a ground acceleration.
@@ -115,12 +118,15 @@ pub(crate) fn solve<Column: RestoringForce>(
     range: (usize, usize),
     step: (Slopes, f64),
     work: &mut Work,
-) -> Result<(), NotConverged> {
+) -> Result<(), Failure> {
     let (first, last) = range;
     let mut merit = residual(row, trials, range, step, work);
     let mut iterations = 0;
     while !trials[first..=last].iter().all(is_balanced) {
-        let failure = NotConverged {
+        if !merit.is_finite() {
+            return Err(not_finite(trials, range));
+        }
+        let failure = Failure::NotConverged {
             iterations,
             residual: trials[first..=last]
                 .iter()
@@ -154,6 +160,14 @@ pub(crate) fn solve<Column: RestoringForce>(
     Ok(())
 }
 
+/// The first structure without a finite residual, or the one whose residual overflows when squared.
+fn not_finite<Memory>(trials: &[Trial<Memory>], (first, last): (usize, usize)) -> Failure {
+    let overflows =
+        |index: &usize| !(trials[*index].residual * trials[*index].residual).is_finite();
+    let structure = (first..=last).find(overflows).unwrap_or(first);
+    Failure::NotFinite { structure }
+}
+
 fn is_balanced<Memory>(trial: &Trial<Memory>) -> bool {
     trial.residual.abs() <= TOLERANCE * trial.scale + trial.rounding
 }
@@ -184,6 +198,10 @@ fn residual<Column: RestoringForce>(
     let inside = |pair: &&Pair| first <= pair.left && pair.right <= last;
     for pair in row.pairs().iter().filter(inside) {
         couple(row, pair, trials, slopes);
+    }
+    // The net contact force is summed before it is added to anything: a mirrored row then gives mirrored bits.
+    for (node, trial) in nodes.iter().zip(&mut trials[first..=last]) {
+        trial.residual -= node.inverse_mass * (trial.force_from_left + trial.force_from_right);
     }
     let weighted = |(node, trial): (&Node<Column>, &Trial<Column::Memory>)| {
         if node.is_wall() {

@@ -127,7 +127,6 @@ impl<Column: RestoringForce> Row<Column> {
 
 fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelError> {
     const NOT_NEGATIVE: &str = "a finite number >= 0";
-    const FINITE: &str = "a finite number";
     let require = |valid: bool, field: &str, found: f64, allowed: &'static str| {
         if valid && found.is_finite() {
             return Ok(());
@@ -145,11 +144,12 @@ fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelErro
         NOT_NEGATIVE,
     )?;
     require(node.damping >= 0.0, "damping", node.damping, NOT_NEGATIVE)?;
+    let stands = !node.is_wall() || node.initial_displacement == 0.0;
     require(
-        true,
+        stands,
         "initial_displacement",
         node.initial_displacement,
-        FINITE,
+        "a finite number; 0 for a wall",
     )?;
     let moves = !node.is_wall() || node.initial_velocity == 0.0;
     require(

@@ -23,7 +23,7 @@ pub enum Verdict {
     Close,
     /// Further away, or not computed at all.
     Differs,
-    /// Published for another system or record, so that a difference says nothing.
+    /// Published by another work, whose inputs are not known, so that a difference says nothing.
     #[serde(rename = "not comparable")]
     NotComparable,
 }

@@ -1,6 +1,8 @@
 use crate::{Impact, Pair, Recorder, Span};
 
-/// One touching of a pair, from touch to parting.
+/// One touching of a pair, from touch to parting; of an impulsive law, one impact.
+///
+/// A stepping method may need several impacts for one meeting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Index of the pair in its row.

@@ -1,6 +1,7 @@
 //! Tests of the solver; the kind of each is in its name.
 
 mod allocations;
+mod audit;
 mod chopra;
 mod common;
 mod limit;

@@ -13,8 +13,8 @@ pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let [f0, f1] = [force(pair[0])?, force(pair[1])?];
     let same = (t1 - t0).abs() <= SAME_TIME && is_slight(f0, f1);
     Ok(Claim {
-        claim: "Stereomechanical impact: the first collision is almost at the same time and almost as strong, elastic \
-                or nonlinear",
+        claim: "Stereomechanical impact: elastic or nonlinear, the structures first meet at nearly one time and with \
+                nearly one force",
         place: "3.1",
         computed: format!(
             "elastic {t0:.2} s and {f0:.0} kN; nonlinear {t1:.2} s and {f1:.0} kN ({:+.1} %)",
@@ -29,8 +29,8 @@ pub(super) fn same_first_momentum(runs: &Runs<'_>) -> Result<Claim, StudyError> 
     let [(t0, p0), (t1, p1)] = [first_collision(pair[0])?, first_collision(pair[1])?];
     let same = (t1 - t0).abs() <= SAME_TIME && is_slight(p0, p1);
     Ok(Claim {
-        claim: "Viscoelastic element: the first collision is almost at the same time and transfers almost the same \
-                momentum, elastic or nonlinear",
+        claim: "Viscoelastic element: elastic or nonlinear, the structures first meet at nearly one time and with \
+                nearly one transferred momentum",
         place: "3.2",
         computed: format!(
             "elastic {t0:.2} s and {p0:.2} kN·s; nonlinear {t1:.2} s and {p1:.2} kN·s ({:+.1} %)",
@@ -74,8 +74,8 @@ pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         .map(|(a, b)| (a.start - b.start).abs())
         .fold(0.0, f64::max);
     Ok(Claim {
-        claim: "The explicit method gives the same number of collisions at the same times as Newmark's method at \
-                0.005 s",
+        claim: "The explicit method gives as many collisions, at the same times, as Newmark's method at 0.005 s (tested \
+                against our own run of it)",
         place: "3.3",
         computed: format!(
             "Newmark's method with the inputs of this paper: {} collisions against {}; they begin at most {:.0} ms \
@@ -140,7 +140,7 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Claim, Study
                 .last()
                 .copied()
                 .unwrap_or(0.0);
-        holds &= peaks[1].abs() > peaks[0].abs() && plastic.abs() > 0.0;
+        holds &= peaks[1].abs() > peaks[0].abs() && plastic.abs() > 0.5 * peaks[1].abs();
         computed.push(format!(
             "{law}: peak {:.0} mm elastic, {:.0} mm nonlinear, of which {plastic:.0} mm stay at 10 s",
             peaks[0], peaks[1]

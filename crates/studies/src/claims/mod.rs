@@ -18,7 +18,7 @@ const SLIGHT: f64 = 0.20;
 /// Whether a claim holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Finding {
-    /// In the paper's scenes and in every further one in which it was tested.
+    /// In the paper's scenes, and in the further ones that `computed` names, if any.
     Holds,
     /// In the scenes, quantities and time steps of the paper, but not beyond them.
     HoldsOnlyAsStated,
@@ -82,7 +82,9 @@ pub fn claims(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
         collisions::displacement_not_recovered,
         collisions::order_of_magnitude,
         collisions::slight_reduction,
-        layouts::half_step_in_layout_c,
+        layouts::tangling_in_layout_c,
+        layouts::half_step_raises_the_force,
+        layouts::half_step_keeps_the_momentum,
         layouts::less_momentum_when_nonlinear,
         layouts::more_momentum_stereomechanical,
         layouts::same_momentum_nonlinear,
