@@ -81,9 +81,9 @@ impl<Memory: Copy + Default> Trial<Memory> {
 }
 
 impl<Memory> Trial<Memory> {
-    /// Adds a force to the tangent and the bounds of a structure's equation.
+    /// Adds a pounding force (its magnitude) to the tangent and the bounds of a structure's equation.
     fn push(&mut self, inverse_mass: f64, force: f64, (tangent, rounding): (f64, f64)) {
-        self.scale += inverse_mass * force.abs();
+        self.scale += inverse_mass * force;
         self.rounding += inverse_mass * rounding;
         self.diagonal += inverse_mass * tangent;
     }
@@ -266,7 +266,7 @@ fn couple<Column: RestoringForce>(
         let left = &mut trials[pair.left];
         left.force_from_right = -contact.force;
         left.upper = -node(pair.left) * tangent;
-        left.push(node(pair.left), -contact.force, (tangent, rounding));
+        left.push(node(pair.left), contact.force, (tangent, rounding));
         let right = &mut trials[pair.right];
         right.force_from_left = contact.force;
         right.lower = -node(pair.right) * tangent;
