@@ -114,13 +114,8 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 });
             }
             if step > 0 {
-                recorder.span(&Span {
-                    structure: index,
-                    start_time: clock.time(step - 1),
-                    end_time: clock.time(step),
-                    start: body.start,
-                    end,
-                });
+                let times = (clock.time(step - 1), clock.time(step));
+                recorder.span(&Span::step(index, times, body.start, end));
             }
             let jump = constants.inverse_mass * body.impulse;
             body.start = end;

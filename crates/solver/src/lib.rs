@@ -36,6 +36,7 @@ mod newton;
 mod recorder;
 mod recorders;
 mod row;
+mod span;
 mod work;
 
 pub use central_difference::{CentralDifference, Start};
@@ -46,9 +47,10 @@ pub use error::{ModelError, RunError};
 pub use excitation::Excitation;
 pub use integrator::Integrator;
 pub use newmark::Newmark;
-pub use recorder::{Impact, Recorder, Span, State, Velocities};
+pub use recorder::{Impact, Recorder, Velocities};
 pub use recorders::{
     Collision, Collisions, Histories, History, Peak, Peaks, StructurePeaks, TransferredMomentum,
 };
 pub use row::{Node, Pair, Row};
+pub use span::{Path, Series, Span, State};
 pub use work::Work;

@@ -253,13 +253,7 @@ fn commit<Memory: Copy, R: Recorder>(
                 time_step: clock.time_step,
             });
         }
-        recorder.span(&Span {
-            structure,
-            start_time,
-            end_time,
-            start: *state,
-            end,
-        });
+        recorder.span(&Span::step(structure, (start_time, end_time), *state, end));
         *state = end;
         trial.memory = trial.response.memory;
     }

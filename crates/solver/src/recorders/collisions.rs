@@ -1,4 +1,4 @@
-use crate::{Impact, Pair, Recorder, Span};
+use crate::{Impact, Pair, Path, Recorder, Span};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact.
 ///
@@ -48,7 +48,7 @@ impl Collisions {
 }
 
 impl Recorder for Collisions {
-    fn span(&mut self, span: &Span) {
+    fn span(&mut self, span: &Span<'_>) {
         let Some(pair) = self.pair_of_left[span.structure] else {
             return;
         };
@@ -56,12 +56,11 @@ impl Recorder for Collisions {
         if start == 0.0 && end == 0.0 {
             return;
         }
-        let impulse = 0.5 * span.duration() * (start + end);
         let index = *self.open[pair].get_or_insert_with(|| {
-            let first = if start > 0.0 {
-                span.start_time
-            } else {
-                span.end_time
+            let first = match span.path {
+                // A step knows its nodes only.
+                Path::Cubic if start == 0.0 => span.end_time,
+                Path::Cubic | Path::Series(_) => span.start_time,
             };
             self.found.push(Collision {
                 pair,
@@ -73,9 +72,11 @@ impl Recorder for Collisions {
             self.found.len() - 1
         });
         let collision = &mut self.found[index];
-        collision.impulse += impulse;
-        if end > 0.0 {
+        collision.impulse -= span.impulse_from_right;
+        if end > 0.0 || matches!(span.path, Path::Series(_)) {
             collision.end = span.end_time;
+        }
+        if end > 0.0 {
             collision.peak_force = collision.peak_force.map(|peak| peak.max(end));
         } else {
             self.open[pair] = None;

@@ -52,7 +52,7 @@ impl Histories {
 }
 
 impl Recorder for Histories {
-    fn span(&mut self, span: &Span) {
+    fn span(&mut self, span: &Span<'_>) {
         let states = &mut self.structures[span.structure].states;
         let near = SNAP * self.interval;
         loop {

@@ -49,7 +49,7 @@ impl Peaks {
 }
 
 impl Recorder for Peaks {
-    fn span(&mut self, span: &Span) {
+    fn span(&mut self, span: &Span<'_>) {
         let peaks = &mut self.structures[span.structure];
         let mut take = |state: &State, time| {
             peaks.displacement.take(state.displacement, time);

@@ -1,4 +1,4 @@
-use crate::{Impact, Recorder, Span};
+use crate::{Impact, Path, Recorder, Span};
 
 /// Records the transferred momentum of every structure: H = ∫ |net pounding force| dt \[N·s\].
 ///
@@ -43,9 +43,15 @@ impl TransferredMomentum {
 }
 
 impl Recorder for TransferredMomentum {
-    fn span(&mut self, span: &Span) {
-        let magnitudes = span.start.pounding_force().abs() + span.end.pounding_force().abs();
-        self.structures[span.structure].closed += 0.5 * span.duration() * magnitudes;
+    fn span(&mut self, span: &Span<'_>) {
+        self.structures[span.structure].closed += match span.path {
+            Path::Cubic => {
+                let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
+                0.5 * span.duration() * ends
+            }
+            // Such a span ends where the net force changes its sign.
+            Path::Series(_) => (span.impulse_from_left + span.impulse_from_right).abs(),
+        };
     }
 
     fn impact(&mut self, impact: &Impact) {

@@ -58,7 +58,7 @@ impl Audit<'_> {
 }
 
 impl Recorder for Audit<'_> {
-    fn span(&mut self, span: &Span) {
+    fn span(&mut self, span: &Span<'_>) {
         let index = span.structure;
         if let Some(before) = self.ends[index] {
             assert!(

@@ -1,0 +1,218 @@
+/// State of a structure at an instant.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct State {
+    /// Displacement u relative to the ground \[m\], positive to the right.
+    pub displacement: f64,
+    /// Velocity u̇ \[m/s\].
+    pub velocity: f64,
+    /// Acceleration ü relative to the ground \[m/s²\].
+    pub acceleration: f64,
+    /// Restoring force `f_s` \[N\].
+    pub restoring_force: f64,
+    /// Pounding force from the left neighbour \[N\], ≥ 0 (it pushes to the right).
+    pub force_from_left: f64,
+    /// Pounding force from the right neighbour \[N\], ≤ 0 (it pushes to the left).
+    pub force_from_right: f64,
+}
+
+impl State {
+    /// Net pounding force \[N\], positive to the right.
+    pub fn pounding_force(&self) -> f64 {
+        self.force_from_left + self.force_from_right
+    }
+}
+
+/// The motion of one structure between two instants.
+///
+/// Spans of a structure follow each other without a gap from t = 0 on; the end of one and the start of the next
+/// differ only in velocity and acceleration, and only where an [`Impact`] was reported.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span<'a> {
+    /// Index of the structure, from the left.
+    pub structure: usize,
+    /// Start \[s\].
+    pub start_time: f64,
+    /// End \[s\].
+    pub end_time: f64,
+    /// State at the start.
+    pub start: State,
+    /// State at the end.
+    pub end: State,
+    /// Impulse of the pounding force from the left neighbour over the span \[N·s\], ≥ 0.
+    pub impulse_from_left: f64,
+    /// Impulse of the pounding force from the right neighbour over the span \[N·s\], ≤ 0.
+    pub impulse_from_right: f64,
+    /// What is known between the ends.
+    pub path: Path<'a>,
+}
+
+/// What is known of a motion between the ends of its span.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path<'a> {
+    /// Nothing but the ends, as in a step of a stepping method: a cubic between them.
+    Cubic,
+    /// The motion itself.
+    Series(Series<'a>),
+}
+
+/// A motion as power series in x, with t = origin + x^power.
+///
+/// The power is 1 but just after the first touch of a compliant pair, where forces are series in the fourth root of
+/// time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Series<'a> {
+    pub(crate) origin: f64,
+    pub(crate) power: Power,
+    pub(crate) displacement: &'a [f64],
+    pub(crate) velocity: &'a [f64],
+    pub(crate) acceleration: &'a [f64],
+    /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
+    pub(crate) restoring_force: (f64, f64),
+    pub(crate) force_from_left: &'a [f64],
+    pub(crate) force_from_right: &'a [f64],
+}
+
+/// The power p of t = origin + x^p.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(dead_code, reason = "made by the exact method, which comes next")]
+pub(crate) enum Power {
+    One,
+    Four,
+}
+
+#[expect(dead_code, reason = "asked by the exact method, which comes next")]
+impl Power {
+    /// x at a time after the origin \[s\], ≥ 0 for [`Power::Four`].
+    pub(crate) fn root(self, time: f64) -> f64 {
+        match self {
+            Self::One => time,
+            Self::Four => time.sqrt().sqrt(),
+        }
+    }
+
+    /// Time after the origin at x.
+    pub(crate) fn time(self, x: f64) -> f64 {
+        match self {
+            Self::One => x,
+            Self::Four => (x * x) * (x * x),
+        }
+    }
+
+    /// The power as a number.
+    pub(crate) fn order(self) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Four => 4,
+        }
+    }
+}
+
+/// Value of a polynomial with these coefficients, the lowest power first.
+pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
+    let sum = |sum, coefficient: &f64| sum * x + coefficient;
+    coefficients.iter().rev().fold(0.0, sum)
+}
+
+impl Series<'_> {
+    fn at(&self, time: f64) -> State {
+        let x = self.power.root((time - self.origin).max(0.0));
+        let rise = x * value(self.displacement.get(1..).unwrap_or_default(), x);
+        State {
+            displacement: value(self.displacement, x),
+            velocity: value(self.velocity, x),
+            acceleration: value(self.acceleration, x),
+            restoring_force: self.restoring_force.0 + self.restoring_force.1 * rise,
+            force_from_left: value(self.force_from_left, x),
+            force_from_right: value(self.force_from_right, x),
+        }
+    }
+}
+
+impl Span<'_> {
+    /// A step of a stepping method; pounding forces between its nodes are taken as linear.
+    pub(crate) fn step(
+        structure: usize,
+        (start_time, end_time): (f64, f64),
+        start: State,
+        end: State,
+    ) -> Self {
+        let half = 0.5 * (end_time - start_time);
+        Self {
+            structure,
+            start_time,
+            end_time,
+            start,
+            end,
+            impulse_from_left: half * (start.force_from_left + end.force_from_left),
+            impulse_from_right: half * (start.force_from_right + end.force_from_right),
+            path: Path::Cubic,
+        }
+    }
+
+    /// Duration \[s\].
+    pub fn duration(&self) -> f64 {
+        self.end_time - self.start_time
+    }
+
+    /// State at an instant inside the span.
+    ///
+    /// Of [`Path::Cubic`], displacement and velocity are the cubic through displacements and velocities of both ends;
+    /// forces and acceleration are linear.
+    pub fn at(&self, time: f64) -> State {
+        match self.path {
+            Path::Cubic => self.cubic(time),
+            Path::Series(series) => series.at(time),
+        }
+    }
+
+    fn cubic(&self, time: f64) -> State {
+        let h = self.duration();
+        let s = (time - self.start_time) / h;
+        let r = 1.0 - s;
+        let linear = |a: f64, b: f64| r * a + s * b;
+        let (a, b) = (&self.start, &self.end);
+        let rise = b.displacement - a.displacement;
+        State {
+            displacement: linear(a.displacement, b.displacement)
+                + s * r * (r * (a.velocity * h - rise) - s * (b.velocity * h - rise)),
+            velocity: 6.0 * s * r * rise / h
+                + r * (r - 2.0 * s) * a.velocity
+                + s * (s - 2.0 * r) * b.velocity,
+            acceleration: linear(a.acceleration, b.acceleration),
+            restoring_force: linear(a.restoring_force, b.restoring_force),
+            force_from_left: linear(a.force_from_left, b.force_from_left),
+            force_from_right: linear(a.force_from_right, b.force_from_right),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_a_cubic_is_followed_exactly() {
+        let path = |t: f64| State {
+            displacement: 1.0 - 2.0 * t + 3.0 * t * t - 0.5 * t * t * t,
+            velocity: -2.0 + 6.0 * t - 1.5 * t * t,
+            acceleration: 6.0 - 3.0 * t,
+            ..State::default()
+        };
+        let span = Span::step(0, (0.5, 2.5), path(0.5), path(2.5));
+        for time in [0.5, 0.7, 1.3, 2.2, 2.5] {
+            let (found, wanted) = (span.at(time), path(time));
+            assert!(
+                (found.displacement - wanted.displacement).abs() < 1e-14,
+                "{time}: {found:?}"
+            );
+            assert!(
+                (found.velocity - wanted.velocity).abs() < 1e-14,
+                "{time}: {found:?}"
+            );
+            assert!(
+                (found.acceleration - wanted.acceleration).abs() < 1e-14,
+                "{time}: {found:?}"
+            );
+        }
+    }
+}
