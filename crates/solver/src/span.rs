@@ -57,7 +57,7 @@ pub enum Path<'a> {
 
 /// A motion as power series in x, with t = origin + x^power.
 ///
-/// The power is 1 but just after the first touch of a compliant pair, where forces are series in the fourth root of
+/// The power is one but just after the first touch of a compliant pair, where forces are series in the fourth root of
 /// time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Series<'a> {
@@ -82,7 +82,7 @@ pub(crate) enum Power {
 
 #[expect(dead_code, reason = "asked by the exact method, which comes next")]
 impl Power {
-    /// x at a time after the origin \[s\], ≥ 0 for [`Power::Four`].
+    /// x at a time after the origin \[s\], ≥ 0 for the power four.
     pub(crate) fn root(self, time: f64) -> f64 {
         match self {
             Self::One => time,
