@@ -25,7 +25,7 @@ impl State {
 /// The motion of one structure between two instants.
 ///
 /// Spans of a structure follow each other without a gap from t = 0 on; the end of one and the start of the next
-/// differ only in velocity and acceleration, and only where an [`Impact`] was reported.
+/// differ only in velocity and acceleration, and only where an [`Impact`](crate::Impact) was reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<'a> {
     /// Index of the structure, from the left.
