@@ -91,4 +91,13 @@ pub enum RunError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
+    /// Too many events at one instant.
+    #[error(
+        "t = {time} s: events follow each other without end; a coefficient of restitution below one or a larger mass of \
+         the structures between others ends them"
+    )]
+    NoProgress {
+        /// The instant \[s\].
+        time: f64,
+    },
 }

@@ -1,6 +1,6 @@
 use crate::{
-    CentralDifference, Clock, Excitation, Newmark, Recorder, RestoringForce, Row, RunError, Work,
-    central_difference, newmark,
+    CentralDifference, Clock, Exact, Excitation, Newmark, PiecewiseLinear, Recorder, Row, RunError,
+    Work, central_difference, exact, newmark,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
@@ -10,6 +10,8 @@ pub enum Integrator {
     CentralDifference(CentralDifference),
     /// Newmark's method.
     Newmark(Newmark),
+    /// Event-driven integration with power series.
+    Exact(Exact),
 }
 
 impl Integrator {
@@ -17,7 +19,7 @@ impl Integrator {
     ///
     /// # Errors
     /// [`RunError`] for a setting out of range, a response that is no longer finite, or an equilibrium not found.
-    pub fn run<Column: RestoringForce, R: Recorder>(
+    pub fn run<Column: PiecewiseLinear, R: Recorder>(
         &self,
         row: &Row<Column>,
         excitation: Excitation<'_>,
@@ -36,6 +38,7 @@ impl Integrator {
                 central_difference::run(settings, row, excitation, clock, recorder)
             }
             Self::Newmark(settings) => newmark::run(settings, row, excitation, clock, recorder),
+            Self::Exact(settings) => exact::run(settings, row, excitation, clock, recorder),
         }
     }
 }

@@ -74,13 +74,11 @@ pub struct Series<'a> {
 
 /// The power p of t = origin + x^p.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(dead_code, reason = "made by the exact method, which comes next")]
 pub(crate) enum Power {
     One,
     Four,
 }
 
-#[expect(dead_code, reason = "asked by the exact method, which comes next")]
 impl Power {
     /// x at a time after the origin \[s\], ≥ 0 for the power four.
     pub(crate) fn root(self, time: f64) -> f64 {

@@ -5,7 +5,7 @@ use std::path::Path;
 use pounding_motion::Record;
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Histories,
-    Integrator, ModelError, Newmark, Node, Pair, Peaks, Recorder, RestoringForce, Row, RunError,
+    Integrator, ModelError, Newmark, Node, Pair, Peaks, PiecewiseLinear, Recorder, Row, RunError,
     TransferredMomentum, Work,
 };
 
@@ -155,7 +155,7 @@ impl Prepared {
             }
             RunError::Diverged { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. } => first..last + 1,
-            _ => 0..0,
+            RunError::NoProgress { .. } | _ => 0..0,
         };
         let name = |index: usize| (index, self.structures[index].clone());
         StudyError::Run {
@@ -222,7 +222,7 @@ fn model(scene: &Scene) -> Result<Model, ModelError> {
     }
 }
 
-fn row<Column: RestoringForce>(
+fn row<Column: PiecewiseLinear>(
     scene: &Scene,
     column: impl Fn(f64, Option<f64>) -> Column,
 ) -> Result<Row<Column>, ModelError> {

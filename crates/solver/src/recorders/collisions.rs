@@ -54,6 +54,7 @@ impl Recorder for Collisions {
         };
         let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
         if start == 0.0 && end == 0.0 {
+            self.open[pair] = None;
             return;
         }
         let index = *self.open[pair].get_or_insert_with(|| {

@@ -2,7 +2,7 @@
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Histories, Integrator, Newmark,
-    Node, Pair, RestoringForce, Row, Start, Work,
+    Node, Pair, PiecewiseLinear, Row, Start, Work,
 };
 
 pub(crate) const WEAK: (f64, f64, f64) = (75e3, 2.056e6, 70e3);
@@ -80,7 +80,7 @@ pub(crate) fn clock(time_step: f64, duration: f64) -> Clock {
 }
 
 /// Histories at every node of the clock.
-pub(crate) fn histories<Column: RestoringForce>(
+pub(crate) fn histories<Column: PiecewiseLinear>(
     row: &Row<Column>,
     method: Integrator,
     ground: &[f64],

@@ -4,6 +4,7 @@ mod allocations;
 mod audit;
 mod chopra;
 mod common;
+mod exact;
 mod limit;
 mod momentum;
 mod order;

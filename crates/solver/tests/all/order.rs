@@ -5,7 +5,7 @@ use std::fmt::Write;
 use insta::assert_snapshot;
 use nalgebra::{DMatrix, DVector};
 use pounding_solver::{
-    Elastic, Excitation, Integrator, Node, Recorder, RestoringForce, Row, TransferredMomentum,
+    Elastic, Excitation, Integrator, Node, PiecewiseLinear, Recorder, Row, TransferredMomentum,
 };
 
 use crate::common::{
@@ -73,7 +73,7 @@ fn order_is_two_without_contact() {
 }
 
 /// A quantity of a run at one time step.
-fn measure<Column: RestoringForce>(
+fn measure<Column: PiecewiseLinear>(
     row: &Row<Column>,
     method: Integrator,
     time_step: f64,
@@ -88,7 +88,7 @@ fn measure<Column: RestoringForce>(
 }
 
 /// Order of the transferred momentum, or of the last displacement where nothing touches.
-fn observed(row: &Row<impl RestoringForce>, method: Integrator) -> (f64, Vec<f64>) {
+fn observed(row: &Row<impl PiecewiseLinear>, method: Integrator) -> (f64, Vec<f64>) {
     let quantity = |time_step| {
         let mut recorder = (
             TransferredMomentum::new(row.nodes().len()),
