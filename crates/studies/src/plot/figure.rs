@@ -7,23 +7,20 @@ use super::Shade;
 /// Panels fill the rows from left to right, `columns` to a row. A panel without an x axis of its own shares
 /// [`Figure::x`]; the numbers of a shared axis are written under the lowest panel only.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
-    /// Width on paper \[inch\].
-    pub width_in: f64,
+pub(crate) struct Figure {
     /// Height on paper \[inch\].
-    pub height_in: f64,
+    pub(crate) height_in: f64,
     /// How many panels stand side by side.
-    pub columns: usize,
+    pub(crate) columns: usize,
     /// The x axis of all panels that have none of their own.
-    pub x: Axis,
+    pub(crate) x: Axis,
     /// The panels, row by row.
-    pub panels: Vec<Panel>,
+    pub(crate) panels: Vec<Panel>,
 }
 
 impl Default for Figure {
     fn default() -> Self {
         Self {
-            width_in: 7.0,
             height_in: 4.2,
             columns: 1,
             x: Axis::default(),
@@ -34,16 +31,16 @@ impl Default for Figure {
 
 /// An axis is a label with its unit, and the range shown.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Axis {
+pub(crate) struct Axis {
     /// Quantity and unit, as in `Time (s)`; may be empty.
-    pub label: String,
+    pub(crate) label: String,
     /// Lowest and highest value shown; `None` takes them from the data.
-    pub range: Option<(f64, f64)>,
+    pub(crate) range: Option<(f64, f64)>,
 }
 
 impl Axis {
     /// Returns an axis that takes its range from the data.
-    pub fn auto(label: impl Into<String>) -> Self {
+    pub(crate) fn auto(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
             range: None,
@@ -51,7 +48,7 @@ impl Axis {
     }
 
     /// Returns an axis that runs between two values.
-    pub fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
+    pub(crate) fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             label: label.into(),
             range: Some((from, to)),
@@ -61,25 +58,25 @@ impl Axis {
 
 /// A panel is one plot of a figure.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Panel {
+pub(crate) struct Panel {
     /// Written above, at the left; may be empty.
-    pub title: String,
+    pub(crate) title: String,
     /// The x axis, if it is not that of the figure.
-    pub x: Option<Axis>,
+    pub(crate) x: Option<Axis>,
     /// The y axis.
-    pub y: Axis,
+    pub(crate) y: Axis,
     /// The curves, from back to front.
-    pub curves: Vec<Curve>,
+    pub(crate) curves: Vec<Curve>,
     /// Values of x marked by thin grey lines through the panel.
-    pub markers: Vec<f64>,
+    pub(crate) markers: Vec<f64>,
     /// Values of y marked by thin dark lines through the panel.
-    pub levels: Vec<f64>,
+    pub(crate) levels: Vec<f64>,
     /// Texts beside points.
-    pub notes: Vec<Note>,
+    pub(crate) notes: Vec<Note>,
     /// Where the labels of the curves are explained.
-    pub legend: Legend,
+    pub(crate) legend: Legend,
     /// Height in comparison with the other panels of the column; positive.
-    pub weight: f64,
+    pub(crate) weight: f64,
 }
 
 impl Default for Panel {
@@ -100,7 +97,7 @@ impl Default for Panel {
 
 /// Where the legend of a panel stands. Only curves with a label enter it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Legend {
+pub(crate) enum Legend {
     /// In rows above the panel, where it hides nothing.
     Above,
     /// Inside, in the corner with the least to hide.
@@ -111,20 +108,20 @@ pub enum Legend {
 
 /// A curve is a list of points and how they are shown.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
+pub(crate) struct Curve {
     /// Name in the legend, if any.
-    pub label: Option<String>,
+    pub(crate) label: Option<String>,
     /// The points, in the units of the axes; all must be finite.
-    pub points: Vec<(f64, f64)>,
+    pub(crate) points: Vec<(f64, f64)>,
     /// How they are shown.
-    pub kind: Kind,
+    pub(crate) kind: Kind,
     /// Colour.
-    pub shade: Shade,
+    pub(crate) shade: Shade,
 }
 
 impl Curve {
     /// Returns a curve without a name.
-    pub fn new(kind: Kind, shade: Shade, points: Vec<(f64, f64)>) -> Self {
+    pub(crate) fn new(kind: Kind, shade: Shade, points: Vec<(f64, f64)>) -> Self {
         Self {
             label: None,
             points,
@@ -135,7 +132,7 @@ impl Curve {
 
     /// Returns the curve with a name for the legend.
     #[must_use]
-    pub fn named(self, label: impl Into<String>) -> Self {
+    pub(crate) fn named(self, label: impl Into<String>) -> Self {
         Self {
             label: Some(label.into()),
             ..self
@@ -145,7 +142,7 @@ impl Curve {
 
 /// How the points of a curve are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// Joined by a line.
     Line,
     /// Joined by a thin line, for dense records.
@@ -160,37 +157,21 @@ pub enum Kind {
     Points,
 }
 
-/// A note is a text beside a point of a panel.
+/// A note is a text beside a point of a panel: to its right, or on the first side where it hides less.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Note {
+pub(crate) struct Note {
     /// The point, in the units of the axes.
-    pub at: (f64, f64),
+    pub(crate) at: (f64, f64),
     /// What is written.
-    pub text: String,
-    /// The side of the point where it is written; moved if it would leave the panel there.
-    pub side: Side,
+    pub(crate) text: String,
 }
 
 impl Note {
-    /// Returns a note to the right of a point.
-    pub fn new(at: (f64, f64), text: impl Into<String>) -> Self {
+    /// Returns a note beside a point.
+    pub(crate) fn new(at: (f64, f64), text: impl Into<String>) -> Self {
         Self {
             at,
             text: text.into(),
-            side: Side::Right,
         }
     }
-}
-
-/// A side of a point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// To the right.
-    Right,
-    /// To the left.
-    Left,
-    /// Above, in the middle.
-    Above,
-    /// Below, in the middle.
-    Below,
 }

@@ -7,6 +7,9 @@ use super::scale::{Frame, Range, x_range, y_range};
 use super::ticks::{self, Tick};
 use super::{Axis, Drawing, Figure, Panel, PlotError, legend, text};
 
+/// Width of a figure \[mm\]: 7 inches, two columns of a journal.
+const WIDTH: f64 = 7.0 * 25.4;
+
 /// Free margin around a figure \[mm\].
 const MARGIN: f64 = 1.2;
 
@@ -47,9 +50,9 @@ struct Band {
 /// Lays a figure out.
 pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
     check(figure)?;
-    let (width, height) = (figure.width_in * 25.4, figure.height_in * 25.4);
+    let height = figure.height_in * 25.4;
     let cells = cells(figure)?;
-    let share = (width - 2.0 * MARGIN + COLUMN_SPACE) / count(figure.columns) - COLUMN_SPACE;
+    let share = (WIDTH - 2.0 * MARGIN + COLUMN_SPACE) / count(figure.columns) - COLUMN_SPACE;
     let legend_width = share - USUAL_GUTTER - RIGHT;
     let bands = bands(&cells, height, legend_width);
     let y_ticks: Vec<Vec<Tick>> = cells
@@ -78,7 +81,7 @@ pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
         };
         if !(frame.width() >= LEAST.0 && band.height >= LEAST.1) {
             return Err(PlotError::Size {
-                width_mm: width,
+                width_mm: WIDTH,
                 height_mm: height,
             });
         }
@@ -99,7 +102,7 @@ pub(super) fn lay_out(figure: &Figure) -> Result<Drawing, PlotError> {
         );
     }
     Ok(Drawing {
-        width,
+        width: WIDTH,
         height,
         shapes,
     })

@@ -158,19 +158,7 @@ impl Page<'_> {
             } => self.circle(*centre, *radius, (*fill, *outline)),
             Shape::Polygon { corners, fill } => self.polygon(corners, *fill),
             Shape::Line { points, pen } => self.line(points, *pen),
-            Shape::Arrow {
-                from,
-                to,
-                pen,
-                both,
-            } => {
-                let ends = if *both {
-                    vec![(*from, *to), (*to, *from)]
-                } else {
-                    vec![(*from, *to)]
-                };
-                self.arrow((*from, *to), &ends, *pen)
-            }
+            Shape::Arrow { from, to, pen } => self.arrow((*from, *to), *pen),
             Shape::Text { .. } => self.text(shape),
         }
     }
@@ -246,33 +234,30 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn arrow(
-        &mut self,
-        shaft: (Point, Point),
-        ends: &[(Point, Point)],
-        pen: Pen,
-    ) -> Result<(), PlotError> {
-        let (mut from, mut to) = shaft;
-        let width = pen.points * MM_PER_POINT;
-        for (index, &(start, tip)) in ends.iter().enumerate() {
-            let (dx, dy) = (tip.0 - start.0, tip.1 - start.1);
-            let length = (dx * dx + dy * dy).sqrt();
-            if length == 0.0 {
-                return Ok(());
-            }
-            let (dx, dy) = (dx / length, dy / length);
-            let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
-            let neck = (tip.0 - long * dx, tip.1 - long * dy);
-            let sides = [
-                (neck.0 - wide * dy, neck.1 + wide * dx),
-                (neck.0 + wide * dy, neck.1 - wide * dx),
-            ];
-            self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
-            // The shaft ends inside the head, or its square end would blunt the tip.
-            let end = (tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy);
-            if index == 0 { to = end } else { from = end }
+    fn arrow(&mut self, ends: (Point, Point), pen: Pen) -> Result<(), PlotError> {
+        let (from, to) = ends;
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let length = (dx * dx + dy * dy).sqrt();
+        if length == 0.0 {
+            return Ok(());
         }
-        self.line(&[from, to], pen)
+        let end = self.head(to, (dx / length, dy / length), pen)?;
+        let start = self.head(from, (-dx / length, -dy / length), pen)?;
+        self.line(&[start, end], pen)
+    }
+
+    /// Draws a head that points in a direction of length 1; returns where its shaft ends.
+    fn head(&mut self, tip: Point, (dx, dy): Point, pen: Pen) -> Result<Point, PlotError> {
+        let width = pen.points * MM_PER_POINT;
+        let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
+        let neck = (tip.0 - long * dx, tip.1 - long * dy);
+        let sides = [
+            (neck.0 - wide * dy, neck.1 + wide * dx),
+            (neck.0 + wide * dy, neck.1 - wide * dx),
+        ];
+        self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
+        // The shaft ends inside the head, or its square end would blunt the tip.
+        Ok((tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy))
     }
 
     fn text(&mut self, shape: &Shape) -> Result<(), PlotError> {
@@ -342,7 +327,6 @@ mod tests {
             from: (1.0, 1.0),
             to: (1.0, 1.0),
             pen: Pen::solid(Shade::Ink, 1.0),
-            both: true,
         };
         let blank = Drawing {
             width: 10.0,

@@ -5,7 +5,7 @@ use super::curves::FORM;
 use super::scale::Frame;
 use super::ticks::Tick;
 use super::{
-    Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, Side, curves, legend, scale, text,
+    Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, curves, legend, scale, text,
 };
 
 /// Sizes of text in points.
@@ -186,25 +186,19 @@ impl Plot<'_> {
         (!title.is_empty()).then(|| Shape::text(at, &**title, LABEL_POINTS, Align::Start))
     }
 
-    /// Writes a note beside its point on nearly white paper, on the side wanted or the next that hides less.
+    /// Writes a note beside its point on nearly white paper, to its right or on the next side that hides less.
     fn note(&self, note: &Note) -> [Shape; 2] {
         let size = (
             text::width(&note.text, NOTE_POINTS),
             text::height(NOTE_POINTS),
         );
-        let sides = match note.side {
-            Side::Right => [Side::Right, Side::Left, Side::Above, Side::Below],
-            Side::Left => [Side::Left, Side::Right, Side::Above, Side::Below],
-            Side::Above => [Side::Above, Side::Below, Side::Right, Side::Left],
-            Side::Below => [Side::Below, Side::Above, Side::Right, Side::Left],
-        };
         let traces: Vec<Point> = self
             .panel
             .curves
             .iter()
             .flat_map(|curve| curves::traces(curve, &self.frame))
             .collect();
-        let boxes = sides.map(|side| self.beside(self.frame.place(note.at), size, side));
+        let boxes = self.beside(self.frame.place(note.at), size);
         let hidden = |&(low, high): &Box2| {
             // The width of lines and forms counts too.
             let near = ((low.0 - FORM, low.1 - FORM), (high.0 + FORM, high.1 + FORM));
@@ -226,19 +220,21 @@ impl Plot<'_> {
         ]
     }
 
-    /// Returns the paper of a note of a size on one side of a point, moved into the panel.
-    fn beside(&self, (x, y): Point, size: Point, side: Side) -> Box2 {
+    /// Returns the paper of a note of a size right, left, above and below a point, moved into the panel.
+    fn beside(&self, (x, y): Point, size: Point) -> [Box2; 4] {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let (wide, high) = (size.0 / 2.0 + NOTE_EDGE.0, size.1 / 2.0 + NOTE_EDGE.1);
-        let (x, y) = match side {
-            Side::Right => (x + NOTE_SPACE + wide, y),
-            Side::Left => (x - NOTE_SPACE - wide, y),
-            Side::Above => (x, y + NOTE_SPACE + high),
-            Side::Below => (x, y - NOTE_SPACE - high),
-        };
-        let x = x.min(right - wide).max(left + wide + 0.3);
-        let y = y.min(top - high).max(bottom + high + 0.3);
-        ((x - wide, y - high), (x + wide, y + high))
+        let middles = [
+            (x + NOTE_SPACE + wide, y),
+            (x - NOTE_SPACE - wide, y),
+            (x, y + NOTE_SPACE + high),
+            (x, y - NOTE_SPACE - high),
+        ];
+        middles.map(|(x, y)| {
+            let x = x.min(right - wide).max(left + wide + 0.3);
+            let y = y.min(top - high).max(bottom + high + 0.3);
+            ((x - wide, y - high), (x + wide, y + high))
+        })
     }
 
     fn upright(&self, x: f64, pen: Pen) -> Shape {

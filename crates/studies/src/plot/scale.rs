@@ -1,13 +1,10 @@
 //! Ranges of axes, and the step from values to millimetres.
 
 use super::clip::Box2;
-use super::{Axis, Curve, Kind, Panel, PlotError, Point, Side};
+use super::{Axis, Curve, Kind, Panel, PlotError, Point};
 
 /// Part of the range left free above and below the data.
 const HEADROOM: f64 = 0.07;
-
-/// The same in a panel with notes above or below their points.
-const NOTE_HEADROOM: f64 = 0.18;
 
 /// The lowest and the highest value of something.
 pub(super) type Range = (f64, f64);
@@ -77,14 +74,10 @@ pub(super) fn y_range(panel: &Panel) -> Result<Range, PlotError> {
         .flat_map(|curve| &curve.points)
         .map(|point| point.1);
     let zero = panel.curves.iter().any(starts_from_zero).then_some(0.0);
-    let stacked = panel
-        .notes
-        .iter()
-        .any(|note| matches!(note.side, Side::Above | Side::Below));
     settle(
         &panel.y,
         points.chain(panel.levels.iter().copied()).chain(zero),
-        if stacked { NOTE_HEADROOM } else { HEADROOM },
+        HEADROOM,
     )
 }
 

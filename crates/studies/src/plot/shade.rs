@@ -6,7 +6,7 @@
 /// is about 13, 42, 63, 50, 79 and 70: ink, blue and vermilion stay well apart; grey beside vermilion needs another
 /// [`Kind`](super::Kind) as well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shade {
+pub(crate) enum Shade {
     /// Nearly black, also for text and axes.
     Ink,
     /// Deep blue.
@@ -29,7 +29,7 @@ pub enum Shade {
 
 impl Shade {
     /// Returns red, green and blue, 0 to 255: multiples of 17, which PNG keeps exactly (see `raster.rs`).
-    pub const fn rgb(self) -> (u8, u8, u8) {
+    pub(crate) const fn rgb(self) -> (u8, u8, u8) {
         match self {
             Self::Ink => (0x22, 0x22, 0x22),
             Self::Blue => (0x11, 0x66, 0xAA),
