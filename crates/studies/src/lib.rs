@@ -12,6 +12,13 @@ mod claims;
 mod completed;
 mod error;
 mod figures;
+#[cfg_attr(
+    not(test),
+    expect(
+        dead_code,
+        reason = "figures of errors against work will need logarithmic axes, marks and names"
+    )
+)]
 mod plot;
 mod prepared;
 mod reproduce;

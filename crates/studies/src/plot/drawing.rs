@@ -108,6 +108,8 @@ pub(crate) enum Shape {
         corners: Vec<Point>,
         /// Inside.
         fill: Fill,
+        /// Outline, if any.
+        outline: Option<Pen>,
     },
     /// A line through two or more points.
     Line {

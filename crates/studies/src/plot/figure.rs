@@ -5,7 +5,8 @@ use super::Shade;
 /// A figure is a stack of panels over one x axis, or a grid of panels.
 ///
 /// Panels fill the rows from left to right, `columns` to a row. A panel without an x axis of its own shares
-/// [`Figure::x`]; the numbers of a shared axis are written under the lowest panel only.
+/// [`Figure::x`]; the numbers of a shared axis are written under the lowest panel only. A panel whose y axis has no label
+/// and equals that of its left neighbour shares it in the same way.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Figure {
     /// Height on paper \[inch\].
@@ -29,13 +30,15 @@ impl Default for Figure {
     }
 }
 
-/// An axis is a label with its unit, and the range shown.
+/// An axis is a label with its unit, the range shown, and how values take its length.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Axis {
     /// Quantity and unit, as in `Time (s)`; may be empty.
     pub(crate) label: String,
     /// Lowest and highest value shown; `None` takes them from the data.
     pub(crate) range: Option<(f64, f64)>,
+    /// How values take its length.
+    pub(crate) scale: Scale,
 }
 
 impl Axis {
@@ -43,17 +46,46 @@ impl Axis {
     pub(crate) fn auto(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
-            range: None,
+            ..Self::default()
         }
     }
 
     /// Returns an axis that runs between two values.
     pub(crate) fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
-            label: label.into(),
             range: Some((from, to)),
+            ..Self::auto(label)
         }
     }
+
+    /// Returns an axis of names; values count them from 0.
+    pub(crate) fn names(names: Vec<String>) -> Self {
+        Self {
+            scale: Scale::Names(names),
+            ..Self::default()
+        }
+    }
+
+    /// Returns the axis with equal lengths for equal ratios.
+    #[must_use]
+    pub(crate) fn log(self) -> Self {
+        Self {
+            scale: Scale::Log,
+            ..self
+        }
+    }
+}
+
+/// How values take the length of an axis.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) enum Scale {
+    /// Equal differences take equal lengths.
+    #[default]
+    Linear,
+    /// Equal ratios take equal lengths; every value must be positive.
+    Log,
+    /// Names at 0, 1, 2 and so on, from the left or from the top; all are shown, whatever the range asked for.
+    Names(Vec<String>),
 }
 
 /// A panel is one plot of a figure.
@@ -102,6 +134,8 @@ pub(crate) enum Legend {
     Above,
     /// Inside, in the corner with the least to hide.
     Inside,
+    /// Above all panels, together with the other panels that say so; equal labels are explained once.
+    Shared,
     /// Nowhere.
     Hidden,
 }
@@ -111,12 +145,15 @@ pub(crate) enum Legend {
 pub(crate) struct Curve {
     /// Name in the legend, if any.
     pub(crate) label: Option<String>,
-    /// The points, in the units of the axes; all must be finite.
+    /// The points, in the units of the axes; all must be finite, and positive on a logarithmic axis.
     pub(crate) points: Vec<(f64, f64)>,
     /// How they are shown.
     pub(crate) kind: Kind,
     /// Colour.
     pub(crate) shade: Shade,
+    /// What stands at every point; lines have nothing there without one, [`Kind::Points`] and [`Kind::Stems`] the
+    /// form of their shade.
+    pub(crate) mark: Option<Mark>,
 }
 
 impl Curve {
@@ -127,7 +164,33 @@ impl Curve {
             points,
             kind,
             shade,
+            mark: None,
         }
+    }
+
+    /// Returns horizontal bars, each from one value of x to another at a value of y: `(from, to, y)`.
+    pub(crate) fn bars(shade: Shade, bars: &[(f64, f64, f64)]) -> Self {
+        let ends = |&(from, to, y): &(f64, f64, f64)| [(from, y), (to, y)];
+        Self::new(Kind::Bars, shade, bars.iter().flat_map(ends).collect())
+    }
+
+    /// Returns one of ten lines with marks that can be told from each other, also in grey; `index` counts them from 0.
+    ///
+    /// Five and five have the same colour: `index + 5` is dashed and hollow, for a relative of `index`.
+    pub(crate) fn distinct(index: usize, points: Vec<(f64, f64)>) -> Self {
+        let (shade, solid, hollow) = [
+            (Shade::Blue, Mark::Disc, Mark::Ring),
+            (Shade::Vermilion, Mark::Square, Mark::HollowSquare),
+            (Shade::Ink, Mark::Triangle, Mark::HollowTriangle),
+            (Shade::Green, Mark::Diamond, Mark::HollowDiamond),
+            (Shade::Rose, Mark::Inverted, Mark::HollowInverted),
+        ][index % 5];
+        let (kind, mark) = if (index / 5).is_multiple_of(2) {
+            (Kind::Line, solid)
+        } else {
+            (Kind::Dashed, hollow)
+        };
+        Self::new(kind, shade, points).marked(mark)
     }
 
     /// Returns the curve with a name for the legend.
@@ -135,6 +198,15 @@ impl Curve {
     pub(crate) fn named(self, label: impl Into<String>) -> Self {
         Self {
             label: Some(label.into()),
+            ..self
+        }
+    }
+
+    /// Returns the curve with a mark at every point.
+    #[must_use]
+    pub(crate) fn marked(self, mark: Mark) -> Self {
+        Self {
+            mark: Some(mark),
             ..self
         }
     }
@@ -149,12 +221,43 @@ pub(crate) enum Kind {
     Thin,
     /// Joined by a dashed line.
     Dashed,
-    /// Each at the end of a stem from zero.
+    /// Each at the end of a stem from zero, or from the lower end of a logarithmic axis.
     Stems,
     /// Joined by a line, and filled down to zero; stretches at zero stay empty.
     Area,
-    /// Each by itself; every shade has its own form.
+    /// Each by itself.
     Points,
+    /// Two and two the ends of a broad horizontal bar; see [`Curve::bars`].
+    Bars,
+}
+
+/// What stands at a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mark {
+    /// A filled circle.
+    Disc,
+    /// A filled square.
+    Square,
+    /// A filled triangle that points upwards.
+    Triangle,
+    /// A filled triangle that points downwards.
+    Inverted,
+    /// A filled square on its corner.
+    Diamond,
+    /// An empty circle.
+    Ring,
+    /// An empty square.
+    HollowSquare,
+    /// An empty triangle that points upwards.
+    HollowTriangle,
+    /// An empty triangle that points downwards.
+    HollowInverted,
+    /// An empty square on its corner.
+    HollowDiamond,
+    /// Two strokes that cross, ×.
+    Cross,
+    /// An upright stroke.
+    Stroke,
 }
 
 /// A note is a text beside a point of a panel: to its right, or on the first side where it hides less.

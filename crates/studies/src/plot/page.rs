@@ -140,15 +140,8 @@ impl Page<'_> {
                 }
                 let Some(pen) = *outline else { return Ok(()) };
                 let ((x, y), (width, height)) = (*corner, *size);
-                let corners = [
-                    (x, y),
-                    (x + width, y),
-                    (x + width, y + height),
-                    (x, y + height),
-                    (x, y),
-                    (x + width, y),
-                ];
-                self.line(&corners, pen)
+                let (right, top) = (x + width, y + height);
+                self.outline(&[(x, y), (right, y), (right, top), (x, top)], pen)
             }
             Shape::Circle {
                 centre,
@@ -156,7 +149,14 @@ impl Page<'_> {
                 fill,
                 outline,
             } => self.circle(*centre, *radius, (*fill, *outline)),
-            Shape::Polygon { corners, fill } => self.polygon(corners, *fill),
+            Shape::Polygon {
+                corners,
+                fill,
+                outline,
+            } => {
+                self.polygon(corners, *fill)?;
+                outline.map_or(Ok(()), |pen| self.outline(corners, pen))
+            }
             Shape::Line { points, pen } => self.line(points, *pen),
             Shape::Arrow { from, to, pen } => self.arrow((*from, *to), *pen),
             Shape::Text { .. } => self.text(shape),
@@ -215,6 +215,12 @@ impl Page<'_> {
         self.canvas
             .fill_polygon(corners, &inside(fill))
             .map_err(|_| REFUSED)
+    }
+
+    /// Draws a line around corners, and on to the second, so that it closes with a corner.
+    fn outline(&mut self, corners: &[Point], pen: Pen) -> Result<(), PlotError> {
+        let points = corners.iter().chain(corners.iter().take(2));
+        self.line(&points.copied().collect::<Vec<_>>(), pen)
     }
 
     fn line(&mut self, points: &[Point], pen: Pen) -> Result<(), PlotError> {

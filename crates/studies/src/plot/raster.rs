@@ -114,6 +114,7 @@ mod tests {
             Shade::Green,
             Shade::Amber,
             Shade::Grey,
+            Shade::Rose,
             Shade::Mist,
         ] {
             let (red, green, blue) = shade.rgb();

@@ -2,9 +2,9 @@
 
 /// A shade is one of the colours that figures use.
 ///
-/// The first six are for curves, best in this order. Printed in grey, their lightness (CIE L*, 0 black to 100 white)
-/// is about 13, 42, 63, 50, 79 and 70: ink, blue and vermilion stay well apart; grey beside vermilion needs another
-/// [`Kind`](super::Kind) as well.
+/// The first seven are for curves, best in this order. Printed in grey, their lightness (CIE L*, 0 black to 100 white)
+/// is about 13, 42, 63, 50, 79, 70 and 54: ink, blue and vermilion stay well apart; grey beside vermilion and rose beside
+/// green need another [`Kind`](super::Kind) or [`Mark`](super::Mark) as well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shade {
     /// Nearly black, also for text and axes.
@@ -19,6 +19,8 @@ pub(crate) enum Shade {
     Amber,
     /// Middle grey.
     Grey,
+    /// Reddish purple.
+    Rose,
     /// Light grey, for markers and fills behind curves.
     Silver,
     /// Very light grey, for grids and grounds.
@@ -36,6 +38,7 @@ impl Shade {
             Self::Vermilion => (0xEE, 0x77, 0x33),
             Self::Green => (0x11, 0x88, 0x66),
             Self::Amber => (0xEE, 0xBB, 0x44),
+            Self::Rose => (0xBB, 0x66, 0x99),
             Self::Grey => (0xAA, 0xAA, 0xAA),
             Self::Silver => (0xBB, 0xBB, 0xBB),
             Self::Mist => (0xDD, 0xDD, 0xDD),

@@ -1,5 +1,7 @@
 //! Whole figures.
 
+mod axes;
+
 use super::*;
 
 fn wave(n: u32) -> Vec<(f64, f64)> {
@@ -85,8 +87,9 @@ fn limit_an_unseen_curve_changes_nothing() {
         Kind::Dashed,
         Kind::Stems,
         Kind::Points,
+        Kind::Bars,
     ]
-    .map(|kind| Curve::new(kind, Shade::Blue, vec![(2.0, 5.0), (3.0, 1e300)]));
+    .map(|kind| Curve::new(kind, Shade::Blue, vec![(2.0, 5.0), (3.0, 1e300)]).marked(Mark::Ring));
     let base = vec![Curve::new(Kind::Stems, Shade::Ink, vec![])];
     let one = Figure {
         panels: vec![panel(base.clone())],
@@ -108,6 +111,7 @@ fn limit_curves_without_extent_are_drawn() {
         Kind::Stems,
         Kind::Area,
         Kind::Points,
+        Kind::Bars,
     ] {
         for points in [
             vec![],
