@@ -148,6 +148,14 @@ fn limit_broken_laws_of_contact_are_named() {
         }
     };
     tell(found(CENTRAL, returned, keep));
+    // Flow without a change of force, against it.
+    let backwards = |span: &mut Span<'_>| {
+        if span.end.restoring_force.abs() >= 70e3 && span.structure == 0 {
+            span.end.restoring_force = -span.end.restoring_force;
+            span.start.restoring_force = span.end.restoring_force;
+        }
+    };
+    tell(found(CENTRAL, backwards, keep));
     let pulling = |impact: &mut Impact| {
         impact.impulse = -impact.impulse;
         true

@@ -1,6 +1,6 @@
 //! The energy and momentum of one structure.
 
-use super::Terms;
+use super::{LedgerError, Terms};
 use crate::{Excitation, Node, Path, PiecewiseLinear, Series, Span, State, Weighed};
 
 /// Everything that is booked of one structure.
@@ -24,6 +24,9 @@ pub(super) struct Account {
     /// Sums over time of what acted.
     impulses: Acting,
 }
+
+/// Rounding that flow is forgiven, relative to the energies of the columns.
+const ROUNDING: f64 = 1e-12;
 
 /// Works \[J\] or impulses \[N·s\] on a structure, of everything that acts on it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -124,6 +127,25 @@ impl Account {
             self.terms.kinetic = 0.5 * self.mass * (after * after);
             self.momentum = self.mass * after;
         }
+    }
+
+    /// Columns must not give energy when they flow; of an earlier hysteretic energy \[J\] and the end of a span.
+    pub(super) fn flowed(&self, earlier: f64, span: &Span<'_>) -> Result<(), LedgerError> {
+        let found = earlier - self.terms.hysteretic;
+        if found <= 0.0 {
+            return Ok(());
+        }
+        let allowed =
+            ROUNDING * (earlier + 0.5 * self.yield_force * self.yield_force / self.stiffness);
+        if found <= allowed {
+            return Ok(());
+        }
+        Err(LedgerError::GainInYielding {
+            structure: span.structure,
+            time: span.end_time,
+            found,
+            allowed,
+        })
     }
 
     fn start(&mut self, state: &State) {

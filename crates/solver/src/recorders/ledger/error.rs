@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-/// A law of mechanics that a run broke in the contact of a pair.
+/// A law of mechanics that a run broke.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LedgerError {
@@ -62,6 +62,21 @@ pub enum LedgerError {
         /// Energy created \[J\].
         found: f64,
         /// What the length of the steps can make of it \[J\].
+        allowed: f64,
+    },
+    /// Columns that gave energy in yielding.
+    #[error(
+        "structure {structure} at t = {time:.4} s: found {found:.3e} J given by yielding columns, allowed {allowed:.1e} J; \
+         this is a fault of the method: use another one, and report it"
+    )]
+    GainInYielding {
+        /// Index of the structure, from the left.
+        structure: usize,
+        /// End of the step \[s\].
+        time: f64,
+        /// Energy created \[J\].
+        found: f64,
+        /// What rounding can make of it \[J\].
         allowed: f64,
     },
     /// Neighbours that did not get opposite impulses.

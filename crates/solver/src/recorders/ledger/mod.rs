@@ -135,11 +135,11 @@ impl<'a> Ledger<'a> {
         ratio(self.terms().distance(&truth.terms()), truth.scale())
     }
 
-    /// The terms of the row, if the contacts of the run kept the laws of mechanics.
+    /// The terms of the row, if the run kept the laws of mechanics.
     ///
     /// # Errors
-    /// [`LedgerError`], the first in time: neighbours that pull, impacts or collisions that create energy; or a pair
-    /// that did not get opposite impulses.
+    /// [`LedgerError`], the first in time: neighbours that pull, impacts or collisions that create energy, columns that
+    /// give some in yielding; or a pair that did not get opposite impulses.
     pub fn verdict(&self) -> Result<Terms, LedgerError> {
         if let Some(violation) = self.violation {
             return Err(violation);
@@ -206,7 +206,11 @@ impl Recorder for Ledger<'_> {
     const READS_WEIGHED: bool = true;
 
     fn span(&mut self, span: &Span<'_>) {
-        let works = self.accounts[span.structure].span(span, &self.excitation);
+        let account = &mut self.accounts[span.structure];
+        let hysteretic = account.terms.hysteretic;
+        let works = account.span(span, &self.excitation);
+        let outcome = account.flowed(hysteretic, span);
+        self.judge(outcome);
         let [left, right] = self.pairs_of[span.structure];
         let push = |forces, impulse, work| Push {
             times: (span.start_time, span.end_time),
