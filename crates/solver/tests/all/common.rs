@@ -1,4 +1,5 @@
 //! What the tests of the solver share: structures of the paper, a synthetic ground motion, shorthands.
+use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Histories, Integrator, Newmark,
@@ -93,4 +94,19 @@ pub(crate) fn histories<Column: PiecewiseLinear>(
         .run(row, excitation, clock, &mut histories)
         .expect("the run ends");
     (histories, work)
+}
+
+/// Slope of log(error) over log(Δt) by least squares.
+pub(crate) fn slope(steps: &[f64], errors: &[f64]) -> f64 {
+    let rows = DMatrix::from_fn(steps.len(), 2, |row, column| {
+        if column == 0 {
+            libm::log(steps[row])
+        } else {
+            1.0
+        }
+    });
+    let right = DVector::from_iterator(errors.len(), errors.iter().map(|error| libm::log(*error)));
+    rows.svd(true, true)
+        .solve(&right, 1e-12)
+        .expect("two unknowns, more steps")[0]
 }

@@ -5,6 +5,8 @@ mod audit;
 mod chopra;
 mod common;
 mod exact;
+mod ledger;
+mod ledger_faults;
 mod limit;
 mod momentum;
 mod order;
