@@ -111,7 +111,8 @@ pub struct Series<'a> {
     /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
     pub(crate) restoring_force: (f64, f64),
     pub(crate) force_from_left: &'a [f64],
-    pub(crate) force_from_right: &'a [f64],
+    /// Pounding force of the pair with the right neighbour, ≥ 0.
+    pub(crate) force_to_right: &'a [f64],
 }
 
 /// The power p of t = origin + x^p.
@@ -176,7 +177,7 @@ impl Series<'_> {
             acceleration: value(self.acceleration, x),
             restoring_force: self.restoring_force.0 + self.restoring_force.1 * rise,
             force_from_left: value(self.force_from_left, x),
-            force_from_right: value(self.force_from_right, x),
+            force_from_right: -value(self.force_to_right, x),
         }
     }
 }

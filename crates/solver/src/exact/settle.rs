@@ -113,10 +113,10 @@ impl<R: Recorder> Run<'_, R> {
             .checked_sub(1)
             .and_then(|left| self.pair_right_of[left])
         {
-            self.contacts[pair].rate -= at_start;
+            self.contacts[pair].push(-at_start);
         }
         if let Some(pair) = self.pair_right_of[end] {
-            self.contacts[pair].rate += at_end;
+            self.contacts[pair].push(at_end);
         }
     }
 
@@ -387,6 +387,18 @@ impl Member {
 }
 
 impl Contact {
+    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
+    fn push(&mut self, jump: f64) {
+        self.rate += jump;
+        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
+            self.link = Link::Touching(if self.rate > 0.0 {
+                Phase::Approach
+            } else {
+                Phase::Restitution
+            });
+        }
+    }
+
     /// Clears the first coefficients of a force at rest that are rounding, and all when the first ones are.
     fn clear_rounding(&mut self, block: &[Member], index: usize, p: usize) {
         let (before, after) = block.split_at(index + 1);
