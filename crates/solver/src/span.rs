@@ -110,9 +110,9 @@ pub struct Series<'a> {
     pub(crate) acceleration: &'a [f64],
     /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
     pub(crate) restoring_force: (f64, f64),
+    /// Magnitude of the pounding force from either side \[N\].
     pub(crate) force_from_left: &'a [f64],
-    /// Pounding force of the pair with the right neighbour, ≥ 0.
-    pub(crate) force_to_right: &'a [f64],
+    pub(crate) force_from_right: &'a [f64],
 }
 
 /// The power p of t = origin + x^p.
@@ -177,7 +177,7 @@ impl Series<'_> {
             acceleration: value(self.acceleration, x),
             restoring_force: self.restoring_force.0 + self.restoring_force.1 * rise,
             force_from_left: value(self.force_from_left, x),
-            force_from_right: -value(self.force_to_right, x),
+            force_from_right: -value(self.force_from_right, x),
         }
     }
 }
@@ -317,5 +317,46 @@ mod tests {
                 "{time}: {found:?}"
             );
         }
+    }
+
+    #[test]
+    fn reference_integrals_over_a_span() {
+        // u = 1 + 2x + 3x⁴ with t = 2 + x⁴, so ∫u dt over T = h is h + 8/5 h^(5/4) + 3/2 h².
+        let displacement = [1.0, 2.0, 0.0, 0.0, 3.0];
+        let mut span = Span::step::<(), 1>(
+            0,
+            (2.0, 2.0625),
+            [State::default(); 2],
+            (1.0, [1.0]),
+            [Load::at(&State::default(), 0.0, 0.0)],
+        );
+        span.path = Path::Series(Series {
+            origin: 2.0,
+            power: Power::Four,
+            displacement: &displacement,
+            velocity: &[],
+            acceleration: &[],
+            restoring_force: (0.0, 0.0),
+            force_from_left: &[],
+            force_from_right: &[],
+        });
+        let h: f64 = 0.0625;
+        let [integral, duration] = span.integrate(|_, state| [state.displacement, 1.0]);
+        let wanted = h + 1.6 * h * h.sqrt().sqrt() + 1.5 * h * h;
+        assert!(
+            (integral / wanted - 1.0).abs() < 1e-14,
+            "{integral} {wanted}"
+        );
+        assert!((duration / h - 1.0).abs() < 1e-14, "{duration}");
+        // A cubic from rest to rest over 1 m: ∫u dt is half the duration.
+        let end = State {
+            displacement: 1.0,
+            ..State::default()
+        };
+        let ends = [State::default(), end];
+        let loads = ends.map(|state| Load::at(&state, 0.0, 0.0));
+        let step = Span::step::<(), _>(0, (0.0, 0.5), ends, (0.25, [1.0, 1.0]), loads);
+        let [integral] = step.integrate(|_, state| [state.displacement]);
+        assert!((integral - 0.25).abs() < 1e-15, "{integral}");
     }
 }

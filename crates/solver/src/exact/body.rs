@@ -415,7 +415,7 @@ impl<R: Recorder> Run<'_, R> {
                 acceleration: &member.acceleration[..body.len],
                 restoring_force: (member.state.restoring_force, member.tangent()),
                 force_from_left: force(left),
-                force_to_right: force(right),
+                force_from_right: force(right),
             }),
         };
         self.recorder.span(&span);

@@ -6,6 +6,7 @@ mod chopra;
 mod common;
 mod exact;
 mod ledger;
+mod ledger_energies;
 mod ledger_faults;
 mod limit;
 mod momentum;
