@@ -28,10 +28,9 @@ mod scales;
 mod state;
 mod variable;
 
-use pounding_solver::{Excitation, RestoringForce, Row};
+use pounding_solver::{Excitation, PiecewiseLinear, Row};
 
 pub use error::SecondRouteError;
-pub use model::TwoBranches;
 pub use record::{Collision, Peak, Response, StructureResponse};
 
 use model::Model;
@@ -85,7 +84,7 @@ impl Fineness {
 /// # Errors
 /// [`SecondRouteError`] for a setting out of range, a motion that is no longer finite, a tolerance that cannot be met,
 /// or events without end.
-pub fn run<Column: RestoringForce + TwoBranches>(
+pub fn run<Column: PiecewiseLinear>(
     row: &Row<Column>,
     excitation: Excitation<'_>,
     duration: f64,

@@ -1,36 +1,7 @@
 //! The row as plain numbers, and where each of them stands in the vector of unknowns.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{Elastic, ElastoPlastic, RestoringForce, Row};
-
-/// Columns whose force is k·(u − `u_p`), held within ± the yield force.
-pub trait TwoBranches {
-    /// Stiffness k of the elastic branch \[N/m\].
-    fn stiffness(&self) -> f64;
-
-    /// Yield force \[N\], infinite for columns that never yield.
-    fn yield_force(&self) -> f64;
-}
-
-impl TwoBranches for Elastic {
-    fn stiffness(&self) -> f64 {
-        self.stiffness
-    }
-
-    fn yield_force(&self) -> f64 {
-        f64::INFINITY
-    }
-}
-
-impl TwoBranches for ElastoPlastic {
-    fn stiffness(&self) -> f64 {
-        self.stiffness
-    }
-
-    fn yield_force(&self) -> f64 {
-        self.yield_force
-    }
-}
+use pounding_solver::{PiecewiseLinear, Row};
 
 /// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
 ///
@@ -91,7 +62,7 @@ pub(super) enum Law {
 }
 
 impl Model {
-    pub(super) fn new<Column: RestoringForce + TwoBranches>(row: &Row<Column>) -> Self {
+    pub(super) fn new<Column: PiecewiseLinear>(row: &Row<Column>) -> Self {
         let structures: Vec<_> = row
             .nodes()
             .iter()

@@ -94,9 +94,11 @@ fn reference_yield_and_unloading_under_a_constant_load() {
     let peak = yield_force / stiffness + 0.5 * speed * speed / deceleration;
     close(found.displacement.value, peak, 1e-14, "peak displacement");
     close(found.displacement.time, time, 1e-14, "its time");
-    assert_eq!(
-        found.restoring_force.value, yield_force,
-        "peak restoring force"
+    close(
+        found.restoring_force.value,
+        yield_force,
+        0.0,
+        "peak restoring force",
     );
     close(
         found.restoring_force.time,

@@ -9,7 +9,7 @@ use super::{FREE, close, moving, pairs, run, stereomechanical, viscoelastic};
 /// A ball of unit mass that falls towards a floor 1 m below.
 fn ball(restitution: f64) -> Row<pounding_solver::Elastic> {
     let nodes = vec![moving(1.0, 0.0, FREE), Node::wall(FREE)];
-    Row::new(nodes, pairs(2, 1.0, stereomechanical(restitution))).unwrap()
+    Row::new(nodes, pairs(2, 1.0, stereomechanical(restitution))).expect("a valid row")
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn extreme_a_ball_that_comes_to_rest_is_refused() {
 /// A free impact of two masses 1 cm apart at a relative speed: its collision and both velocities after it.
 fn free_impact(ratio: f64, masses: [f64; 2], speed: f64) -> (Collision, [f64; 2]) {
     let nodes = vec![moving(masses[0], speed, FREE), moving(masses[1], 0.0, FREE)];
-    let row = Row::new(nodes, pairs(2, 0.01, viscoelastic(ratio))).unwrap();
+    let row = Row::new(nodes, pairs(2, 0.01, viscoelastic(ratio))).expect("a valid row");
     let response = run(&row, &[0.0], 0.01 / speed + 2.0);
     assert_eq!(response.collisions[0].len(), 1, "one collision");
     let velocity = |index: usize| response.structures[index].end_velocity;

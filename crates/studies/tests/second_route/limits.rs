@@ -18,7 +18,7 @@ fn undamped(law: pounding_contact::ContactLaw) -> Row<Elastic> {
             Elastic { stiffness },
         )
     };
-    Row::new((0..3).map(node).collect(), pairs(3, 0.01, law)).unwrap()
+    Row::new((0..3).map(node).collect(), pairs(3, 0.01, law)).expect("a valid row")
 }
 
 fn energy(state: impl Fn(usize) -> (f64, f64)) -> f64 {

@@ -6,8 +6,8 @@ mod limits;
 mod scenes;
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
-use pounding_solver::{Elastic, Excitation, Node, Pair, RestoringForce, Row};
-use pounding_studies::second_route::{self, Fineness, Response, TwoBranches};
+use pounding_solver::{Elastic, Excitation, Node, Pair, PiecewiseLinear, Row};
+use pounding_studies::second_route::{self, Fineness, Response};
 
 /// Columns without stiffness: a free mass.
 const FREE: Elastic = Elastic { stiffness: 0.0 };
@@ -43,13 +43,9 @@ fn moving<Column>(mass: f64, velocity: f64, column: Column) -> Node<Column> {
 }
 
 /// Runs a row under ground accelerations 0.1 s apart.
-fn run<Column: RestoringForce + TwoBranches>(
-    row: &Row<Column>,
-    ground: &[f64],
-    duration: f64,
-) -> Response {
-    let excitation = Excitation::new(0.1, ground).unwrap();
-    second_route::run(row, excitation, duration, Fineness::FINE).unwrap()
+fn run<Column: PiecewiseLinear>(row: &Row<Column>, ground: &[f64], duration: f64) -> Response {
+    let excitation = Excitation::new(0.1, ground).expect("finite samples");
+    second_route::run(row, excitation, duration, Fineness::FINE).expect("the run ends")
 }
 
 /// Asserts that a number is the wanted one within `tolerance` of it.
