@@ -9,6 +9,7 @@ use pounding_solver::{
     TransferredMomentum, Work,
 };
 
+use crate::second_route::{self, Fineness, Response, SecondRouteError};
 use crate::{Method, RecordUse, Scene, SceneError, Structure, StudyError, check};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
@@ -125,15 +126,32 @@ impl Prepared {
         }
     }
 
+    /// Runs the scene, whatever its method, by the second route.
+    ///
+    /// # Errors
+    /// [`SecondRouteError`] when the run ends early.
+    pub fn second_route(&self, fineness: Fineness) -> Result<Response, SecondRouteError> {
+        let excitation = self.excitation();
+        let duration = self.clock.time(self.clock.n_steps);
+        match &self.model {
+            Model::Elastic(row) => second_route::run(row, excitation, duration, fineness),
+            Model::ElastoPlastic(row) => second_route::run(row, excitation, duration, fineness),
+        }
+    }
+
     /// Runs the scene with any recorder.
     fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
-        let excitation = Excitation::new(self.record.time_step(), self.record.samples())
-            .expect("a record has samples and a time step > 0");
+        let excitation = self.excitation();
         match &self.model {
             Model::Elastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
             Model::ElastoPlastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
         }
         .map_err(|error| self.ended(error))
+    }
+
+    fn excitation(&self) -> Excitation<'_> {
+        Excitation::new(self.record.time_step(), self.record.samples())
+            .expect("a record has samples and a time step > 0")
     }
 
     /// Says in the words of the scene why a run ended early.
