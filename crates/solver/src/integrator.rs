@@ -1,6 +1,6 @@
 use crate::{
-    CentralDifference, Clock, Excitation, Newmark, Recorder, RestoringForce, Row, RunError, Work,
-    central_difference, newmark,
+    CentralDifference, Clock, Excitation, Hht, MoreauJean, Newmark, Recorder, RestoringForce, Rk4,
+    Row, RunError, Verlet, Work, central_difference, hht, moreau_jean, newmark, rk4, verlet,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
@@ -10,6 +10,14 @@ pub enum Integrator {
     CentralDifference(CentralDifference),
     /// Newmark's method.
     Newmark(Newmark),
+    /// HHT-α method.
+    Hht(Hht),
+    /// Velocity Verlet method.
+    Verlet(Verlet),
+    /// Classical Runge–Kutta method.
+    Rk4(Rk4),
+    /// Moreau–Jean time stepping.
+    MoreauJean(MoreauJean),
 }
 
 impl Integrator {
@@ -36,6 +44,12 @@ impl Integrator {
                 central_difference::run(settings, row, excitation, clock, recorder)
             }
             Self::Newmark(settings) => newmark::run(settings, row, excitation, clock, recorder),
+            Self::Hht(settings) => hht::run(settings, row, excitation, clock, recorder),
+            Self::Verlet(settings) => verlet::run(settings, row, excitation, clock, recorder),
+            Self::Rk4(settings) => rk4::run(settings, row, excitation, clock, recorder),
+            Self::MoreauJean(settings) => {
+                moreau_jean::run(settings, row, excitation, clock, recorder)
+            }
         }
     }
 }

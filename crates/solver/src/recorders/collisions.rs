@@ -53,7 +53,7 @@ impl Recorder for Collisions {
             return;
         };
         let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
-        if start == 0.0 && end == 0.0 {
+        if start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0 {
             return;
         }
         let index = *self.open[pair].get_or_insert_with(|| {
@@ -79,6 +79,11 @@ impl Recorder for Collisions {
         if end > 0.0 {
             collision.peak_force = collision.peak_force.map(|peak| peak.max(end));
         } else {
+            if start == 0.0 {
+                // Touched between its ends only: the mean force is all that is known of the peak.
+                let mean = -span.impulse_from_right / span.duration();
+                collision.peak_force = collision.peak_force.map(|peak| peak.max(mean));
+            }
             self.open[pair] = None;
         }
     }

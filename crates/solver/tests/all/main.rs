@@ -4,6 +4,7 @@ mod allocations;
 mod audit;
 mod chopra;
 mod common;
+mod impacts;
 mod limit;
 mod momentum;
 mod order;
