@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::require;
 use crate::impacts::Impacts;
+use crate::span::Load;
 use crate::{Clock, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
@@ -74,12 +75,16 @@ struct Body<Memory> {
     increment: f64,
     /// Whether the node before lies a sub-step back.
     fine: bool,
-    /// Central-difference velocity at the node before; what the paper's impact rule looks at.
+    /// Central-difference velocity at the node before, half way through a jump of the published rule, which looks at
+    /// it; the equation's damping force is that of this velocity.
     velocity: f64,
     memory: Memory,
     /// Start of the span under way.
     start: State,
     start_time: f64,
+    start_ground: f64,
+    /// Whether that start had an equation: node 0 has none when the first load is skipped.
+    solved: bool,
     force_from_left: f64,
     force_from_right: f64,
     /// Net impulse of the published rule at this node \[N·s\].
@@ -220,6 +225,8 @@ fn begin<Column: RestoringForce>(
         memory,
         start: state,
         start_time: 0.0,
+        start_ground: ground,
+        solved: false,
         force_from_left: 0.0,
         force_from_right: 0.0,
         impulse: 0.0,
@@ -270,7 +277,10 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 continue;
             }
             let constants = &self.coefficients[usize::from(body.fine)][index];
-            let column = &self.row.nodes()[index].column;
+            let Node {
+                column, damping, ..
+            } = &self.row.nodes()[index];
+            let central = body.velocity;
             let end = advance(body, constants, column, node.ground);
             if !body.displacement.is_finite() {
                 return Err(RunError::Diverged {
@@ -281,11 +291,20 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             }
             if node.time > body.start_time {
                 let times = (body.start_time, node.time);
-                recorder.span(&Span::step(index, times, body.start, end));
+                let ends = [body.start, end];
+                let loads = [
+                    Load::at(&ends[0], damping * central, body.start_ground),
+                    Load::at(&ends[1], damping * body.velocity, node.ground),
+                ];
+                let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
+                let weights = (0.5 * constants.time_step, weights);
+                recorder.span(&Span::step::<R, _>(index, times, ends, weights, loads));
             }
             let jump = constants.inverse_mass * body.impulse;
             body.start = end;
             body.start_time = node.time;
+            body.start_ground = node.ground;
+            body.solved = true;
             body.start.velocity += jump;
             body.start.acceleration -= constants.damping * jump;
             self.work.force_evaluations += 1;

@@ -20,6 +20,15 @@ pub trait RestoringForce: Copy {
     fn respond(&self, displacement: f64, memory: Self::Memory) -> Response<Self::Memory>;
 }
 
+/// Columns that are linear between yield forces ±`f_y`; what the exact method asks for besides [`RestoringForce`].
+pub trait PiecewiseLinear: RestoringForce {
+    /// Stiffness of the elastic branch k \[N/m\].
+    fn stiffness(&self) -> f64;
+
+    /// Yield force `f_y` \[N\]; infinite for columns that never yield.
+    fn yield_force(&self) -> f64;
+}
+
 /// Linear elastic columns; they remember nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elastic {
@@ -37,6 +46,16 @@ impl RestoringForce for Elastic {
             tangent: self.stiffness,
             memory: (),
         }
+    }
+}
+
+impl PiecewiseLinear for Elastic {
+    fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    fn yield_force(&self) -> f64 {
+        f64::INFINITY
     }
 }
 
@@ -72,6 +91,16 @@ impl RestoringForce for ElastoPlastic {
             tangent: if excess == 0.0 { self.stiffness } else { 0.0 },
             memory: plastic_displacement + excess / self.stiffness,
         }
+    }
+}
+
+impl PiecewiseLinear for ElastoPlastic {
+    fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    fn yield_force(&self) -> f64 {
+        self.yield_force
     }
 }
 

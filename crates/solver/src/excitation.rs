@@ -9,6 +9,17 @@ pub struct Excitation<'a> {
     samples: &'a [f64],
 }
 
+/// A linear piece of the ground acceleration, from a given time on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Segment {
+    /// Ground acceleration at that time \[m/s²\].
+    pub(crate) value: f64,
+    /// Its slope \[m/s³\].
+    pub(crate) slope: f64,
+    /// Where the piece ends \[s\].
+    pub(crate) end: f64,
+}
+
 /// Instants closer to a sample than this fraction of a segment take the sample itself.
 const SNAP: f64 = 1e-9;
 
@@ -36,6 +47,47 @@ impl<'a> Excitation<'a> {
             });
         }
         Ok(Self { time_step, samples })
+    }
+
+    /// Time between two samples \[s\], > 0.
+    pub fn time_step(&self) -> f64 {
+        self.time_step
+    }
+
+    /// Ground accelerations at t = 0, Δt, 2Δt, … \[m/s²\].
+    pub fn samples(&self) -> &'a [f64] {
+        self.samples
+    }
+
+    /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it.
+    pub(crate) fn segment(&self, time: f64) -> Segment {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "time >= 0; beyond the last sample nothing follows"
+        )]
+        let mut index = (time / self.time_step) as usize;
+        let start = |index: usize| index as f64 * self.time_step;
+        while start(index + 1) <= time {
+            index += 1;
+        }
+        while index > 0 && start(index) > time {
+            index -= 1;
+        }
+        let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1))
+        else {
+            return Segment {
+                value: 0.0,
+                slope: 0.0,
+                end: f64::INFINITY,
+            };
+        };
+        let slope = (right - left) / self.time_step;
+        Segment {
+            value: left + slope * (time - start(index)),
+            slope,
+            end: start(index + 1),
+        }
     }
 
     /// Ground acceleration at every node of a clock, 0..=n \[m/s²\].

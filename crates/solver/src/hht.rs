@@ -11,7 +11,8 @@
 use crate::error::require;
 use crate::newmark::{balance, begin, commit};
 use crate::newton::Slopes;
-use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Work};
+use crate::span::Load;
+use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, State, Work};
 
 /// Settings of the HHT-α method: it damps what the time step cannot follow. Order 2, no critical time step.
 ///
@@ -50,24 +51,47 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         time_step: dt,
     };
     let mut scratch = begin(row, ground[0]);
+    // What acted a step ago, where the acceleration carries it.
+    let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
     let mut work = Work::default();
-    for (step, ends) in (1..).zip(ground.windows(2)) {
+    for (step, at_ends) in (1..).zip(ground.windows(2)) {
         let nodes = row.nodes().iter().zip(&scratch.states);
         for ((node, state), trial) in nodes.zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement + dt * (state.velocity + dt * (0.5 - beta) * state.acceleration),
                 state.velocity + dt * (1.0 - gamma) * state.acceleration,
             );
-            trial.carried = alpha * slopes.inertia * node.acceleration(state, ends[0]);
+            trial.carried = alpha * slopes.inertia * node.acceleration(state, at_ends[0]);
         }
         let time = clock.time(step);
-        balance(row, &mut scratch, (slopes, ends[1]), time, &mut work)?;
-        commit(&mut scratch, clock, step, recorder)?;
+        balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
+        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
+            let damping = row.nodes()[structure].damping;
+            let load = |index: usize| {
+                let state: &State = &ends[index];
+                Load::at(state, damping * state.velocity, at_ends[index])
+            };
+            let (start, end) = (load(0), load(1));
+            // m ü at the start is (1+α) times its own load less α times the one before, or its own where it restarted.
+            let before = earlier[structure].replace(start);
+            let carried = if before.is_some() { -alpha } else { 0.0 };
+            let weights = [
+                (1.0 - gamma) * carried,
+                (1.0 - gamma) * (1.0 - carried) - gamma * alpha,
+                gamma * (1.0 + alpha),
+            ];
+            ((dt, weights), [before.unwrap_or(start), start, end])
+        })?;
         work.touching_steps += row.n_overlaps(&scratch.states);
-        let instant = (ends[1], time);
-        scratch
-            .impacts
-            .after_step(row, &mut scratch.states, instant, recorder);
+        let (states, instant) = (&mut scratch.states, (at_ends[1], time));
+        if scratch.impacts.after_step(row, states, instant, recorder) {
+            for ((state, trial), earlier) in states.iter().zip(&scratch.trials).zip(&mut earlier) {
+                let jumped = (state.velocity - trial.velocity).abs() > 0.0;
+                if jumped {
+                    *earlier = None;
+                }
+            }
+        }
         work.steps += 1;
     }
     Ok(work)

@@ -1,6 +1,7 @@
 use crate::{
-    CentralDifference, Clock, Excitation, Hht, MoreauJean, Newmark, Recorder, RestoringForce, Rk4,
-    Row, RunError, Verlet, Work, central_difference, hht, moreau_jean, newmark, rk4, verlet,
+    CentralDifference, Clock, Exact, Excitation, Hht, MoreauJean, Newmark, PiecewiseLinear,
+    Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht, moreau_jean,
+    newmark, rk4, verlet,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
@@ -18,6 +19,8 @@ pub enum Integrator {
     Rk4(Rk4),
     /// Moreau–Jean time stepping.
     MoreauJean(MoreauJean),
+    /// Event-driven integration with power series.
+    Exact(Exact),
 }
 
 impl Integrator {
@@ -25,7 +28,7 @@ impl Integrator {
     ///
     /// # Errors
     /// [`RunError`] for a setting out of range, a response that is no longer finite, or an equilibrium not found.
-    pub fn run<Column: RestoringForce, R: Recorder>(
+    pub fn run<Column: PiecewiseLinear, R: Recorder>(
         &self,
         row: &Row<Column>,
         excitation: Excitation<'_>,
@@ -50,6 +53,7 @@ impl Integrator {
             Self::MoreauJean(settings) => {
                 moreau_jean::run(settings, row, excitation, clock, recorder)
             }
+            Self::Exact(settings) => exact::run(settings, row, excitation, clock, recorder),
         }
     }
 }

@@ -33,6 +33,7 @@ mod clock;
 mod column;
 mod damping;
 mod error;
+mod exact;
 mod excitation;
 mod hht;
 mod impacts;
@@ -40,6 +41,7 @@ mod integrator;
 mod moreau_jean;
 mod newmark;
 mod newton;
+mod quadrature;
 mod recorder;
 mod recorders;
 mod rk4;
@@ -51,9 +53,10 @@ mod work;
 
 pub use central_difference::{CentralDifference, ImpactRule, Start};
 pub use clock::Clock;
-pub use column::{Elastic, ElastoPlastic, Response, RestoringForce};
+pub use column::{Elastic, ElastoPlastic, PiecewiseLinear, Response, RestoringForce};
 pub use damping::Damping;
 pub use error::{ModelError, RunError};
+pub use exact::{Exact, SimultaneousImpacts};
 pub use excitation::Excitation;
 pub use hht::Hht;
 pub use integrator::Integrator;
@@ -61,10 +64,11 @@ pub use moreau_jean::MoreauJean;
 pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Velocities};
 pub use recorders::{
-    Collision, Collisions, Histories, History, Peak, Peaks, StructurePeaks, TransferredMomentum,
+    Collision, Collisions, Histories, History, Ledger, LedgerError, PairTerms, Peak, Peaks,
+    StructurePeaks, Terms, TransferredMomentum,
 };
 pub use rk4::Rk4;
 pub use row::{Node, Pair, Row};
-pub use span::{Path, Series, Span, State};
+pub use span::{Path, Series, Span, State, Weighed};
 pub use verlet::{Verlet, VerletImpacts};
 pub use work::Work;

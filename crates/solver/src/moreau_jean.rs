@@ -4,9 +4,12 @@
 //! Engng* 177 (1999) 235; V. Acary & B. Brogliato, *Numerical Methods for Nonsmooth Dynamical Systems* (2008), ch. 10.
 //!
 //! Over a step h: m(u̇⁺ − u̇) = h (θ r⁺ + (1−θ) r) + P and u⁺ = u + h (θ u̇⁺ + (1−θ) u̇), r all smooth forces. A pair takes
-//! part where its gap, predicted half a step ahead, is closed; then 0 ≤ u̇ₙ⁺ + e u̇ₙ ⟂ P ≥ 0, u̇ₙ its relative velocity
-//! (negative while approaching) at both ends of the step. All pairs are solved together with the step. A pair that
-//! separates at the start of the step waits for the next one: with it the law could create energy.
+//! part where its gap, predicted half a step ahead, is closed; then 0 ≤ v⁺ + e v ⟂ P ≥ 0, v its relative velocity
+//! (negative while approaching) at both ends of the step. All pairs are solved together with the step.
+//!
+//! Two departures, so that no impact creates energy. A pair that separates at the start of the step, or would at its end
+//! without impulses, waits for the next step. And where the smooth forces slow the approach down within the step, what
+//! they leave of it is turned round, not the v of the start.
 //!
 //! Smooth forces are implicit, compliant pairs among them; columns that yield and pairs of both kinds side by side are
 //! met by repeating the solution with the tangents of the last one.
@@ -17,8 +20,9 @@ use crate::error::require;
 use crate::impacts::impulsive;
 use crate::newmark::{Scratch, balance, begin, commit};
 use crate::newton::Slopes;
+use crate::span::Load;
 use crate::together::Together;
-use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, Work};
+use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
 
 /// Settings of Moreau–Jean time stepping. No critical time step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,6 +55,8 @@ struct Contacts {
     net: Vec<f64>,
     /// Velocity a unit impulse gives to each structure, its smooth forces included \[1/kg\].
     mobilities: Vec<f64>,
+    /// Relative velocity at which each pair is to separate at least \[m/s\].
+    bounce: Vec<f64>,
     /// Relative velocity each pair has to lose \[m/s\].
     demand: Vec<f64>,
     together: Together,
@@ -76,22 +82,24 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let mut scratch = begin(row, ground[0]);
     let mut contacts = Contacts::new(row.nodes().len(), row.pairs().len());
     let mut work = Work::default();
-    for (step, &ground) in ground.iter().enumerate().skip(1) {
-        let instant = (ground, clock.time(step));
-        let mut iterations = 0;
-        let mut again = true;
-        contacts.choose(row, &scratch, dt);
-        while again {
-            contacts.predict(row, &mut scratch, slopes);
-            balance(row, &mut scratch, (slopes, ground), instant.1, &mut work)?;
-            again = contacts.correct(row, &scratch);
-            if again && iterations == MAX_ITERATIONS {
-                return Err(contacts.failure(row, (instant.1, iterations)));
-            }
-            iterations += 1;
-        }
-        contacts.release(row, &mut scratch, ground);
-        commit(&mut scratch, clock, step, recorder)?;
+    for (step, at_ends) in (1..).zip(ground.windows(2)) {
+        let instant = (at_ends[1], clock.time(step));
+        contacts.solve(row, &mut scratch, (slopes, instant), &mut work)?;
+        contacts.release(row, &mut scratch, at_ends[1]);
+        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
+            let node = &row.nodes()[structure];
+            // The smooth forces at the end are those of the velocity after the impulses.
+            let jump = node.inverse_mass * contacts.net[structure];
+            let load = |index: usize, jump: f64| {
+                let state: &State = &ends[index];
+                Load::at(
+                    state,
+                    node.damping * (state.velocity + jump),
+                    at_ends[index],
+                )
+            };
+            ((dt, [1.0 - theta, theta]), [load(0, 0.0), load(1, jump)])
+        })?;
         work.touching_steps += contacts.n_touching(row, &scratch);
         if contacts.impulses.iter().any(|impulse| *impulse > 0.0) {
             let Scratch {
@@ -111,6 +119,7 @@ impl Contacts {
             impulses: vec![0.0; n_pairs],
             net: vec![0.0; n_structures],
             mobilities: vec![0.0; n_structures],
+            bounce: vec![0.0; n_pairs],
             demand: vec![0.0; n_pairs],
             together: Together::new(n_pairs),
         }
@@ -128,6 +137,43 @@ impl Contacts {
             let rate = pair.rate(&scratch.states);
             let ahead = pair.deformation(&scratch.states) + 0.5 * dt * rate;
             *closed = impulsive(pair).is_some() && rate >= 0.0 && ahead >= 0.0;
+        }
+    }
+
+    /// Solves a step: smooth forces with the impulses found so far, impulses with those forces, until neither changes.
+    fn solve<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        (slopes, (ground, time)): (Slopes, (f64, f64)),
+        work: &mut Work,
+    ) -> Result<(), RunError> {
+        self.choose(row, scratch, slopes.time_step);
+        for iterations in 0..=MAX_ITERATIONS {
+            self.predict(row, scratch, slopes);
+            balance(row, scratch, (slopes, ground), time, work)?;
+            if iterations == 0 {
+                self.approach(row, scratch);
+            }
+            if !self.correct(row, scratch) {
+                return Ok(());
+            }
+        }
+        Err(self.failure(row, time))
+    }
+
+    /// Of the pairs chosen, leaves those that still approach at the end of the step without impulses.
+    fn approach<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &Scratch<Column::Memory>,
+    ) {
+        for (index, pair) in row.pairs().iter().enumerate() {
+            if let Some(law) = impulsive(pair).filter(|_| self.closed[index]) {
+                let left = scratch.trials[pair.left].velocity - scratch.trials[pair.right].velocity;
+                self.closed[index] = left >= 0.0;
+                self.bounce[index] = law.restitution * left.min(pair.rate(&scratch.states));
+            }
         }
     }
 
@@ -171,14 +217,12 @@ impl Contacts {
         }
         let taken = |index: usize| self.mobilities[index] * self.net[index];
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.demand[index] = match impulsive(pair).filter(|_| self.closed[index]) {
-                Some(law) => {
-                    let rate = trials[pair.left].velocity - trials[pair.right].velocity;
-                    // Without the impulses found so far, which are to be replaced.
-                    rate + law.restitution * pair.rate(states)
-                        + (taken(pair.right) - taken(pair.left))
-                }
-                None => f64::NEG_INFINITY,
+            self.demand[index] = if self.closed[index] {
+                let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+                // Without the impulses found so far, which are to be replaced.
+                rate + self.bounce[index] + (taken(pair.right) - taken(pair.left))
+            } else {
+                f64::NEG_INFINITY
             };
         }
         let found = self
@@ -225,11 +269,7 @@ impl Contacts {
     }
 
     /// Why a step is given up: its impulses still change.
-    fn failure<Column: RestoringForce>(
-        &self,
-        row: &Row<Column>,
-        (time, iterations): (f64, u32),
-    ) -> RunError {
+    fn failure<Column: RestoringForce>(&self, row: &Row<Column>, time: f64) -> RunError {
         let closed = |(pair, closed): (&Pair, &bool)| closed.then_some((pair.left, pair.right));
         let mut pairs = row.pairs().iter().zip(&self.closed).filter_map(closed);
         let (first, mut last) = pairs.next().expect("impulses of closed pairs only change");
@@ -240,7 +280,7 @@ impl Contacts {
             first,
             last,
             time,
-            iterations,
+            iterations: MAX_ITERATIONS,
         }
     }
 }

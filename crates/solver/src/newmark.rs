@@ -8,6 +8,7 @@ use pounding_contact::ContactLaw;
 use crate::error::require;
 use crate::impacts::Impacts;
 use crate::newton::{self, Failure, Slopes, Trial};
+use crate::span::Load;
 use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
@@ -83,7 +84,9 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     };
     let mut scratch = begin(row, ground[0]);
     let mut work = Work::default();
-    for (step, &ground) in ground.iter().enumerate().skip(1) {
+    // The trapezoidal rule where γ = 1/2.
+    let weights = (0.5 * dt, [2.0 - 2.0 * settings.gamma, 2.0 * settings.gamma]);
+    for (step, at_ends) in (1..).zip(ground.windows(2)) {
         for (state, trial) in scratch.states.iter().zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement
@@ -91,16 +94,18 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 state.velocity + dt * (1.0 - settings.gamma) * state.acceleration,
             );
         }
-        balance(
-            row,
-            &mut scratch,
-            (slopes, ground),
-            clock.time(step),
-            &mut work,
-        )?;
-        commit(&mut scratch, clock, step, recorder)?;
+        let time = clock.time(step);
+        balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
+        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
+            let damping = row.nodes()[structure].damping;
+            let load = |index: usize| {
+                let state: &State = &ends[index];
+                Load::at(state, damping * state.velocity, at_ends[index])
+            };
+            (weights, [load(0), load(1)])
+        })?;
         work.touching_steps += row.n_overlaps(&scratch.states);
-        let instant = (ground, clock.time(step));
+        let instant = (at_ends[1], time);
         scratch
             .impacts
             .after_step(row, &mut scratch.states, instant, recorder);
@@ -209,14 +214,15 @@ fn mark_overlaps<Column: RestoringForce>(
     grown
 }
 
-/// Accepts the end of a step and reports its spans.
-pub(crate) fn commit<Memory: Copy, R: Recorder>(
+/// Accepts the end of a step and reports its spans; of each structure with these ends, what the method made of which
+/// loads.
+pub(crate) fn commit<Memory: Copy, R: Recorder, const N: usize>(
     scratch: &mut Scratch<Memory>,
-    clock: Clock,
-    step: usize,
+    (clock, step): (Clock, usize),
     recorder: &mut R,
+    mut weighed: impl FnMut(usize, &[State; 2]) -> ((f64, [f64; N]), [Load; N]),
 ) -> Result<(), RunError> {
-    let (start_time, end_time) = (clock.time(step - 1), clock.time(step));
+    let times = (clock.time(step - 1), clock.time(step));
     for (structure, (state, trial)) in scratch
         .states
         .iter_mut()
@@ -227,11 +233,13 @@ pub(crate) fn commit<Memory: Copy, R: Recorder>(
         if !end.displacement.is_finite() {
             return Err(RunError::Diverged {
                 structure,
-                time: end_time,
+                time: times.1,
                 time_step: clock.time_step,
             });
         }
-        recorder.span(&Span::step(structure, (start_time, end_time), *state, end));
+        let ends = [*state, end];
+        let (weights, loads) = weighed(structure, &ends);
+        recorder.span(&Span::step::<R, N>(structure, times, ends, weights, loads));
         *state = end;
         trial.memory = trial.response.memory;
     }

@@ -8,6 +8,7 @@
 //! order. The ground acceleration half way through a step is the record's own.
 
 use crate::impacts::Impacts;
+use crate::span::Load;
 use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the classical Runge–Kutta method: there are none. Order 4 while nothing touches or yields.
@@ -55,6 +56,9 @@ fn growth(x: f64, y: f64) -> f64 {
     real * real + imaginary * imaginary
 }
 
+/// Weights of the four stages, in sixths of a step.
+const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
+
 /// Scratch of a run.
 struct Scratch<Memory> {
     /// States at the start of the step, after impacts.
@@ -62,8 +66,10 @@ struct Scratch<Memory> {
     memories: Vec<Memory>,
     /// States of the stage under way.
     stages: Vec<State>,
-    /// Weighted sums over the stages: velocities, accelerations, pounding forces from the left and from the right.
-    sums: Vec<[f64; 4]>,
+    /// Weighted sums over the stages of velocities and accelerations.
+    slopes: Vec<(f64, f64)>,
+    /// What acts on each structure in the stages.
+    loads: Vec<[Load; 4]>,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -79,15 +85,14 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         n_steps: 2 * clock.n_steps,
     };
     let ground = excitation.sampled(halves);
-    let mut scratch = begin(row, ground[0]);
+    let mut scratch = Scratch::new(row, ground[0]);
     let mut impacts = Impacts::new(row);
     let mut work = Work::default();
     for step in 1..=clock.n_steps {
-        let (middle, end) = (ground[2 * step - 1], ground[2 * step]);
-        scratch.advance(row, (middle, end), clock.time_step);
-        scratch.finish(row, end, (clock, step), recorder)?;
+        scratch.advance(row, &ground[2 * step - 2..=2 * step], clock.time_step);
+        let instant = (ground[2 * step], clock.time(step));
+        scratch.finish(row, instant.0, (clock, step), recorder)?;
         work.touching_steps += row.n_overlaps(&scratch.states);
-        let instant = (end, clock.time(step));
         impacts.after_step(row, &mut scratch.states, instant, recorder);
         work.steps += 1;
         work.force_evaluations += 4 * row.nodes().len() as u64;
@@ -95,57 +100,58 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     Ok(work)
 }
 
-fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Column::Memory> {
-    let nodes = row.nodes().iter();
-    let (states, memories): (Vec<_>, Vec<_>) = nodes.map(|node| node.initial(ground)).unzip();
-    Scratch {
-        stages: states.clone(),
-        sums: vec![[0.0; 4]; states.len()],
-        states,
-        memories,
-    }
-}
-
 impl<Memory: Copy> Scratch<Memory> {
-    /// The four stages; the first is the state at the start of the step.
+    fn new<Column: RestoringForce<Memory = Memory>>(row: &Row<Column>, ground: f64) -> Self {
+        let nodes = row.nodes().iter();
+        let (states, memories): (Vec<_>, Vec<_>) = nodes.map(|node| node.initial(ground)).unzip();
+        let nothing = Load::at(&State::default(), 0.0, 0.0);
+        Self {
+            stages: states.clone(),
+            slopes: vec![(0.0, 0.0); states.len()],
+            loads: vec![[nothing; 4]; states.len()],
+            states,
+            memories,
+        }
+    }
+
+    /// The four stages, under the ground acceleration at the start, middle and end of the step; the first is the state
+    /// at the start.
     fn advance<Column: RestoringForce<Memory = Memory>>(
         &mut self,
         row: &Row<Column>,
-        (middle, end): (f64, f64),
+        ground: &[f64],
         dt: f64,
     ) {
         self.stages.copy_from_slice(&self.states);
-        for (sum, stage) in self.sums.iter_mut().zip(&self.stages) {
-            *sum = [0.0; 4];
-            add(sum, 1.0, stage);
-        }
-        for (ahead, weight, ground) in [
-            (0.5 * dt, 2.0, middle),
-            (0.5 * dt, 2.0, middle),
-            (dt, 1.0, end),
+        self.slopes.fill((0.0, 0.0));
+        self.add(row, 0, ground[0]);
+        for (stage, ahead, ground) in [
+            (1, 0.5 * dt, ground[1]),
+            (2, 0.5 * dt, ground[1]),
+            (3, dt, ground[2]),
         ] {
             for (stage, state) in self.stages.iter_mut().zip(&self.states) {
                 stage.displacement = state.displacement + ahead * stage.velocity;
                 stage.velocity = state.velocity + ahead * stage.acceleration;
             }
-            self.evaluate(row, ground);
-            for (sum, stage) in self.sums.iter_mut().zip(&self.stages) {
-                add(sum, weight, stage);
+            row.push(&mut self.stages);
+            let nodes = row.nodes().iter().zip(&self.memories);
+            for ((node, memory), stage) in nodes.zip(&mut self.stages) {
+                // What the columns would remember of a stage is forgotten.
+                stage.restoring_force = node.column.respond(stage.displacement, *memory).force;
+                stage.acceleration = node.acceleration(stage, ground);
             }
+            self.add(row, stage, ground);
         }
     }
 
-    /// Forces and accelerations of the stage under way; returns nothing the columns would remember.
-    fn evaluate<Column: RestoringForce<Memory = Memory>>(
-        &mut self,
-        row: &Row<Column>,
-        ground: f64,
-    ) {
-        row.push(&mut self.stages);
-        for ((node, stage), memory) in row.nodes().iter().zip(&mut self.stages).zip(&self.memories)
-        {
-            stage.restoring_force = node.column.respond(stage.displacement, *memory).force;
-            stage.acceleration = node.acceleration(stage, ground);
+    /// Adds the slopes of a stage and keeps its loads.
+    fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: f64) {
+        let sums = self.slopes.iter_mut().zip(&mut self.loads);
+        for ((slopes, loads), (stage, node)) in sums.zip(self.stages.iter().zip(row.nodes())) {
+            slopes.0 += WEIGHTS[index] * stage.velocity;
+            slopes.1 += WEIGHTS[index] * stage.acceleration;
+            loads[index] = Load::at(stage, node.damping * stage.velocity, ground);
         }
     }
 
@@ -157,11 +163,12 @@ impl<Memory: Copy> Scratch<Memory> {
         (clock, step): (Clock, usize),
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        let (start_time, end_time) = (clock.time(step - 1), clock.time(step));
+        let times = (clock.time(step - 1), clock.time(step));
         let sixth = clock.time_step / 6.0;
-        for ((stage, state), sum) in self.stages.iter_mut().zip(&self.states).zip(&self.sums) {
-            stage.displacement = state.displacement + sixth * sum[0];
-            stage.velocity = state.velocity + sixth * sum[1];
+        let bodies = self.stages.iter_mut().zip(&self.states);
+        for ((end, start), slopes) in bodies.zip(&self.slopes) {
+            end.displacement = start.displacement + sixth * slopes.0;
+            end.velocity = start.velocity + sixth * slopes.1;
         }
         row.push(&mut self.stages);
         for (structure, node) in row.nodes().iter().enumerate() {
@@ -169,7 +176,7 @@ impl<Memory: Copy> Scratch<Memory> {
             if !end.displacement.is_finite() {
                 return Err(RunError::Diverged {
                     structure,
-                    time: end_time,
+                    time: times.1,
                     time_step: clock.time_step,
                 });
             }
@@ -179,28 +186,12 @@ impl<Memory: Copy> Scratch<Memory> {
             end.restoring_force = response.force;
             end.acceleration = node.acceleration(end, ground);
             self.memories[structure] = response.memory;
-            let start = std::mem::replace(&mut self.states[structure], *end);
-            // The impulses are those of all stages.
-            recorder.span(&Span {
-                impulse_from_left: sixth * self.sums[structure][2],
-                impulse_from_right: sixth * self.sums[structure][3],
-                ..Span::step(structure, (start_time, end_time), start, *end)
-            });
+            let ends = [self.states[structure], *end];
+            let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
+            recorder.span(&Span::step::<R, _>(structure, times, ends, weights, loads));
+            self.states[structure] = *end;
         }
         Ok(())
-    }
-}
-
-/// Adds the slopes and pounding forces of a stage.
-fn add(sum: &mut [f64; 4], weight: f64, stage: &State) {
-    let slopes = [
-        stage.velocity,
-        stage.acceleration,
-        stage.force_from_left,
-        stage.force_from_right,
-    ];
-    for (sum, slope) in sum.iter_mut().zip(slopes) {
-        *sum += weight * slope;
     }
 }
 

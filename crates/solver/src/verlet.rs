@@ -14,6 +14,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::impacts::{Impacts, impulsive};
+use crate::span::Load;
 use crate::{
     Clock, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
 };
@@ -250,11 +251,14 @@ impl<Memory: Copy> Scratch<Memory> {
             let h = instant - body.since;
             body.memory = close(node, body, (start, end), (ground, h));
             work.force_evaluations += 1;
-            let times = (step.at(body.since).1, time);
+            let (start_ground, start_time) = step.at(body.since);
+            let loads = [(start, start_ground), (&*end, ground)]
+                .map(|(state, ground)| Load::at(state, node.damping * state.velocity, ground));
+            let (times, ends) = ((start_time, time), [*start, *end]);
             recorder.span(&Span {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
                 impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
-                ..Span::step(structure, times, *start, *end)
+                ..Span::step::<R, _>(structure, times, ends, (0.5 * h, [1.0, 1.0]), loads)
             });
             self.states[structure] = *end;
             body.since = instant;

@@ -9,4 +9,8 @@ pub struct Work {
     pub newton_iterations: u64,
     /// Steps in which a pair overlaps, summed over pairs.
     pub touching_steps: u64,
+    /// Pieces of a structure's motion carried by power series.
+    pub segments: u64,
+    /// Events of the exact method: instants at which a piece ended.
+    pub events: u64,
 }

@@ -12,10 +12,18 @@ mod claims;
 mod completed;
 mod error;
 mod figures;
-pub mod plot;
+#[cfg_attr(
+    not(test),
+    expect(
+        dead_code,
+        reason = "figures of errors against work will need logarithmic axes, marks and names"
+    )
+)]
+mod plot;
 mod prepared;
 mod reproduce;
 mod scene;
+pub mod second_route;
 mod study;
 mod tables;
 
@@ -26,6 +34,7 @@ pub use claims::{Claim, Finding, claims, claims_csv};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;
+pub use plot::PlotError;
 pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};

@@ -5,10 +5,11 @@ use std::path::Path;
 use pounding_motion::Record;
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hht, Histories,
-    Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Peaks, Recorder, RestoringForce, Rk4,
+    Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Peaks, PiecewiseLinear, Recorder, Rk4,
     Row, RunError, TransferredMomentum, Verlet, Work,
 };
 
+use crate::second_route::{self, Fineness, Response, SecondRouteError};
 use crate::{Method, RecordUse, Scene, SceneError, Structure, StudyError, check};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
@@ -125,15 +126,32 @@ impl Prepared {
         }
     }
 
+    /// Runs the scene, whatever its method, by the second route.
+    ///
+    /// # Errors
+    /// [`SecondRouteError`] when the run ends early.
+    pub fn second_route(&self, fineness: Fineness) -> Result<Response, SecondRouteError> {
+        let excitation = self.excitation();
+        let duration = self.clock.time(self.clock.n_steps);
+        match &self.model {
+            Model::Elastic(row) => second_route::run(row, excitation, duration, fineness),
+            Model::ElastoPlastic(row) => second_route::run(row, excitation, duration, fineness),
+        }
+    }
+
     /// Runs the scene with any recorder.
     fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
-        let excitation = Excitation::new(self.record.time_step(), self.record.samples())
-            .expect("a record has samples and a time step > 0");
+        let excitation = self.excitation();
         match &self.model {
             Model::Elastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
             Model::ElastoPlastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
         }
         .map_err(|error| self.ended(error))
+    }
+
+    fn excitation(&self) -> Excitation<'_> {
+        Excitation::new(self.record.time_step(), self.record.samples())
+            .expect("a record has samples and a time step > 0")
     }
 
     /// Says in the words of the scene why a run ended early.
@@ -156,7 +174,7 @@ impl Prepared {
             RunError::Diverged { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
-            _ => 0..0,
+            RunError::NoProgress { .. } | _ => 0..0,
         };
         let name = |index: usize| (index, self.structures[index].clone());
         StudyError::Run {
@@ -234,7 +252,7 @@ fn model(scene: &Scene) -> Result<Model, ModelError> {
     }
 }
 
-fn row<Column: RestoringForce>(
+fn row<Column: PiecewiseLinear>(
     scene: &Scene,
     column: impl Fn(f64, Option<f64>) -> Column,
 ) -> Result<Row<Column>, ModelError> {

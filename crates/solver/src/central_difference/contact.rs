@@ -81,6 +81,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
             let jumped = (state.velocity - body.start.velocity).abs() > 0.0;
             if jumped {
                 body.start = *state;
+                body.velocity = state.velocity;
                 body.restart(self.steps[usize::from(body.fine)]);
             }
         }

@@ -48,19 +48,25 @@ impl Collisions {
 }
 
 impl Recorder for Collisions {
+    #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let Some(pair) = self.pair_of_left[span.structure] else {
             return;
         };
         let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
         if start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0 {
+            self.open[pair] = None;
             return;
+        }
+        if start == 0.0 && end > 0.0 {
+            // It parted in the span before, and touches again.
+            self.open[pair] = None;
         }
         let index = *self.open[pair].get_or_insert_with(|| {
             let first = match span.path {
                 // A step knows its nodes only.
-                Path::Cubic if start == 0.0 => span.end_time,
-                Path::Cubic | Path::Series(_) => span.start_time,
+                Path::Cubic(_) if start == 0.0 => span.end_time,
+                Path::Cubic(_) | Path::Series(_) => span.start_time,
             };
             self.found.push(Collision {
                 pair,
@@ -76,16 +82,13 @@ impl Recorder for Collisions {
         if end > 0.0 || matches!(span.path, Path::Series(_)) {
             collision.end = span.end_time;
         }
-        if end > 0.0 {
-            collision.peak_force = collision.peak_force.map(|peak| peak.max(end));
+        // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.
+        let known = if start == 0.0 && end == 0.0 {
+            -span.impulse_from_right / span.duration()
         } else {
-            if start == 0.0 {
-                // Touched between its ends only: the mean force is all that is known of the peak.
-                let mean = -span.impulse_from_right / span.duration();
-                collision.peak_force = collision.peak_force.map(|peak| peak.max(mean));
-            }
-            self.open[pair] = None;
-        }
+            end
+        };
+        collision.peak_force = collision.peak_force.map(|peak| peak.max(known));
     }
 
     fn impact(&mut self, impact: &Impact) {

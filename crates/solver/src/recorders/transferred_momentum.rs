@@ -43,15 +43,16 @@ impl TransferredMomentum {
 }
 
 impl Recorder for TransferredMomentum {
+    #[inline]
     fn span(&mut self, span: &Span<'_>) {
         self.structures[span.structure].closed += match span.path {
             // All that is known of a step in which the net force changes its sign are its ends.
-            Path::Cubic if span.start.pounding_force() * span.end.pounding_force() < 0.0 => {
+            Path::Cubic(_) if span.start.pounding_force() * span.end.pounding_force() < 0.0 => {
                 let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
                 0.5 * span.duration() * ends
             }
             // A series ends where the net force changes its sign.
-            Path::Cubic | Path::Series(_) => {
+            Path::Cubic(_) | Path::Series(_) => {
                 (span.impulse_from_left + span.impulse_from_right).abs()
             }
         };

@@ -2,7 +2,7 @@
 
 use crate::common::{
     AVERAGE, HHT, JUMPING, LOCATED, MOREAU_JEAN, RK4, STEREOMECHANICAL, SUBSTEPPED, VERLET, clock,
-    histories, pairs,
+    free, histories, pairs,
 };
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Collisions, Elastic, Excitation, Histories, Integrator, Node, Row};
@@ -25,16 +25,13 @@ fn impulsive(restitution: f64) -> ContactLaw {
 }
 
 /// Free masses (mass, velocity), side by side with a gap.
-fn free(masses: &[(f64, f64)], gap: f64, restitutions: &[f64]) -> Row<Elastic> {
-    let node = |&(mass, velocity): &(f64, f64)| Node {
-        initial_velocity: velocity,
-        ..Node::structure(mass, 0.0, Elastic { stiffness: 0.0 })
-    };
+fn side_by_side(masses: &[(f64, f64)], gap: f64, restitutions: &[f64]) -> Row<Elastic> {
+    let nodes = masses.iter().map(|(mass, velocity)| free(*mass, *velocity));
     let mut pairs = pairs(masses.len(), gap, STEREOMECHANICAL);
     for (pair, restitution) in pairs.iter_mut().zip(restitutions) {
         pair.law = impulsive(*restitution);
     }
-    Row::new(masses.iter().map(node).collect(), pairs).expect("the row is valid")
+    Row::new(nodes.collect(), pairs).expect("the row is valid")
 }
 
 /// Velocities at the end of a run.
@@ -53,7 +50,7 @@ fn reference_a_mass_hit_from_both_sides_is_turned_round() {
     // Both relative velocities are turned round, and the light mass stays where it is.
     for (name, method) in JUMPS {
         for restitution in [0.0, 0.65, 1.0] {
-            let row = free(
+            let row = side_by_side(
                 &[(1e6, 0.5), (1e5, 0.0), (1e6, -0.5)],
                 0.01,
                 &[restitution; 2],
@@ -76,7 +73,7 @@ fn reference_three_equal_masses_in_contact() {
     // other would give (0, 0, 1).
     for (name, method) in JUMPS {
         let mut row = vec![(1.0, 1.0), (1.0, 0.0), (1.0, 0.0)];
-        let gaps = free(&row, 0.0, &[1.0; 2]);
+        let gaps = side_by_side(&row, 0.0, &[1.0; 2]);
         let found = velocities(&gaps, method, (0.01, 0.1));
         row[0].1 = 0.0;
         for (found, expected) in found.iter().zip([-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]) {
@@ -90,7 +87,7 @@ fn reference_three_equal_masses_in_contact() {
 
 #[test]
 fn reference_a_located_impact_of_free_masses_is_exact() {
-    let row = free(&[(2.0, 0.7), (3.0, 0.0)], 0.01, &[0.4]);
+    let row = side_by_side(&[(2.0, 0.7), (3.0, 0.0)], 0.01, &[0.4]);
     let instant = 0.01 / 0.7;
     for dt in [0.1, 0.03, 0.0007] {
         let mut recorder = (Histories::new(2, dt, 0.3), Collisions::new(2, row.pairs()));
@@ -168,7 +165,7 @@ proptest! {
         method in 0..JUMPS.len(),
     ) {
         // All gaps closed: every pair that approaches is hit at once.
-        let row = free(&masses, 0.0, &restitutions);
+        let row = side_by_side(&masses, 0.0, &restitutions);
         let (name, method) = JUMPS[method];
         let found = velocities(&row, method, (1e-3, 2e-3));
         let energy = |velocities: &mut dyn Iterator<Item = (f64, f64)>| {

@@ -112,7 +112,8 @@ fn limit_a_mirrored_row_under_mirrored_shaking_mirrors() {
                         | Integrator::Hht(_)
                         | Integrator::Verlet(_)
                         | Integrator::Rk4(_)
-                        | Integrator::MoreauJean(_) => 0.0,
+                        | Integrator::MoreauJean(_)
+                        | Integrator::Exact(_) => 0.0,
                     };
                     assert!(
                         apart <= allowed,

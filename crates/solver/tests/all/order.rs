@@ -1,32 +1,16 @@
 //! Orders of convergence: two where theory says two, measured and printed where contact or yielding lowers it.
 
 use insta::assert_snapshot;
-use nalgebra::{DMatrix, DVector};
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Elastic, ElastoPlastic, Excitation, Integrator, Node, Recorder, RestoringForce, Row,
+    Elastic, ElastoPlastic, Exact, Excitation, Integrator, Node, PiecewiseLinear, Recorder, Row,
     TransferredMomentum,
 };
 
 use crate::common::{
-    CENTRAL, FIRST_ORDER, LOCATED, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock,
-    elastic, ground, histories, pairs, yielding,
+    CENTRAL, FIRST_ORDER, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic,
+    ground, histories, pairs, slope, yielding,
 };
-
-/// Slope of log(error) over log(Δt) by least squares.
-fn slope(steps: &[f64], errors: &[f64]) -> f64 {
-    let rows = DMatrix::from_fn(steps.len(), 2, |row, column| {
-        if column == 0 {
-            libm::log(steps[row])
-        } else {
-            1.0
-        }
-    });
-    let right = DVector::from_iterator(errors.len(), errors.iter().map(|error| libm::log(*error)));
-    rows.svd(true, true)
-        .solve(&right, 1e-12)
-        .expect("two unknowns, more steps")[0]
-}
 
 /// Displacement of a damped structure released at u₀ under a load that rises linearly: closed form.
 fn ramp(node: &Node<Elastic>, initial: f64, rate: f64, time: f64) -> f64 {
@@ -57,6 +41,7 @@ fn promised(method: Integrator) -> f64 {
         | Integrator::Hht(_)
         | Integrator::Verlet(_)
         | Integrator::MoreauJean(_) => 2.0,
+        Integrator::Exact(_) => f64::INFINITY,
     }
 }
 
@@ -86,7 +71,7 @@ fn order_without_contact_is_the_promised_one() {
 }
 
 /// A quantity of a run at one time step.
-fn measure<Column: RestoringForce>(
+fn measure<Column: PiecewiseLinear>(
     row: &Row<Column>,
     method: Integrator,
     time_step: f64,
@@ -101,7 +86,7 @@ fn measure<Column: RestoringForce>(
 }
 
 /// The transferred momentum, or the last displacement where nothing touches.
-fn quantity(row: &Row<impl RestoringForce>, method: Integrator, time_step: f64) -> f64 {
+fn quantity(row: &Row<impl PiecewiseLinear>, method: Integrator, time_step: f64) -> f64 {
     let mut recorder = (
         TransferredMomentum::new(row.nodes().len()),
         pounding_solver::Histories::new(row.nodes().len(), 0.01, 3.0),
@@ -121,7 +106,11 @@ fn quantity(row: &Row<impl RestoringForce>, method: Integrator, time_step: f64) 
 }
 
 /// Order of the quantity, and its errors against a reference.
-fn observed(row: &Row<impl RestoringForce>, method: Integrator, reference: f64) -> (f64, Vec<f64>) {
+fn observed(
+    row: &Row<impl PiecewiseLinear>,
+    method: Integrator,
+    reference: f64,
+) -> (f64, Vec<f64>) {
     let steps: Vec<f64> = (0..8)
         .map(|halvings| 0.002 / f64::from(1 << halvings))
         .collect();
@@ -171,7 +160,7 @@ fn line(what: &str, name: &str, (order, errors): &(f64, Vec<f64>)) -> String {
 #[test]
 fn order_with_yielding_and_contact_is_measured() {
     // Each method against its own result at a far smaller step.
-    fn own(row: &Row<impl RestoringForce>, method: Integrator) -> (f64, Vec<f64>) {
+    fn own(row: &Row<impl PiecewiseLinear>, method: Integrator) -> (f64, Vec<f64>) {
         observed(row, method, quantity(row, method, 0.002 / 4096.0))
     }
     let mut table = String::new();
@@ -189,15 +178,10 @@ fn order_with_yielding_and_contact_is_measured() {
 
 #[test]
 fn order_of_all_methods_against_one_limit_is_measured() {
-    // One limit for all of them, by the method of the highest order: located impacts, or the Runge–Kutta method.
-    fn measure_all(what: &str, row: &Row<impl RestoringForce>, table: &mut String) {
+    // One limit for all of them: the exact method's.
+    fn measure_all(what: &str, row: &Row<impl PiecewiseLinear>, table: &mut String) {
         let impulsive = row.pairs().iter().any(|pair| pair.law == STEREOMECHANICAL);
-        let limit = if impulsive {
-            LOCATED
-        } else {
-            crate::common::RK4
-        };
-        let limit = quantity(row, limit, 0.002 / 2048.0);
+        let limit = quantity(row, Integrator::Exact(Exact::default()), 0.01);
         for (name, method) in METHODS.into_iter().chain(FIRST_ORDER) {
             let (order, errors) = observed(row, method, limit);
             *table += &line(what, name, &(order, errors.clone()));

@@ -6,7 +6,7 @@ use pounding_solver::State;
 
 use super::histories::{minus, time_axis};
 use super::{capital, is_impulsive, label, points, shade};
-use crate::plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Side};
+use crate::plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel};
 use crate::{Completed, Outcome, Scene, digits};
 
 /// More impacts than this are not marked through the panels: the lines would hide the curves.
@@ -60,11 +60,7 @@ fn displacement_panel(scene: &Scene, outcome: &Outcome) -> Panel {
         if let (1.., Some(contacts)) = (index, &scene.contacts) {
             let gap = contacts[index - 1].gap_m;
             let at = (0.0, 1e3 * (shift + 0.5 * gap));
-            notes.push(Note {
-                at,
-                text: format!("gap {:.0} mm", 1e3 * gap),
-                side: Side::Right,
-            });
+            notes.push(Note::new(at, format!("gap {:.0} mm", 1e3 * gap)));
             shift += gap;
         }
         let history = points(outcome, index, |state| 1e3 * (state.displacement + shift));
@@ -108,23 +104,16 @@ fn force_panel(scene: &Scene, outcome: &Outcome) -> Panel {
         .enumerate()
         .map(|(index, points)| Curve::new(kind(scene), shade(index), in_unit(points, factor)))
         .collect();
-    let note = Note {
-        at: (peak.0, factor * peak.1),
-        text: minus(&format!(
-            "{:.*} {unit} at {:.2} s",
-            if unit == "MN" { 2 } else { 0 },
-            factor * peak.1,
-            peak.0
-        )),
-        side: Side::Right,
-    };
+    let decimals = if unit == "MN" { 2 } else { 0 };
+    let at = (peak.0, factor * peak.1);
+    let text = minus(&format!("{:.decimals$} {unit} at {:.2} s", at.1, at.0));
     Panel {
         y: Axis::auto(force_label(scene, unit)),
         levels: vec![0.0],
         notes: if peak.1 == 0.0 {
             Vec::new()
         } else {
-            vec![note]
+            vec![Note::new(at, text)]
         },
         curves,
         legend: Legend::Hidden,
@@ -260,6 +249,5 @@ pub(super) fn first_collisions(completed: &Completed) -> Figure {
         columns: 2,
         x: Axis::over("Time (s)", range.0, range.1),
         panels: completed.runs().zip(0..).map(panel).collect(),
-        ..Figure::default()
     }
 }

@@ -3,7 +3,7 @@
 use pounding_motion::Record;
 
 use super::{capital, label, points, shade};
-use crate::plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, Side};
+use crate::plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade};
 use crate::{Completed, Outcome, Scene, Structure, StudyError};
 
 /// Writes the real minus sign.
@@ -54,11 +54,7 @@ pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
         panels: vec![Panel {
             y: Axis::auto("Ground acceleration (g)"),
             levels: vec![0.0],
-            notes: vec![Note {
-                at: peak,
-                text,
-                side: Side::Right,
-            }],
+            notes: vec![Note::new(peak, text)],
             curves: vec![
                 Curve::new(Kind::Thin, Shade::Blue, shown),
                 Curve::new(Kind::Points, Shade::Vermilion, vec![peak]),
@@ -81,11 +77,7 @@ pub(super) fn displacements(completed: &Completed) -> Figure {
             title: title(completed, index),
             y: Axis::auto("Displacement (mm)"),
             levels: vec![0.0],
-            notes: vec![Note {
-                at,
-                text,
-                side: Side::Right,
-            }],
+            notes: vec![Note::new(at, text)],
             curves: vec![
                 Curve::new(Kind::Line, shade(index), history).named(label(structure)),
                 Curve::new(Kind::Points, shade(index), vec![at]),

@@ -144,7 +144,6 @@ fn gap(from: f64, gap: f64, shapes: &mut Vec<Shape>) {
         from: (from, top),
         to: (from + GAP, top),
         pen,
-        both: true,
     });
     let text = format!("{:.0} mm", 1e3 * gap);
     shapes.push(Shape::text(

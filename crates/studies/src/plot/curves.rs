@@ -2,7 +2,7 @@
 
 use super::clip::{self, Box2};
 use super::scale::Frame;
-use super::{Curve, Fill, Kind, Pen, Point, Shade, Shape};
+use super::{Curve, Fill, Kind, Mark, Pen, Point, Shade, Shape, marks};
 
 /// Width of a curve in points.
 const LINE: f64 = 1.05;
@@ -13,26 +13,38 @@ const THIN: f64 = 0.65;
 /// How much an area hides what lies behind it.
 const OPACITY: f64 = 0.5;
 
-/// Half the size of the form that marks a point \[mm\].
-pub(super) const FORM: f64 = 0.75;
-
 /// Draws a curve in its panel.
 pub(super) fn shapes(curve: &Curve, frame: &Frame) -> Vec<Shape> {
     match curve.kind {
-        Kind::Line | Kind::Thin | Kind::Dashed => lines(curve, frame),
+        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Points => {
+            let marks = visible(curve, frame).flat_map(|at| marked(curve, at));
+            lines(curve, frame).into_iter().chain(marks).collect()
+        }
         Kind::Stems => curve
             .points
             .iter()
-            .flat_map(|&point| stem(point, curve.shade, frame))
+            .flat_map(|&point| stem(curve, point, frame))
             .collect(),
         Kind::Area => runs(&curve.points)
             .iter()
             .flat_map(|run| area(run, curve.shade, frame))
             .collect(),
-        Kind::Points => visible(curve, frame)
-            .map(|point| form(point, curve.shade))
+        Kind::Bars => bars(curve, frame)
+            .map(|ends| bar(ends, curve.shade))
             .collect(),
     }
+}
+
+/// Draws the mark of a curve at a point, if it has any.
+fn marked(curve: &Curve, at: Point) -> Vec<Shape> {
+    let own = match curve.kind {
+        Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area | Kind::Bars => None,
+        Kind::Stems | Kind::Points => Some(Mark::of(curve.shade)),
+    };
+    curve
+        .mark
+        .or(own)
+        .map_or_else(Vec::new, |mark| marks::shapes(mark, at, curve.shade))
 }
 
 /// Returns points of the curve on the paper, close enough to each other to tell what a box would hide.
@@ -40,6 +52,11 @@ pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
     let placed = |&point: &Point| frame.place(point);
     let points: Vec<Point> = match curve.kind {
         Kind::Points => return visible(curve, frame).collect(),
+        Kind::Bars => {
+            return bars(curve, frame)
+                .flat_map(|(from, to)| between(from, to))
+                .collect();
+        }
         Kind::Line | Kind::Thin | Kind::Dashed | Kind::Area => {
             curve.points.iter().map(placed).collect()
         }
@@ -63,7 +80,7 @@ pub(super) fn traces(curve: &Curve, frame: &Frame) -> Vec<Point> {
 pub(super) fn sample_width(kind: Kind) -> f64 {
     match kind {
         Kind::Line | Kind::Thin | Kind::Dashed => 7.0,
-        Kind::Area => 4.0,
+        Kind::Area | Kind::Bars => 4.0,
         Kind::Stems | Kind::Points => 2.0,
     }
 }
@@ -74,11 +91,16 @@ pub(super) fn sample(curve: &Curve, (left, middle): Point, width: f64) -> Vec<Sh
     let pen = pen(curve);
     match curve.kind {
         Kind::Line | Kind::Thin | Kind::Dashed => {
-            vec![Shape::line((left, middle), (left + width, middle), pen)]
+            let line = Shape::line((left, middle), (left + width, middle), pen);
+            let mut shapes = vec![line];
+            shapes.extend(marked(curve, (centre, middle)));
+            shapes
         }
         Kind::Stems => {
             let (foot, head) = ((centre, middle - 1.3), (centre, middle + 0.6));
-            vec![Shape::line(foot, head, pen), form(head, curve.shade)]
+            let mut shapes = vec![Shape::line(foot, head, pen)];
+            shapes.extend(marked(curve, head));
+            shapes
         }
         Kind::Area => {
             let (corner, size) = ((left, middle - 0.9), (width, 1.8));
@@ -93,7 +115,8 @@ pub(super) fn sample(curve: &Curve, (left, middle): Point, width: f64) -> Vec<Sh
                 outline: Some(pen),
             }]
         }
-        Kind::Points => vec![form((centre, middle), curve.shade)],
+        Kind::Bars => vec![bar(((left, middle), (left + width, middle)), curve.shade)],
+        Kind::Points => marked(curve, (centre, middle)),
     }
 }
 
@@ -101,12 +124,15 @@ pub(super) fn sample(curve: &Curve, (left, middle): Point, width: f64) -> Vec<Sh
 fn pen(curve: &Curve) -> Pen {
     match curve.kind {
         Kind::Line | Kind::Stems | Kind::Points => Pen::solid(curve.shade, LINE),
-        Kind::Thin | Kind::Area => Pen::solid(curve.shade, THIN),
+        Kind::Thin | Kind::Area | Kind::Bars => Pen::solid(curve.shade, THIN),
         Kind::Dashed => Pen::dashed(curve.shade, LINE),
     }
 }
 
 fn lines(curve: &Curve, frame: &Frame) -> Vec<Shape> {
+    if curve.kind == Kind::Points {
+        return Vec::new();
+    }
     let points: Vec<Point> = curve
         .points
         .iter()
@@ -122,17 +148,17 @@ fn lines(curve: &Curve, frame: &Frame) -> Vec<Shape> {
         .collect()
 }
 
-fn stem((x, y): (f64, f64), shade: Shade, frame: &Frame) -> Vec<Shape> {
-    if x < frame.x.0 || frame.x.1 < x {
+fn stem(curve: &Curve, (x, y): (f64, f64), frame: &Frame) -> Vec<Shape> {
+    if !frame.x.contains(x) {
         return Vec::new();
     }
     let ((_, bottom), (_, top)) = frame.edges;
     let (foot, head) = ((frame.across(x), frame.base()), frame.place((x, y)));
     let cut = (head.0, head.1.clamp(bottom, top));
-    let mut shapes = vec![Shape::line(foot, cut, Pen::solid(shade, LINE))];
+    let mut shapes = vec![Shape::line(foot, cut, pen(curve))];
     // A head at the edge would claim that the value ends there.
     if clip::contains(frame.edges, head) {
-        shapes.push(form(head, shade));
+        shapes.extend(marked(curve, head));
     }
     shapes
 }
@@ -157,6 +183,7 @@ fn area(run: &[(f64, f64)], shade: Shade, frame: &Frame) -> Vec<Shape> {
                 shade,
                 opacity: OPACITY,
             },
+            outline: None,
         });
         shapes.push(Shape::Line {
             points: edge,
@@ -164,6 +191,29 @@ fn area(run: &[(f64, f64)], shade: Shade, frame: &Frame) -> Vec<Shape> {
         });
     }
     shapes
+}
+
+/// Returns the visible ends of bars.
+fn bars(curve: &Curve, frame: &Frame) -> impl Iterator<Item = (Point, Point)> {
+    let frame = *frame;
+    let pairs = curve.points.chunks_exact(2);
+    pairs
+        .map(move |pair| [frame.place(pair[0]), frame.place(pair[1])])
+        .flat_map(move |ends| clip::pieces(&ends, frame.edges))
+        .map(|piece| (piece[0], piece[1]))
+}
+
+/// Draws a bar; one without length is a stroke.
+fn bar(((left, middle), (right, _)): (Point, Point), shade: Shade) -> Shape {
+    Shape::Rectangle {
+        corner: (left, middle - marks::TALL / 2.0),
+        size: (right - left, marks::TALL),
+        fill: Some(Fill {
+            shade,
+            opacity: OPACITY,
+        }),
+        outline: Some(Pen::solid(shade, THIN)),
+    }
 }
 
 /// Cuts a curve into the runs that leave zero, each with the zeros beside it.
@@ -210,33 +260,6 @@ fn between(from: Point, to: Point) -> Vec<Point> {
         .map(|k| f64::from(k) / f64::from(steps))
         .map(|s| (from.0 + s * dx, from.1 + s * dy))
         .collect()
-}
-
-/// Draws the form of a shade, which tells points apart even in grey.
-fn form(centre: Point, shade: Shade) -> Shape {
-    let (x, y) = centre;
-    let corners = |corners: &[Point]| {
-        let corners = corners
-            .iter()
-            .map(|(dx, dy)| (x + FORM * dx, y + FORM * dy))
-            .collect();
-        Shape::Polygon {
-            corners,
-            fill: Fill::solid(shade),
-        }
-    };
-    match shade {
-        Shade::Vermilion => corners(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
-        Shade::Ink => corners(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.1)]),
-        Shade::Green => corners(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)]),
-        Shade::Amber => corners(&[(-1.1, 0.8), (1.1, 0.8), (0.0, -1.1)]),
-        Shade::Blue | Shade::Grey | Shade::Silver | Shade::Mist | Shade::White => Shape::Circle {
-            centre,
-            radius: FORM,
-            fill: Some(Fill::solid(shade)),
-            outline: None,
-        },
-    }
 }
 
 #[cfg(test)]

@@ -3,33 +3,33 @@
 use super::Shade;
 
 /// A point is x to the right and y upwards, from the lower left corner of the paper \[mm\].
-pub type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
 /// A drawing is a sheet of paper with shapes on it, the later ones over the earlier.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Drawing {
+pub(crate) struct Drawing {
     /// Width of the paper \[mm\].
-    pub width: f64,
+    pub(crate) width: f64,
     /// Height of the paper \[mm\].
-    pub height: f64,
+    pub(crate) height: f64,
     /// What is on it, from back to front.
-    pub shapes: Vec<Shape>,
+    pub(crate) shapes: Vec<Shape>,
 }
 
 /// A pen is how a line looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pen {
+pub(crate) struct Pen {
     /// Colour.
-    pub shade: Shade,
+    pub(crate) shade: Shade,
     /// Width of the line in points (1/72 inch).
-    pub points: f64,
+    pub(crate) points: f64,
     /// Whether the line is broken into dashes.
-    pub dashed: bool,
+    pub(crate) dashed: bool,
 }
 
 impl Pen {
     /// Returns the pen of an unbroken line of that width in points.
-    pub const fn solid(shade: Shade, points: f64) -> Self {
+    pub(crate) const fn solid(shade: Shade, points: f64) -> Self {
         Self {
             shade,
             points,
@@ -38,7 +38,7 @@ impl Pen {
     }
 
     /// Returns the pen of a dashed line of that width in points.
-    pub const fn dashed(shade: Shade, points: f64) -> Self {
+    pub(crate) const fn dashed(shade: Shade, points: f64) -> Self {
         Self {
             shade,
             points,
@@ -49,16 +49,16 @@ impl Pen {
 
 /// A fill is how the inside of a shape looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fill {
+pub(crate) struct Fill {
     /// Colour.
-    pub shade: Shade,
+    pub(crate) shade: Shade,
     /// How much it hides what lies behind, 0 to 1.
-    pub opacity: f64,
+    pub(crate) opacity: f64,
 }
 
 impl Fill {
     /// Returns a fill that hides what lies behind.
-    pub const fn solid(shade: Shade) -> Self {
+    pub(crate) const fn solid(shade: Shade) -> Self {
         Self {
             shade,
             opacity: 1.0,
@@ -68,7 +68,7 @@ impl Fill {
 
 /// The part of a text that stands at its point, along the line of writing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Align {
+pub(crate) enum Align {
     /// The first letter.
     Start,
     /// The middle.
@@ -79,7 +79,7 @@ pub enum Align {
 
 /// A shape is one thing on the paper. Lengths are in millimetres.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
+pub(crate) enum Shape {
     /// A rectangle, filled or outlined or both.
     Rectangle {
         /// Lower left corner.
@@ -108,6 +108,8 @@ pub enum Shape {
         corners: Vec<Point>,
         /// Inside.
         fill: Fill,
+        /// Outline, if any.
+        outline: Option<Pen>,
     },
     /// A line through two or more points.
     Line {
@@ -116,16 +118,14 @@ pub enum Shape {
         /// How it looks.
         pen: Pen,
     },
-    /// A straight line with a head at its far end, or at both, as on a dimension.
+    /// A straight line with a head at both ends, as on a dimension.
     Arrow {
-        /// Near end.
+        /// One end.
         from: Point,
-        /// Far end.
+        /// The other end.
         to: Point,
-        /// How the shaft looks; the head has the same colour.
+        /// How the shaft looks; the heads have the same colour.
         pen: Pen,
-        /// Whether the near end has a head too.
-        both: bool,
     },
     /// One line of text; the middle of its capital letters is at the height of `at`.
     Text {
@@ -146,7 +146,7 @@ pub enum Shape {
 
 impl Shape {
     /// Returns a straight line.
-    pub fn line(from: Point, to: Point, pen: Pen) -> Self {
+    pub(crate) fn line(from: Point, to: Point, pen: Pen) -> Self {
         Self::Line {
             points: vec![from, to],
             pen,
@@ -154,7 +154,7 @@ impl Shape {
     }
 
     /// Returns a filled rectangle without outline.
-    pub fn filled(corner: Point, size: Point, fill: Fill) -> Self {
+    pub(crate) fn filled(corner: Point, size: Point, fill: Fill) -> Self {
         Self::Rectangle {
             corner,
             size,
@@ -164,7 +164,7 @@ impl Shape {
     }
 
     /// Returns a text in ink, written to the right.
-    pub fn text(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
+    pub(crate) fn text(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
         Self::Text {
             at,
             text: text.into(),

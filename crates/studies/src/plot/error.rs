@@ -24,8 +24,10 @@ pub enum PlotError {
         /// The weight found.
         weight: f64,
     },
-    /// A point of a curve is not a pair of finite numbers.
-    #[error("panel {panel}, curve {curve}, point {point} is not finite")]
+    /// A point of a curve is not a pair of finite numbers, or not positive along a logarithmic axis.
+    #[error(
+        "panel {panel}, curve {curve}, point {point} is not finite, or not positive along a logarithmic axis"
+    )]
     CurvePoint {
         /// Index of the panel, from 0.
         panel: usize,
@@ -34,13 +36,18 @@ pub enum PlotError {
         /// Index of the point in its curve, from 0.
         point: usize,
     },
-    /// A marker, reference line or note of a panel is not at finite numbers.
-    #[error("panel {panel} has a marker, a level or a note at a number that is not finite")]
+    /// A marker, reference line or note of a panel is not at finite numbers, or not at positive ones along a logarithmic
+    /// axis.
+    #[error(
+        "panel {panel} has a marker, a level or a note at a number that is not finite, or not positive along a \
+         logarithmic axis"
+    )]
     Mark {
         /// Index of the panel, from 0.
         panel: usize,
     },
-    /// An axis cannot span this range: its ends must be finite, in order, and far enough apart to be told from each other.
+    /// An axis cannot span this range: its ends must be finite, in order, far enough apart to be told from each other,
+    /// and positive if it is logarithmic.
     #[error("axis `{axis}` cannot run from {from} to {to}")]
     Range {
         /// Label of the axis.
@@ -66,8 +73,8 @@ pub enum PlotError {
         /// The whole text.
         text: String,
     },
-    /// A text does not fit on the paper.
-    #[error("{text:?} runs off the paper: shorten it or make the picture larger")]
+    /// A text does not fit on the paper or beside its neighbours.
+    #[error("{text:?} does not fit in its place: shorten it or make the picture larger")]
     LongText {
         /// The whole text.
         text: String,

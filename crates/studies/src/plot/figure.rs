@@ -5,25 +5,23 @@ use super::Shade;
 /// A figure is a stack of panels over one x axis, or a grid of panels.
 ///
 /// Panels fill the rows from left to right, `columns` to a row. A panel without an x axis of its own shares
-/// [`Figure::x`]; the numbers of a shared axis are written under the lowest panel only.
+/// [`Figure::x`]; the numbers of a shared axis are written under the lowest panel only. A panel whose y axis has no label
+/// and equals that of its left neighbour shares it in the same way.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
-    /// Width on paper \[inch\].
-    pub width_in: f64,
+pub(crate) struct Figure {
     /// Height on paper \[inch\].
-    pub height_in: f64,
+    pub(crate) height_in: f64,
     /// How many panels stand side by side.
-    pub columns: usize,
+    pub(crate) columns: usize,
     /// The x axis of all panels that have none of their own.
-    pub x: Axis,
+    pub(crate) x: Axis,
     /// The panels, row by row.
-    pub panels: Vec<Panel>,
+    pub(crate) panels: Vec<Panel>,
 }
 
 impl Default for Figure {
     fn default() -> Self {
         Self {
-            width_in: 7.0,
             height_in: 4.2,
             columns: 1,
             x: Axis::default(),
@@ -32,54 +30,85 @@ impl Default for Figure {
     }
 }
 
-/// An axis is a label with its unit, and the range shown.
+/// An axis is a label with its unit, the range shown, and how values take its length.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Axis {
+pub(crate) struct Axis {
     /// Quantity and unit, as in `Time (s)`; may be empty.
-    pub label: String,
+    pub(crate) label: String,
     /// Lowest and highest value shown; `None` takes them from the data.
-    pub range: Option<(f64, f64)>,
+    pub(crate) range: Option<(f64, f64)>,
+    /// How values take its length.
+    pub(crate) scale: Scale,
 }
 
 impl Axis {
     /// Returns an axis that takes its range from the data.
-    pub fn auto(label: impl Into<String>) -> Self {
+    pub(crate) fn auto(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
-            range: None,
+            ..Self::default()
         }
     }
 
     /// Returns an axis that runs between two values.
-    pub fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
+    pub(crate) fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
-            label: label.into(),
             range: Some((from, to)),
+            ..Self::auto(label)
+        }
+    }
+
+    /// Returns an axis of names; values count them from 0.
+    pub(crate) fn names(names: Vec<String>) -> Self {
+        Self {
+            scale: Scale::Names(names),
+            ..Self::default()
+        }
+    }
+
+    /// Returns the axis with equal lengths for equal ratios.
+    #[must_use]
+    pub(crate) fn log(self) -> Self {
+        Self {
+            scale: Scale::Log,
+            ..self
         }
     }
 }
 
+/// How values take the length of an axis.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) enum Scale {
+    /// Equal differences take equal lengths.
+    #[default]
+    Linear,
+    /// Equal ratios take equal lengths; every value must be positive.
+    Log,
+    /// Names at 0, 1, 2 and so on, from the left or from the top; all are shown, whatever the range asked for.
+    Names(Vec<String>),
+}
+
 /// A panel is one plot of a figure.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Panel {
+pub(crate) struct Panel {
     /// Written above, at the left; may be empty.
-    pub title: String,
+    pub(crate) title: String,
     /// The x axis, if it is not that of the figure.
-    pub x: Option<Axis>,
+    pub(crate) x: Option<Axis>,
     /// The y axis.
-    pub y: Axis,
+    pub(crate) y: Axis,
     /// The curves, from back to front.
-    pub curves: Vec<Curve>,
+    pub(crate) curves: Vec<Curve>,
     /// Values of x marked by thin grey lines through the panel.
-    pub markers: Vec<f64>,
+    pub(crate) markers: Vec<f64>,
     /// Values of y marked by thin dark lines through the panel.
-    pub levels: Vec<f64>,
+    pub(crate) levels: Vec<f64>,
     /// Texts beside points.
-    pub notes: Vec<Note>,
+    pub(crate) notes: Vec<Note>,
     /// Where the labels of the curves are explained.
-    pub legend: Legend,
+    pub(crate) legend: Legend,
     /// Height in comparison with the other panels of the column; positive.
-    pub weight: f64,
+    pub(crate) weight: f64,
 }
 
 impl Default for Panel {
@@ -100,44 +129,84 @@ impl Default for Panel {
 
 /// Where the legend of a panel stands. Only curves with a label enter it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Legend {
+pub(crate) enum Legend {
     /// In rows above the panel, where it hides nothing.
     Above,
     /// Inside, in the corner with the least to hide.
     Inside,
+    /// Above all panels, together with the other panels that say so; equal labels are explained once.
+    Shared,
     /// Nowhere.
     Hidden,
 }
 
 /// A curve is a list of points and how they are shown.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
+pub(crate) struct Curve {
     /// Name in the legend, if any.
-    pub label: Option<String>,
-    /// The points, in the units of the axes; all must be finite.
-    pub points: Vec<(f64, f64)>,
+    pub(crate) label: Option<String>,
+    /// The points, in the units of the axes; all must be finite, and positive on a logarithmic axis.
+    pub(crate) points: Vec<(f64, f64)>,
     /// How they are shown.
-    pub kind: Kind,
+    pub(crate) kind: Kind,
     /// Colour.
-    pub shade: Shade,
+    pub(crate) shade: Shade,
+    /// What stands at every point; lines have nothing there without one, [`Kind::Points`] and [`Kind::Stems`] the
+    /// form of their shade.
+    pub(crate) mark: Option<Mark>,
 }
 
 impl Curve {
     /// Returns a curve without a name.
-    pub fn new(kind: Kind, shade: Shade, points: Vec<(f64, f64)>) -> Self {
+    pub(crate) fn new(kind: Kind, shade: Shade, points: Vec<(f64, f64)>) -> Self {
         Self {
             label: None,
             points,
             kind,
             shade,
+            mark: None,
         }
+    }
+
+    /// Returns horizontal bars, each from one value of x to another at a value of y: `(from, to, y)`.
+    pub(crate) fn bars(shade: Shade, bars: &[(f64, f64, f64)]) -> Self {
+        let ends = |&(from, to, y): &(f64, f64, f64)| [(from, y), (to, y)];
+        Self::new(Kind::Bars, shade, bars.iter().flat_map(ends).collect())
+    }
+
+    /// Returns one of ten lines with marks that can be told from each other, also in grey; `index` counts them from 0.
+    ///
+    /// Five and five have the same colour: `index + 5` is dashed and hollow, for a relative of `index`.
+    pub(crate) fn distinct(index: usize, points: Vec<(f64, f64)>) -> Self {
+        let (shade, solid, hollow) = [
+            (Shade::Blue, Mark::Disc, Mark::Ring),
+            (Shade::Vermilion, Mark::Square, Mark::HollowSquare),
+            (Shade::Ink, Mark::Triangle, Mark::HollowTriangle),
+            (Shade::Green, Mark::Diamond, Mark::HollowDiamond),
+            (Shade::Rose, Mark::Inverted, Mark::HollowInverted),
+        ][index % 5];
+        let (kind, mark) = if (index / 5).is_multiple_of(2) {
+            (Kind::Line, solid)
+        } else {
+            (Kind::Dashed, hollow)
+        };
+        Self::new(kind, shade, points).marked(mark)
     }
 
     /// Returns the curve with a name for the legend.
     #[must_use]
-    pub fn named(self, label: impl Into<String>) -> Self {
+    pub(crate) fn named(self, label: impl Into<String>) -> Self {
         Self {
             label: Some(label.into()),
+            ..self
+        }
+    }
+
+    /// Returns the curve with a mark at every point.
+    #[must_use]
+    pub(crate) fn marked(self, mark: Mark) -> Self {
+        Self {
+            mark: Some(mark),
             ..self
         }
     }
@@ -145,52 +214,67 @@ impl Curve {
 
 /// How the points of a curve are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// Joined by a line.
     Line,
     /// Joined by a thin line, for dense records.
     Thin,
     /// Joined by a dashed line.
     Dashed,
-    /// Each at the end of a stem from zero.
+    /// Each at the end of a stem from zero, or from the lower end of a logarithmic axis.
     Stems,
     /// Joined by a line, and filled down to zero; stretches at zero stay empty.
     Area,
-    /// Each by itself; every shade has its own form.
+    /// Each by itself.
     Points,
+    /// Two and two the ends of a broad horizontal bar; see [`Curve::bars`].
+    Bars,
 }
 
-/// A note is a text beside a point of a panel.
+/// What stands at a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mark {
+    /// A filled circle.
+    Disc,
+    /// A filled square.
+    Square,
+    /// A filled triangle that points upwards.
+    Triangle,
+    /// A filled triangle that points downwards.
+    Inverted,
+    /// A filled square on its corner.
+    Diamond,
+    /// An empty circle.
+    Ring,
+    /// An empty square.
+    HollowSquare,
+    /// An empty triangle that points upwards.
+    HollowTriangle,
+    /// An empty triangle that points downwards.
+    HollowInverted,
+    /// An empty square on its corner.
+    HollowDiamond,
+    /// Two strokes that cross, ×.
+    Cross,
+    /// An upright stroke.
+    Stroke,
+}
+
+/// A note is a text beside a point of a panel: to its right, or on the first side where it hides less.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Note {
+pub(crate) struct Note {
     /// The point, in the units of the axes.
-    pub at: (f64, f64),
+    pub(crate) at: (f64, f64),
     /// What is written.
-    pub text: String,
-    /// The side of the point where it is written; moved if it would leave the panel there.
-    pub side: Side,
+    pub(crate) text: String,
 }
 
 impl Note {
-    /// Returns a note to the right of a point.
-    pub fn new(at: (f64, f64), text: impl Into<String>) -> Self {
+    /// Returns a note beside a point.
+    pub(crate) fn new(at: (f64, f64), text: impl Into<String>) -> Self {
         Self {
             at,
             text: text.into(),
-            side: Side::Right,
         }
     }
-}
-
-/// A side of a point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// To the right.
-    Right,
-    /// To the left.
-    Left,
-    /// Above, in the middle.
-    Above,
-    /// Below, in the middle.
-    Below,
 }

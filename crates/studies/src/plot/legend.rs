@@ -2,7 +2,7 @@
 
 use super::scale::Frame;
 use super::text::{self, MM_PER_POINT};
-use super::{Align, Curve, Fill, Legend, Panel, Point, Shade, Shape, clip, curves};
+use super::{Align, Curve, Figure, Fill, Legend, Panel, Point, Shade, Shape, clip, curves};
 
 /// Size of the text in points.
 const POINTS: f64 = 8.5;
@@ -15,6 +15,9 @@ const GAP: f64 = 1.6;
 
 /// Space between entries of a row \[mm\].
 const SPACE: f64 = 6.0;
+
+/// Space below a legend above all panels \[mm\].
+const BELOW: f64 = 1.6;
 
 /// Space between the text and the edge of the box inside a panel \[mm\].
 const INSET: f64 = 1.6;
@@ -36,7 +39,7 @@ pub(super) fn height(panel: &Panel, width: f64) -> f64 {
     } else {
         0
     };
-    ROW * f64::from(u32::try_from(rows).unwrap_or(u32::MAX))
+    ROW * count(rows)
 }
 
 /// Draws the legend of a panel above or inside; `width` is what its rows may take.
@@ -44,7 +47,64 @@ pub(super) fn shapes(panel: &Panel, frame: &Frame, width: f64) -> Vec<Shape> {
     match panel.legend {
         Legend::Above => above(panel, frame, width),
         Legend::Inside => inside(panel, frame),
-        Legend::Hidden => Vec::new(),
+        Legend::Shared | Legend::Hidden => Vec::new(),
+    }
+}
+
+/// A legend above all panels of a figure.
+pub(super) struct Shared<'a> {
+    /// The columns of entries; as many in each, but for the last.
+    columns: Vec<Vec<(&'a Curve, &'a str)>>,
+}
+
+impl<'a> Shared<'a> {
+    /// Gathers the curves that share a legend of a width \[mm\]: for each label the first curve that has it.
+    pub(super) fn of(figure: &'a Figure, width: f64) -> Self {
+        let sharing = |panel: &&Panel| panel.legend == Legend::Shared;
+        let mut entries: Vec<(&Curve, &str)> = Vec::new();
+        for (curve, label) in figure.panels.iter().filter(sharing).flat_map(labelled) {
+            if entries.iter().all(|entry| entry.1 != label) {
+                entries.push((curve, label));
+            }
+        }
+        let of_rows = |rows: usize| Self {
+            columns: entries.chunks(rows).map(<[_]>::to_vec).collect(),
+        };
+        let mut legends = (1..=entries.len()).map(of_rows);
+        legends
+            .find(|legend| legend.width() <= width)
+            .unwrap_or_else(|| of_rows(entries.len().max(1)))
+    }
+
+    /// Returns the height with the space below \[mm\].
+    pub(super) fn height(&self) -> f64 {
+        match self.columns.first() {
+            Some(column) => ROW * count(column.len()) + BELOW,
+            None => 0.0,
+        }
+    }
+
+    /// Draws the legend from its upper left corner.
+    pub(super) fn shapes(&self, (mut left, top): Point) -> Vec<Shape> {
+        let mut shapes = Vec::new();
+        for column in &self.columns {
+            let sample = widest_sample(column);
+            for (row, (curve, label)) in column.iter().enumerate() {
+                let middle = top - ROW * (count(row) + 0.5);
+                shapes.extend(explain(curve, label, (left, middle), sample));
+            }
+            left += sample + longest(column) + SPACE;
+        }
+        shapes
+    }
+
+    /// Returns the width \[mm\].
+    pub(super) fn width(&self) -> f64 {
+        let widths = self
+            .columns
+            .iter()
+            .map(|column| widest_sample(column) + longest(column) + SPACE);
+        widths.sum::<f64>() - SPACE
     }
 }
 
@@ -93,17 +153,13 @@ fn rows(panel: &Panel, width: f64) -> Vec<Vec<Entry<'_>>> {
 /// Draws the entries under each other on nearly white paper, in the corner where that hides least.
 fn inside(panel: &Panel, frame: &Frame) -> Vec<Shape> {
     let entries: Vec<(&Curve, &str)> = labelled(panel).collect();
-    let Some(longest) = entries.iter().map(|entry| length(entry.1)).reduce(f64::max) else {
+    if entries.is_empty() {
         return Vec::new();
-    };
-    let sample = entries
-        .iter()
-        .map(|entry| curves::sample_width(entry.0.kind))
-        .fold(0.0, f64::max);
-    let count = u32::try_from(entries.len()).unwrap_or(u32::MAX);
+    }
+    let sample = widest_sample(&entries);
     let size = (
-        sample + longest + 2.0 * INSET,
-        ROW * f64::from(count) + INSET,
+        sample + longest(&entries) + 2.0 * INSET,
+        ROW * count(entries.len()) + INSET,
     );
     let (left, bottom) = emptiest(panel, frame, size);
     let mut shapes = vec![Shape::filled(
@@ -162,6 +218,25 @@ fn labelled(panel: &Panel) -> impl Iterator<Item = (&Curve, &str)> {
         .curves
         .iter()
         .filter_map(|curve| curve.label.as_deref().map(|label| (curve, label)))
+}
+
+/// Returns the width of the widest sample of entries \[mm\].
+fn widest_sample(entries: &[(&Curve, &str)]) -> f64 {
+    let widths = entries
+        .iter()
+        .map(|entry| curves::sample_width(entry.0.kind));
+    widths.fold(0.0, f64::max)
+}
+
+/// Returns the width of the longest label of entries with the space before it \[mm\].
+fn longest(entries: &[(&Curve, &str)]) -> f64 {
+    let widths = entries.iter().map(|entry| length(entry.1));
+    widths.fold(0.0, f64::max)
+}
+
+/// Turns a count into a factor.
+fn count(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
 /// Returns the width of a label with the space before it \[mm\].

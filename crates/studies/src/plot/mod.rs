@@ -1,26 +1,29 @@
 //! Figures of print quality, described as plain data and drawn the same on every run.
 //!
-//! A [`Figure`] says what to show: panels with curves, notes and axes. A [`Drawing`] says where every line and letter
-//! goes, in millimetres; schematic pictures are written as one directly. Both are a [`Picture`], and both end in
-//! [`render_svg`] or [`render_png`]. A figure is laid out into a drawing, so there is one way to paper only.
+//! A [`Figure`] says what to show: panels with curves, marks, notes, and axes that are linear, logarithmic or of names.
+//! A [`Drawing`] says where every line and letter goes, in millimetres; schematic pictures are written as one directly.
+//! Both are a [`Picture`], and both end in [`render_png`]. A figure is laid out into a drawing, so there is one way to
+//! paper only.
 //!
 //! Quantities arrive in the units of their axis: this module converts nothing and knows no mechanics.
 //! The one font is bundled, so no font of the machine is ever read.
 //!
-//! Left out on purpose: logarithmic axes (they would be a field of [`Axis`] and two lines in `scale.rs`), second
-//! y axes, colour maps, interactivity.
+//! Left out on purpose: second y axes, colour maps, interactivity.
 
 mod clip;
 mod curves;
 mod dash;
+mod decades;
 mod drawing;
 mod error;
 mod figure;
 mod layout;
 mod legend;
+mod marks;
 mod page;
 mod panel;
 mod raster;
+mod ruler;
 mod scale;
 mod shade;
 mod text;
@@ -31,13 +34,13 @@ mod tests;
 
 use std::borrow::Cow;
 
-pub use drawing::{Align, Drawing, Fill, Pen, Point, Shape};
+pub(crate) use drawing::{Align, Drawing, Fill, Pen, Point, Shape};
 pub use error::PlotError;
-pub use figure::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Side};
-pub use shade::Shade;
+pub(crate) use figure::{Axis, Curve, Figure, Kind, Legend, Mark, Note, Panel, Scale};
+pub(crate) use shade::Shade;
 
 /// A picture is anything that can say where each of its lines and letters goes.
-pub trait Picture {
+pub(crate) trait Picture {
     /// Returns the picture as primitives in millimetres.
     ///
     /// # Errors
@@ -63,15 +66,6 @@ impl Picture for Figure {
 /// # Errors
 ///
 /// What the picture describes cannot be drawn: see [`PlotError`].
-pub fn render_png(picture: &impl Picture) -> Result<Vec<u8>, PlotError> {
+pub(crate) fn render_png(picture: &impl Picture) -> Result<Vec<u8>, PlotError> {
     raster::png(&page::svg(&*picture.drawing()?)?)
-}
-
-/// Renders a picture as an SVG with its letters as outlines, so that it looks the same without the font.
-///
-/// # Errors
-///
-/// What the picture describes cannot be drawn: see [`PlotError`].
-pub fn render_svg(picture: &impl Picture) -> Result<String, PlotError> {
-    raster::outlined_svg(&page::svg(&*picture.drawing()?)?)
 }

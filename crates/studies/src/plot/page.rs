@@ -140,15 +140,8 @@ impl Page<'_> {
                 }
                 let Some(pen) = *outline else { return Ok(()) };
                 let ((x, y), (width, height)) = (*corner, *size);
-                let corners = [
-                    (x, y),
-                    (x + width, y),
-                    (x + width, y + height),
-                    (x, y + height),
-                    (x, y),
-                    (x + width, y),
-                ];
-                self.line(&corners, pen)
+                let (right, top) = (x + width, y + height);
+                self.outline(&[(x, y), (right, y), (right, top), (x, top)], pen)
             }
             Shape::Circle {
                 centre,
@@ -156,21 +149,16 @@ impl Page<'_> {
                 fill,
                 outline,
             } => self.circle(*centre, *radius, (*fill, *outline)),
-            Shape::Polygon { corners, fill } => self.polygon(corners, *fill),
-            Shape::Line { points, pen } => self.line(points, *pen),
-            Shape::Arrow {
-                from,
-                to,
-                pen,
-                both,
+            Shape::Polygon {
+                corners,
+                fill,
+                outline,
             } => {
-                let ends = if *both {
-                    vec![(*from, *to), (*to, *from)]
-                } else {
-                    vec![(*from, *to)]
-                };
-                self.arrow((*from, *to), &ends, *pen)
+                self.polygon(corners, *fill)?;
+                outline.map_or(Ok(()), |pen| self.outline(corners, pen))
             }
+            Shape::Line { points, pen } => self.line(points, *pen),
+            Shape::Arrow { from, to, pen } => self.arrow((*from, *to), *pen),
             Shape::Text { .. } => self.text(shape),
         }
     }
@@ -229,6 +217,12 @@ impl Page<'_> {
             .map_err(|_| REFUSED)
     }
 
+    /// Draws a line around corners, and on to the second, so that it closes with a corner.
+    fn outline(&mut self, corners: &[Point], pen: Pen) -> Result<(), PlotError> {
+        let points = corners.iter().chain(corners.iter().take(2));
+        self.line(&points.copied().collect::<Vec<_>>(), pen)
+    }
+
     fn line(&mut self, points: &[Point], pen: Pen) -> Result<(), PlotError> {
         let pieces = if pen.dashed {
             dash::dashes(points, pen.points * MM_PER_POINT)
@@ -246,33 +240,30 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn arrow(
-        &mut self,
-        shaft: (Point, Point),
-        ends: &[(Point, Point)],
-        pen: Pen,
-    ) -> Result<(), PlotError> {
-        let (mut from, mut to) = shaft;
-        let width = pen.points * MM_PER_POINT;
-        for (index, &(start, tip)) in ends.iter().enumerate() {
-            let (dx, dy) = (tip.0 - start.0, tip.1 - start.1);
-            let length = (dx * dx + dy * dy).sqrt();
-            if length == 0.0 {
-                return Ok(());
-            }
-            let (dx, dy) = (dx / length, dy / length);
-            let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
-            let neck = (tip.0 - long * dx, tip.1 - long * dy);
-            let sides = [
-                (neck.0 - wide * dy, neck.1 + wide * dx),
-                (neck.0 + wide * dy, neck.1 - wide * dx),
-            ];
-            self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
-            // The shaft ends inside the head, or its square end would blunt the tip.
-            let end = (tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy);
-            if index == 0 { to = end } else { from = end }
+    fn arrow(&mut self, ends: (Point, Point), pen: Pen) -> Result<(), PlotError> {
+        let (from, to) = ends;
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let length = (dx * dx + dy * dy).sqrt();
+        if length == 0.0 {
+            return Ok(());
         }
-        self.line(&[from, to], pen)
+        let end = self.head(to, (dx / length, dy / length), pen)?;
+        let start = self.head(from, (-dx / length, -dy / length), pen)?;
+        self.line(&[start, end], pen)
+    }
+
+    /// Draws a head that points in a direction of length 1; returns where its shaft ends.
+    fn head(&mut self, tip: Point, (dx, dy): Point, pen: Pen) -> Result<Point, PlotError> {
+        let width = pen.points * MM_PER_POINT;
+        let (long, wide) = (HEAD.0 * width, HEAD.1 * width);
+        let neck = (tip.0 - long * dx, tip.1 - long * dy);
+        let sides = [
+            (neck.0 - wide * dy, neck.1 + wide * dx),
+            (neck.0 + wide * dy, neck.1 - wide * dx),
+        ];
+        self.polygon(&[tip, sides[0], sides[1]], Fill::solid(pen.shade))?;
+        // The shaft ends inside the head, or its square end would blunt the tip.
+        Ok((tip.0 - 0.8 * long * dx, tip.1 - 0.8 * long * dy))
     }
 
     fn text(&mut self, shape: &Shape) -> Result<(), PlotError> {
@@ -342,7 +333,6 @@ mod tests {
             from: (1.0, 1.0),
             to: (1.0, 1.0),
             pen: Pen::solid(Shade::Ink, 1.0),
-            both: true,
         };
         let blank = Drawing {
             width: 10.0,

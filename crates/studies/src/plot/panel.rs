@@ -1,11 +1,11 @@
 //! One panel on the paper.
 
 use super::clip::{self, Box2};
-use super::curves::FORM;
+use super::marks::SIZE;
+use super::ruler::Ruler;
 use super::scale::Frame;
-use super::ticks::Tick;
 use super::{
-    Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, Side, curves, legend, scale, text,
+    Align, Axis, Fill, Note, Panel, Pen, Point, Shade, Shape, curves, legend, scale, text,
 };
 
 /// Sizes of text in points.
@@ -18,6 +18,9 @@ pub(super) const RIGHT: f64 = 3.4;
 
 /// Length of a tick mark, and the space between it and its number \[mm\].
 pub(super) const TICK: (f64, f64) = (1.0, 0.9);
+
+/// Length of a short tick mark \[mm\].
+const SHORT: f64 = 0.6;
 
 /// Distance of the lines of a label \[mm\].
 pub(super) const LABEL_LINE: f64 = 3.9;
@@ -32,6 +35,7 @@ pub(super) const FOOT: (f64, f64) = (4.8, 4.6);
 pub(super) const OVERHANG: f64 = 3.0;
 
 const AXIS: Pen = Pen::solid(Shade::Ink, 0.7);
+const SHORT_TICK: Pen = Pen::solid(Shade::Ink, 0.5);
 const GRID: Pen = Pen::solid(Shade::Mist, 0.4);
 const MARKER: Pen = Pen::solid(Shade::Silver, 0.55);
 const LEVEL: Pen = Pen::solid(Shade::Ink, 0.5);
@@ -47,10 +51,10 @@ pub(super) struct Plot<'a> {
     pub(super) panel: &'a Panel,
     pub(super) frame: Frame,
     pub(super) x: &'a Axis,
-    pub(super) x_ticks: Vec<Tick>,
-    pub(super) y_ticks: Vec<Tick>,
-    /// Whether numbers and label of the x axis are written.
-    pub(super) footed: bool,
+    pub(super) x_ruler: Ruler,
+    pub(super) y_ruler: Ruler,
+    /// Whether the numbers of the axes are written, and the label of the x axis.
+    pub(super) numbered: (bool, bool),
     /// Left end of the paper of this panel \[mm\].
     pub(super) margin: f64,
     /// What the rows of a legend may take \[mm\].
@@ -76,8 +80,13 @@ impl Plot<'_> {
     }
 
     fn grid(&self) -> Vec<Shape> {
-        let across = self.y_ticks.iter().map(|tick| self.level(tick.value, GRID));
-        self.x_ticks
+        let across = self
+            .y_ruler
+            .ticks
+            .iter()
+            .map(|tick| self.level(tick.value, GRID));
+        self.x_ruler
+            .ticks
             .iter()
             .map(|tick| self.upright(tick.value, GRID))
             .chain(across)
@@ -86,11 +95,7 @@ impl Plot<'_> {
 
     fn marks(&self) -> Vec<Shape> {
         let (x, y) = (self.frame.x, self.frame.y);
-        let markers = self
-            .panel
-            .markers
-            .iter()
-            .filter(|&&at| x.0 <= at && at <= x.1);
+        let markers = self.panel.markers.iter().filter(|&&at| x.contains(at));
         let zero = self
             .panel
             .curves
@@ -102,7 +107,7 @@ impl Plot<'_> {
             .levels
             .iter()
             .chain(zero.as_ref())
-            .filter(|&&at| y.0 <= at && at <= y.1);
+            .filter(|&&at| y.contains(at));
         let markers = markers.map(|&at| self.upright(at, MARKER));
         markers
             .chain(levels.map(|&at| self.level(at, LEVEL)))
@@ -116,21 +121,20 @@ impl Plot<'_> {
             points: corner,
             pen: AXIS,
         }];
-        for tick in &self.y_ticks {
+        for tick in &self.y_ruler.ticks {
             let y = self.frame.up(tick.value);
             shapes.push(Shape::line((left - TICK.0, y), (left, y), AXIS));
-            shapes.push(Shape::text(
-                (left - TICK.0 - TICK.1, y),
-                &*tick.label,
-                TICK_POINTS,
-                Align::End,
-            ));
+            if self.numbered.1 {
+                let at = (left - TICK.0 - TICK.1, y);
+                shapes.push(Shape::text(at, &*tick.label, TICK_POINTS, Align::End));
+            }
         }
+        shapes.extend(self.short_ticks());
         let numbers = bottom - TICK.0 - TICK.1 - text::height(TICK_POINTS) / 2.0;
-        for tick in &self.x_ticks {
+        for tick in &self.x_ruler.ticks {
             let x = self.frame.across(tick.value);
             shapes.push(Shape::line((x, bottom - TICK.0), (x, bottom), AXIS));
-            if self.footed {
+            if self.numbered.0 {
                 let half = text::width(&tick.label, TICK_POINTS) / 2.0;
                 let at = (x.min(right + RIGHT - half), numbers);
                 shapes.push(Shape::text(at, &*tick.label, TICK_POINTS, Align::Middle));
@@ -140,10 +144,23 @@ impl Plot<'_> {
         shapes
     }
 
+    fn short_ticks(&self) -> Vec<Shape> {
+        let ((left, bottom), _) = self.frame.edges;
+        let across = self.x_ruler.between.iter().map(|&value| {
+            let x = self.frame.across(value);
+            Shape::line((x, bottom - SHORT), (x, bottom), SHORT_TICK)
+        });
+        let up = self.y_ruler.between.iter().map(|&value| {
+            let y = self.frame.up(value);
+            Shape::line((left - SHORT, y), (left, y), SHORT_TICK)
+        });
+        across.chain(up).collect()
+    }
+
     fn labels(&self) -> Vec<Shape> {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let mut shapes = Vec::new();
-        if self.footed && !self.x.label.is_empty() {
+        if self.numbered.0 && !self.x.label.is_empty() {
             let at = (
                 f64::midpoint(left, right),
                 bottom - FOOT.0 - FOOT.1 / 2.0 + 0.3,
@@ -186,28 +203,22 @@ impl Plot<'_> {
         (!title.is_empty()).then(|| Shape::text(at, &**title, LABEL_POINTS, Align::Start))
     }
 
-    /// Writes a note beside its point on nearly white paper, on the side wanted or the next that hides less.
+    /// Writes a note beside its point on nearly white paper, to its right or on the next side that hides less.
     fn note(&self, note: &Note) -> [Shape; 2] {
         let size = (
             text::width(&note.text, NOTE_POINTS),
             text::height(NOTE_POINTS),
         );
-        let sides = match note.side {
-            Side::Right => [Side::Right, Side::Left, Side::Above, Side::Below],
-            Side::Left => [Side::Left, Side::Right, Side::Above, Side::Below],
-            Side::Above => [Side::Above, Side::Below, Side::Right, Side::Left],
-            Side::Below => [Side::Below, Side::Above, Side::Right, Side::Left],
-        };
         let traces: Vec<Point> = self
             .panel
             .curves
             .iter()
             .flat_map(|curve| curves::traces(curve, &self.frame))
             .collect();
-        let boxes = sides.map(|side| self.beside(self.frame.place(note.at), size, side));
+        let boxes = self.beside(self.frame.place(note.at), size);
         let hidden = |&(low, high): &Box2| {
             // The width of lines and forms counts too.
-            let near = ((low.0 - FORM, low.1 - FORM), (high.0 + FORM, high.1 + FORM));
+            let near = ((low.0 - SIZE, low.1 - SIZE), (high.0 + SIZE, high.1 + SIZE));
             traces
                 .iter()
                 .filter(|&&point| clip::contains(near, point))
@@ -226,19 +237,21 @@ impl Plot<'_> {
         ]
     }
 
-    /// Returns the paper of a note of a size on one side of a point, moved into the panel.
-    fn beside(&self, (x, y): Point, size: Point, side: Side) -> Box2 {
+    /// Returns the paper of a note of a size right, left, above and below a point, moved into the panel.
+    fn beside(&self, (x, y): Point, size: Point) -> [Box2; 4] {
         let ((left, bottom), (right, top)) = self.frame.edges;
         let (wide, high) = (size.0 / 2.0 + NOTE_EDGE.0, size.1 / 2.0 + NOTE_EDGE.1);
-        let (x, y) = match side {
-            Side::Right => (x + NOTE_SPACE + wide, y),
-            Side::Left => (x - NOTE_SPACE - wide, y),
-            Side::Above => (x, y + NOTE_SPACE + high),
-            Side::Below => (x, y - NOTE_SPACE - high),
-        };
-        let x = x.min(right - wide).max(left + wide + 0.3);
-        let y = y.min(top - high).max(bottom + high + 0.3);
-        ((x - wide, y - high), (x + wide, y + high))
+        let middles = [
+            (x + NOTE_SPACE + wide, y),
+            (x - NOTE_SPACE - wide, y),
+            (x, y + NOTE_SPACE + high),
+            (x, y - NOTE_SPACE - high),
+        ];
+        middles.map(|(x, y)| {
+            let x = x.min(right - wide).max(left + wide + 0.3);
+            let y = y.min(top - high).max(bottom + high + 0.3);
+            ((x - wide, y - high), (x + wide, y + high))
+        })
     }
 
     fn upright(&self, x: f64, pen: Pen) -> Shape {

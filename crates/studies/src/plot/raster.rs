@@ -1,10 +1,10 @@
-//! From SVG to letters as outlines, and to PNG.
+//! From SVG to PNG.
 
 use std::fmt::Debug;
 
 use png::{BitDepth, ColorType, Compression, Encoder, Filter, PixelDimensions, Unit};
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, WriteOptions};
+use resvg::usvg::{Options, Tree};
 
 use super::{PlotError, text};
 
@@ -16,15 +16,6 @@ const DOTS_PER_METRE: u32 = 11811;
 
 /// Units of length in an inch of an SVG.
 const SVG_PER_INCH: f32 = 96.0;
-
-/// Returns the picture with its letters as outlines.
-pub(super) fn outlined_svg(svg: &str) -> Result<String, PlotError> {
-    let options = WriteOptions {
-        coordinates_precision: 2,
-        ..WriteOptions::default()
-    };
-    Ok(tree(svg)?.to_string(&options))
-}
 
 /// Returns the picture as a PNG.
 pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
@@ -123,6 +114,7 @@ mod tests {
             Shade::Green,
             Shade::Amber,
             Shade::Grey,
+            Shade::Rose,
             Shade::Mist,
         ] {
             let (red, green, blue) = shade.rgb();

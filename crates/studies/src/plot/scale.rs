@@ -1,25 +1,60 @@
 //! Ranges of axes, and the step from values to millimetres.
 
 use super::clip::Box2;
-use super::{Axis, Curve, Kind, Panel, PlotError, Point, Side};
+use super::{Axis, Curve, Kind, Panel, PlotError, Point, Scale};
 
 /// Part of the range left free above and below the data.
 const HEADROOM: f64 = 0.07;
 
-/// The same in a panel with notes above or below their points.
-const NOTE_HEADROOM: f64 = 0.18;
+/// A range is the lowest and the highest value of an axis, and how the values between take its length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Range {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    rule: Rule,
+}
 
-/// The lowest and the highest value of something.
-pub(super) type Range = (f64, f64);
+/// How values take the length of an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Rule {
+    /// Equal differences, equal lengths.
+    Linear,
+    /// Equal ratios, equal lengths.
+    Log,
+    /// Equal differences, equal lengths, counted from the upper end: names are read downwards.
+    Down,
+}
+
+impl Range {
+    /// Returns where a value stands, 0 at the start and 1 at the end of its axis.
+    pub(super) fn fraction(&self, value: f64) -> f64 {
+        let Self { from, to, rule } = *self;
+        let fraction = match rule {
+            Rule::Linear => (value - from) / (to - from),
+            Rule::Log => {
+                let start = libm::log10(from);
+                (libm::log10(value) - start) / (libm::log10(to) - start)
+            }
+            Rule::Down => (to - value) / (to - from),
+        };
+        // Far outside it does not matter where; the bound keeps what follows finite.
+        fraction.clamp(-1e6, 1e6)
+    }
+
+    /// Tells whether a value stands on the axis.
+    pub(super) fn contains(&self, value: f64) -> bool {
+        self.from <= value && value <= self.to
+    }
+}
 
 /// A frame is the inside of a panel: which part of the paper it covers, and which values it shows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     /// Lower left and upper right corner on the paper \[mm\].
     pub(super) edges: Box2,
-    /// Values at the left and the right edge.
+    /// Values from the left to the right edge.
     pub(super) x: Range,
-    /// Values at the lower and the upper edge.
+    /// Values between the lower and the upper edge.
     pub(super) y: Range,
 }
 
@@ -27,13 +62,13 @@ impl Frame {
     /// Returns where a value of x stands on the paper.
     pub(super) fn across(&self, x: f64) -> f64 {
         let ((left, _), (right, _)) = self.edges;
-        left + fraction(self.x, x) * (right - left)
+        left + self.x.fraction(x) * (right - left)
     }
 
     /// Returns where a value of y stands on the paper.
     pub(super) fn up(&self, y: f64) -> f64 {
         let ((_, bottom), (_, top)) = self.edges;
-        bottom + fraction(self.y, y) * (top - bottom)
+        bottom + self.y.fraction(y) * (top - bottom)
     }
 
     /// Returns where a point stands on the paper.
@@ -43,19 +78,8 @@ impl Frame {
 
     /// Returns the value of y within the panel that is closest to zero: where stems and areas start.
     pub(super) fn base(&self) -> f64 {
-        self.up(0.0_f64.clamp(self.y.0, self.y.1))
+        self.up(0.0_f64.clamp(self.y.from, self.y.to))
     }
-
-    /// Returns the width on the paper \[mm\].
-    pub(super) fn width(&self) -> f64 {
-        self.edges.1.0 - self.edges.0.0
-    }
-}
-
-/// Returns where a value stands in a range, 0 at its lower and 1 at its upper end.
-fn fraction((from, to): Range, value: f64) -> f64 {
-    // Far outside it does not matter where; the bound keeps what follows finite.
-    ((value - from) / (to - from)).clamp(-1e6, 1e6)
 }
 
 /// Returns the range of an x axis: its own, or that of the curves of the panels that share it.
@@ -64,9 +88,8 @@ pub(super) fn x_range(axis: &Axis, panels: &[&Panel]) -> Result<Range, PlotError
     let points = curves()
         .flat_map(|curve| &curve.points)
         .map(|point| point.0);
-    let airy =
-        curves().any(|curve| matches!(curve.kind, Kind::Points | Kind::Stems) || turns_back(curve));
-    settle(axis, points, if airy { HEADROOM } else { 0.0 })
+    let headroom = if curves().any(is_airy) { HEADROOM } else { 0.0 };
+    settle(axis, points, headroom, Rule::Linear)
 }
 
 /// Returns the range of the y axis of a panel: its own, or that of the curves, with zero where they start from it.
@@ -76,21 +99,18 @@ pub(super) fn y_range(panel: &Panel) -> Result<Range, PlotError> {
         .iter()
         .flat_map(|curve| &curve.points)
         .map(|point| point.1);
-    let zero = panel.curves.iter().any(starts_from_zero).then_some(0.0);
-    let stacked = panel
-        .notes
-        .iter()
-        .any(|note| matches!(note.side, Side::Above | Side::Below));
-    settle(
-        &panel.y,
-        points.chain(panel.levels.iter().copied()).chain(zero),
-        if stacked { NOTE_HEADROOM } else { HEADROOM },
-    )
+    let stands = panel.y.scale != Scale::Log && panel.curves.iter().any(starts_from_zero);
+    let values = points
+        .chain(panel.levels.iter().copied())
+        .chain(stands.then_some(0.0));
+    settle(&panel.y, values, HEADROOM, Rule::Down)
 }
 
-/// Tells whether a curve goes left anywhere, as a loop does: it should not be cut at its turning points.
-fn turns_back(curve: &Curve) -> bool {
-    curve.points.windows(2).any(|pair| pair[1].0 < pair[0].0)
+/// Tells whether a curve needs room at its sides: its forms reach over its ends, and a loop should not be cut.
+fn is_airy(curve: &Curve) -> bool {
+    let turns_back = curve.points.windows(2).any(|pair| pair[1].0 < pair[0].0);
+    let by_kind = matches!(curve.kind, Kind::Points | Kind::Stems | Kind::Bars);
+    by_kind || curve.mark.is_some() || turns_back
 }
 
 /// Tells whether a curve stands on the line of zero.
@@ -99,17 +119,31 @@ pub(super) fn starts_from_zero(curve: &Curve) -> bool {
 }
 
 /// Returns the range asked for, or one around the values; refuses what cannot be divided into ticks.
+///
+/// Names go by the rule `names`.
 fn settle(
     axis: &Axis,
     values: impl Iterator<Item = f64>,
     headroom: f64,
+    names: Rule,
 ) -> Result<Range, PlotError> {
-    let (from, to) = axis.range.unwrap_or_else(|| around(values, headroom));
+    let (rule, (from, to)) = match &axis.scale {
+        Scale::Linear => (
+            Rule::Linear,
+            axis.range.unwrap_or_else(|| around(values, headroom)),
+        ),
+        Scale::Log => (
+            Rule::Log,
+            axis.range
+                .unwrap_or_else(|| around_ratios(values, headroom)),
+        ),
+        Scale::Names(list) => (names, (-0.5, list.len() as f64 - 0.5)),
+    };
     let size = from.abs().max(to.abs());
     // The bounds keep differences of values finite and ticks apart.
     let sound = from < to && size < 1e300 && to - from > 1e-300 && to - from > 1e-9 * size;
-    if sound {
-        Ok((from, to))
+    if sound && (rule != Rule::Log || from > 1e-300) {
+        Ok(Range { from, to, rule })
     } else {
         Err(PlotError::Range {
             axis: axis.label.clone(),
@@ -119,14 +153,19 @@ fn settle(
     }
 }
 
+/// Returns the lowest and the highest of values, if there are any.
+fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    values.fold(None, |extent, v| match extent {
+        None => Some((v, v)),
+        Some((low, high)) => Some((v.min(low), v.max(high))),
+    })
+}
+
 /// Returns a range around values with headroom; a single value stands in the middle, and no value gives 0 to 1.
-fn around(values: impl Iterator<Item = f64>, headroom: f64) -> Range {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    });
-    if low > high {
+fn around(values: impl Iterator<Item = f64>, headroom: f64) -> (f64, f64) {
+    let Some((low, high)) = extent(values) else {
         return (0.0, 1.0);
-    }
+    };
     let size = low.abs().max(high.abs());
     if high - low <= 1e-8 * size || size == 0.0 {
         let margin = if size == 0.0 { 1.0 } else { 0.2 * size };
@@ -140,11 +179,26 @@ fn around(values: impl Iterator<Item = f64>, headroom: f64) -> Range {
     )
 }
 
+/// Returns a range around positive values, with the same part of its length free;
+/// a single value stands in the middle of two decades, and no value gives 1 to 10.
+fn around_ratios(values: impl Iterator<Item = f64>, headroom: f64) -> (f64, f64) {
+    let Some((low, high)) = extent(values) else {
+        return (1.0, 10.0);
+    };
+    let decades = libm::log10(high / low);
+    let factor = if decades > 1e-8 {
+        libm::exp10(headroom * decades)
+    } else {
+        10.0
+    };
+    (low / factor, high * factor)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn range(values: &[f64]) -> Range {
+    fn range(values: &[f64]) -> (f64, f64) {
         around(values.iter().copied(), 0.1)
     }
 
@@ -162,6 +216,59 @@ mod tests {
     }
 
     #[test]
+    fn reference_decades_have_one_length() {
+        let axis = Axis::over("e", 1e-14, 1.0).log();
+        let range = settle(&axis, std::iter::empty(), 0.0, Rule::Linear).unwrap();
+        for n in 0..=14 {
+            let value: f64 = format!("1e-{n}").parse().unwrap();
+            let expected = 1.0 - f64::from(n) / 14.0;
+            assert!((range.fraction(value) - expected).abs() < 1e-14, "1e-{n}");
+        }
+    }
+
+    #[test]
+    fn limit_ratios_get_the_headroom_of_differences() {
+        let (low, high) = around_ratios([1e-3, 1e2, 1.0].into_iter(), 0.1);
+        let (from, to) = around([-3.0, 2.0].into_iter(), 0.1);
+        assert!((libm::log10(low) - from).abs() < 1e-14 && (libm::log10(high) - to).abs() < 1e-14);
+        assert_eq!(around_ratios(std::iter::empty(), 0.1), (1.0, 10.0));
+        assert_eq!(
+            around_ratios([5.0, 5.0].into_iter(), 0.1),
+            (0.5, 50.0),
+            "a single value stands in the middle of two decades"
+        );
+    }
+
+    #[test]
+    fn reference_names_run_downwards_on_a_y_axis() {
+        let axis = Axis::names(vec!["a".into(), "b".into(), "c".into()]);
+        for (rule, expected) in [
+            (Rule::Down, [1.0, 0.5, 0.0]),
+            (Rule::Linear, [0.0, 0.5, 1.0]),
+        ] {
+            let range = settle(&axis, std::iter::empty(), 0.0, rule).unwrap();
+            for (value, expected) in [-0.5, 1.0, 2.5].into_iter().zip(expected) {
+                assert!(
+                    (range.fraction(value) - expected).abs() < 1e-15,
+                    "{rule:?} {value}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn extreme_logarithmic_ranges_are_refused() {
+        for (from, to) in [(0.0, 1.0), (-1.0, 1.0), (1e-310, 1.0), (1.0, 1.0)] {
+            let axis = Axis::over("e", from, to).log();
+            let settled = settle(&axis, std::iter::empty(), 0.0, Rule::Linear);
+            assert!(
+                matches!(settled, Err(PlotError::Range { .. })),
+                "{from} to {to}"
+            );
+        }
+    }
+
+    #[test]
     fn extreme_ranges_are_refused() {
         let ends = [
             (1.0, 1.0),
@@ -172,7 +279,12 @@ mod tests {
             (1e9, 1e9 + 1e-3),
         ];
         for (from, to) in ends {
-            let settled = settle(&Axis::over("u", from, to), std::iter::empty(), 0.0);
+            let settled = settle(
+                &Axis::over("u", from, to),
+                std::iter::empty(),
+                0.0,
+                Rule::Linear,
+            );
             assert!(
                 matches!(settled, Err(PlotError::Range { .. })),
                 "{from} to {to}"

@@ -150,10 +150,10 @@ fn covered(character: char) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Align, render_svg};
+    use super::super::{Align, page, raster};
     use super::*;
 
-    fn outline(character: char) -> String {
+    fn picture(character: char) -> Vec<u8> {
         let text = Shape::text((5.0, 5.0), character, 10.0, Align::Middle);
         // Past the check on purpose.
         let sheet = Drawing {
@@ -161,15 +161,15 @@ mod tests {
             height: 10.0,
             shapes: vec![text],
         };
-        super::super::raster::outlined_svg(&super::super::page::unchecked(&sheet).unwrap()).unwrap()
+        raster::png(&page::unchecked(&sheet).unwrap()).unwrap()
     }
 
     #[test]
     fn reference_the_font_has_what_the_list_says() {
-        let stranger = outline('\u{4E00}');
-        let blank = outline(' ');
+        let stranger = picture('\u{4E00}');
+        let blank = picture(' ');
         for character in COVERED.iter().flat_map(|&(first, last)| first..=last) {
-            let drawn = outline(character);
+            let drawn = picture(character);
             assert_ne!(drawn, stranger, "{character:?} is not in the font");
             assert!(
                 drawn != blank || character.is_whitespace() || character == '\u{AD}',
@@ -190,7 +190,7 @@ mod tests {
                 fontdb: database(),
                 ..Default::default()
             };
-            let svg = super::super::page::unchecked(&sheet).unwrap();
+            let svg = page::unchecked(&sheet).unwrap();
             let tree = resvg::usvg::Tree::from_str(&svg, &options).unwrap();
             let mut node = tree.root().children().last().unwrap();
             while let resvg::usvg::Node::Group(group) = node {
@@ -214,7 +214,7 @@ mod tests {
                 text: text.to_owned(),
             };
             assert_eq!(
-                render_svg(&Drawing {
+                page::svg(&Drawing {
                     width: 10.0,
                     height: 10.0,
                     shapes
@@ -236,6 +236,6 @@ mod tests {
             character: '柱',
             text: "柱".to_owned(),
         };
-        assert_eq!(render_svg(&sheet), Err(expected));
+        assert_eq!(page::svg(&sheet), Err(expected));
     }
 }

@@ -70,14 +70,14 @@ fn round_up(distance: f64) -> (i64, i32) {
 }
 
 /// Returns digits × 10ⁿ, correctly rounded: reading a written number is exact on every machine.
-fn decimal(digits: i64, exponent: i32) -> f64 {
+pub(super) fn decimal(digits: i64, exponent: i32) -> f64 {
     format!("{digits}e{exponent}")
         .parse()
         .expect("an integer with an exponent is a number")
 }
 
 /// Writes digits × 10ⁿ with a real minus sign, as a decimal or, where that would be long, as a power of ten.
-fn label(digits: i64, exponent: i32, powers: bool) -> String {
+pub(super) fn label(digits: i64, exponent: i32, powers: bool) -> String {
     let sign = if digits < 0 { "\u{2212}" } else { "" };
     let number = match (digits.abs().to_string(), powers) {
         (zero, _) if digits == 0 => zero,
@@ -108,8 +108,12 @@ fn power(digits: &str, exponent: i32) -> String {
     let (lead, rest) = digits.split_at(1);
     let rest = rest.trim_end_matches('0');
     let point = if rest.is_empty() { "" } else { "." };
-    let raised: String = exponent.to_string().chars().map(superscript).collect();
-    format!("{lead}{point}{rest}×10{raised}")
+    format!("{lead}{point}{rest}×10{}", raised(exponent))
+}
+
+/// Writes an exponent.
+pub(super) fn raised(exponent: i32) -> String {
+    exponent.to_string().chars().map(superscript).collect()
 }
 
 /// Raises a digit or a minus sign.

@@ -1,0 +1,576 @@
+//! Pieces: from launch to landing of the structures that move together.
+
+use std::ops::Range;
+
+use pounding_contact::ContactLaw;
+
+use crate::exact::Run;
+use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::member::{Branch, Member};
+use crate::exact::roots::{CAPACITY, first_rise};
+use crate::exact::series;
+use crate::span::{Power, Series, value};
+use crate::{Path, Recorder, RunError, Span, State};
+
+/// What ends a piece, besides samples of the record and the reach of the series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Event {
+    /// The velocity of a node is zero: a peak, and the end of yielding.
+    Turn(usize),
+    /// A node begins to yield.
+    Yield(usize, Branch),
+    /// The net pounding force on a node changes its sign.
+    Balance(usize),
+    /// The net pounding force on a node has an extremum.
+    Extremum(usize),
+    /// The pounding force of a pair has an extremum.
+    Peak(usize),
+    /// The contact force of a pair at rest fades.
+    Fade(usize),
+    /// The rate of deformation of a pair changes its sign.
+    Reversal(usize),
+    /// A pair parts.
+    Part(usize),
+}
+
+/// Structures that move together, and the piece of their motion under way.
+#[derive(Debug, Clone)]
+pub(super) struct Body {
+    pub(super) last: usize,
+    pub(super) start: f64,
+    pub(super) end: f64,
+    pub(super) power: Power,
+    /// Length of the piece in x, t = start + x^p.
+    pub(super) length: f64,
+    /// Number of coefficients.
+    pub(super) len: usize,
+    /// What happens at the end.
+    events: Vec<Event>,
+}
+
+/// Number of coefficients in free flight: at the reach of the series the last one is 1/22! of the first.
+const IN_FLIGHT: usize = 22;
+/// In compliant contact.
+const IN_CONTACT: usize = 32;
+/// Just after the first touch of compliant contact, in the fourth root of time.
+const AT_TOUCH: usize = 56;
+/// Coefficients beyond this magnitude are left out: the next one might not be finite.
+const LARGEST: f64 = 1e250;
+
+impl Body {
+    /// A structure alone at t = 0.
+    pub(super) fn at_start(node: usize) -> Self {
+        Self {
+            last: node,
+            start: 0.0,
+            end: 0.0,
+            power: Power::One,
+            length: 0.0,
+            len: 0,
+            events: Vec::with_capacity(8),
+        }
+    }
+
+    /// x at a time of the piece.
+    pub(super) fn position(&self, time: f64) -> f64 {
+        if time >= self.end {
+            self.length
+        } else {
+            self.power.root((time - self.start).max(0.0))
+        }
+    }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Pairs inside the body of nodes `first` ..= `last`.
+    pub(super) fn pairs_within(&self, first: usize, last: usize) -> Range<usize> {
+        match self.pair_right_of[first] {
+            Some(pair) if last > first => pair..pair + (last - first),
+            _ => 0..0,
+        }
+    }
+
+    /// Expands the motion of a body from now on; returns the number of coefficients.
+    pub(super) fn expand(&mut self, (first, last): (usize, usize), time: f64) -> (Power, usize) {
+        let within = self.pairs_within(first, last);
+        let contacts = &mut self.contacts[within];
+        let touching = |contact: &Contact| matches!(contact.link, Link::Touching(_));
+        let begins = |contact: &Contact| touching(contact) && contact.deformation <= 0.0;
+        let (power, len) = if contacts.iter().any(begins) {
+            (Power::Four, AT_TOUCH)
+        } else if contacts.iter().any(touching) {
+            (Power::One, IN_CONTACT)
+        } else {
+            (Power::One, IN_FLIGHT)
+        };
+        let ground = self.excitation.segment(time);
+        let members = &mut self.members[first..=last];
+        series::expand(members, contacts, ground, power, len);
+        let tame = |n: &usize| {
+            members.iter().all(|member| {
+                member.displacement[*n].abs() < LARGEST && member.velocity[*n].abs() < LARGEST
+            })
+        };
+        (power, (0..len).take_while(tame).count())
+    }
+
+    /// Begins the next piece of a body that has landed.
+    pub(super) fn launch(&mut self, first: usize, time: f64) -> Result<(), RunError> {
+        let mut last = first;
+        while last + 1 < self.body_of.len() && self.body_of[last + 1] == first {
+            last += 1;
+        }
+        if time >= self.end {
+            (self.bodies[first].start, self.bodies[first].end) = (time, f64::INFINITY);
+            return Ok(());
+        }
+        self.find_partings(first, last);
+        let (power, len) = self.expand((first, last), time);
+        self.clean((first, last), time, power);
+        let within = self.pairs_within(first, last);
+        for node in first..=last {
+            self.fill_start(node)?;
+        }
+        let members = &self.members[first..=last];
+        let stop = self.excitation.segment(time).end.min(self.end);
+        let wall = members.iter().all(Member::is_wall);
+        let stop = if wall { self.end } else { stop };
+        let mut length = power
+            .root(series::radius(members))
+            .min(power.root(stop - time));
+        // Each from the same start, so that their order does not matter.
+        let longest = length;
+        for (index, contact) in self.contacts[within].iter().enumerate() {
+            let sides = &members[index..index + 2];
+            let limits = (longest, self.settings.tolerance);
+            length = length.min(reach(contact, sides, (power, len), limits));
+        }
+        self.work.segments += members.len() as u64;
+        let whole = length >= power.root(stop - time);
+        let mut watch = Watch {
+            start: time,
+            power,
+            reach: length,
+            length,
+            events: std::mem::take(&mut self.bodies[first].events),
+        };
+        watch.events.clear();
+        self.watch(&mut watch, (first, last), (power, len));
+        let end = if whole && watch.events.is_empty() {
+            stop
+        } else {
+            (time + power.time(watch.length)).min(stop)
+        };
+        let body = &mut self.bodies[first];
+        *body = Body {
+            last,
+            start: time,
+            end,
+            power,
+            // What happens within rounding of the start happens at the start.
+            length: if end > time { watch.length } else { 0.0 },
+            len,
+            events: watch.events,
+        };
+        Ok(())
+    }
+
+    /// Restitution whose remaining impulse is below the tolerance is over.
+    fn find_partings(&mut self, first: usize, last: usize) {
+        let within = self.pairs_within(first, last);
+        for contact in &mut self.contacts[within] {
+            let ContactLaw::NonlinearViscoelastic(law) = contact.law else {
+                continue;
+            };
+            let deformation = contact.deformation.max(0.0);
+            let left = 0.4 * law.impact_stiffness * deformation * deformation * deformation.sqrt();
+            let momentum = contact.reduced_mass * contact.rate * contact.rate;
+            let over = contact.rate < 0.0 && left <= self.settings.tolerance * momentum;
+            if contact.link == Link::Touching(Phase::Restitution) && over {
+                contact.link = Link::Touching(Phase::Parting);
+            }
+        }
+    }
+
+    /// Completes the state of a node at the start of its piece.
+    fn fill_start(&mut self, node: usize) -> Result<(), RunError> {
+        let (left, right) = self.forces_on(node);
+        let force = |pair: Option<usize>| pair.map_or(0.0, |pair| self.contacts[pair].force[0]);
+        let (left, right) = (force(left), -force(right));
+        let member = &mut self.members[node];
+        member.state.acceleration = member.acceleration[0];
+        member.state.force_from_left = left;
+        member.state.force_from_right = right;
+        if member.state.acceleration.is_finite() {
+            return Ok(());
+        }
+        Err(RunError::Diverged {
+            structure: node,
+            time: self.bodies[self.body_of[node]].start,
+            time_step: 0.0,
+        })
+    }
+
+    /// First of the structures that share this one's velocity because they rest against each other.
+    fn leader(&self, node: usize) -> usize {
+        let rests = |left: usize| {
+            self.pair_right_of[left].is_some_and(|pair| self.contacts[pair].link == Link::Resting)
+        };
+        let mut leader = node;
+        while leader > 0 && rests(leader - 1) {
+            leader -= 1;
+        }
+        leader
+    }
+
+    /// The pairs on the left and right of a node that carry a force.
+    fn forces_on(&self, node: usize) -> (Option<usize>, Option<usize>) {
+        let joined = |pair: &usize| self.contacts[*pair].link != Link::Apart;
+        let left = node
+            .checked_sub(1)
+            .and_then(|left| self.pair_right_of[left]);
+        (left.filter(joined), self.pair_right_of[node].filter(joined))
+    }
+
+    /// Finds the first event of a piece.
+    fn watch(
+        &self,
+        watch: &mut Watch,
+        (first, last): (usize, usize),
+        (power, len): (Power, usize),
+    ) {
+        for node in first..=last {
+            let member = &self.members[node];
+            if member.is_wall() {
+                continue;
+            }
+            if self.leader(node) == node {
+                watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
+            }
+            if member.branch == Branch::Elastic && member.yield_force.is_finite() {
+                let excess = |sign: f64| {
+                    move |n: usize| {
+                        let limit = if n == 0 { member.yield_force } else { 0.0 };
+                        sign * member.restoring_force(n) - limit
+                    }
+                };
+                watch.rise(len, excess(1.0), Event::Yield(node, Branch::Right));
+                watch.rise(len, excess(-1.0), Event::Yield(node, Branch::Left));
+            }
+            if let (Some(left), Some(right)) = self.forces_on(node) {
+                let net = |n: usize| self.contacts[left].force[n] - self.contacts[right].force[n];
+                watch.change_of(len, member.balanced, net, Event::Balance(node));
+                let slope = |n: usize| (n + 1) as f64 * net(n + 1);
+                watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
+            }
+        }
+        for (pair, left) in self.pairs_within(first, last).zip(first..) {
+            self.watch_pair(watch, (pair, left), (power, len));
+        }
+    }
+
+    fn watch_pair(
+        &self,
+        watch: &mut Watch,
+        (pair, left): (usize, usize),
+        (power, len): (Power, usize),
+    ) {
+        let contact = &self.contacts[pair];
+        let sides = &self.members[left..left + 2];
+        let slope = |n: usize| (n + 1) as f64 * contact.force[n + 1];
+        watch.change_of(len - 1, contact.peaked, slope, Event::Peak(pair));
+        match contact.link {
+            Link::Apart => {}
+            Link::Resting => watch.rise(len, |n| -contact.force[n], Event::Fade(pair)),
+            Link::Touching(Phase::Approach) => {
+                watch.rise(len, |n| -contact.rate(sides, n), Event::Reversal(pair));
+            }
+            Link::Touching(Phase::Restitution | Phase::Parting) => {
+                watch.rise(len, |n| contact.rate(sides, n), Event::Reversal(pair));
+                watch.rise(
+                    len,
+                    |n| -contact.deformation(sides, power, n),
+                    Event::Part(pair),
+                );
+            }
+        }
+    }
+
+    /// Ends the piece of a body now: reports its spans and brings its state here.
+    pub(super) fn land(&mut self, first: usize, time: f64) {
+        if self.landed[first] {
+            return;
+        }
+        let body = &self.bodies[first];
+        let (last, x, full) = (body.last, body.position(time), time >= body.end);
+        let advanced = time > body.start;
+        for node in first..=last {
+            self.landed[node] = true;
+        }
+        for pair in self.pairs_around(first, last) {
+            self.carry_deformation(pair, time);
+        }
+        let events = std::mem::take(&mut self.bodies[first].events);
+        for node in first..=last {
+            let end = self.end_state(node, x, if full { &events } else { &[] });
+            if advanced {
+                self.report(node, (first, time), x, end);
+                (self.members[node].balanced, self.members[node].peaked) = (false, false);
+            }
+            self.members[node].state = end;
+        }
+        for pair in self.pairs_around(first, last) {
+            self.refresh_deformation(pair, time);
+        }
+        if full {
+            for event in &events {
+                self.apply(*event, time);
+            }
+        }
+        self.bodies[first].events = events;
+    }
+
+    /// Pairs inside a body and on both sides of it.
+    fn pairs_around(&self, first: usize, last: usize) -> Range<usize> {
+        let left = first
+            .checked_sub(1)
+            .and_then(|left| self.pair_right_of[left]);
+        let within = self.pairs_within(first, last);
+        let right = self.pair_right_of[last];
+        let start = left.or(if within.is_empty() {
+            right
+        } else {
+            Some(within.start)
+        });
+        let end = right.map(|pair| pair + 1).or(if within.is_empty() {
+            left.map(|pair| pair + 1)
+        } else {
+            Some(within.end)
+        });
+        start.unwrap_or(0)..end.unwrap_or(0)
+    }
+
+    /// State of a node at the end of its piece.
+    fn end_state(&self, node: usize, x: f64, events: &[Event]) -> State {
+        let body = &self.bodies[self.body_of[node]];
+        let (member, len) = (&self.members[node], body.len);
+        let (left, right) = self.forces_on(node);
+        let force = |pair: Option<usize>| {
+            pair.map_or(0.0, |pair| {
+                value(&self.contacts[pair].force[..len], x).max(0.0)
+            })
+        };
+        let rise = x * value(&member.displacement[1..len], x);
+        let mut end = State {
+            displacement: value(&member.displacement[..len], x),
+            velocity: value(&member.velocity[..len], x),
+            acceleration: value(&member.acceleration[..len], x),
+            restoring_force: member.state.restoring_force + member.tangent() * rise,
+            force_from_left: force(left),
+            force_from_right: -force(right),
+        };
+        for event in events {
+            match *event {
+                Event::Turn(turning) if turning == self.leader(node) => end.velocity = 0.0,
+                Event::Yield(yielding, branch) if yielding == node => {
+                    end.restoring_force = match branch {
+                        Branch::Left => -member.yield_force,
+                        Branch::Right | Branch::Elastic => member.yield_force,
+                    };
+                }
+                Event::Turn(_)
+                | Event::Yield(..)
+                | Event::Balance(_)
+                | Event::Extremum(_)
+                | Event::Peak(_)
+                | Event::Fade(_)
+                | Event::Reversal(_)
+                | Event::Part(_) => {}
+            }
+        }
+        end
+    }
+
+    fn report(&mut self, node: usize, (first, time): (usize, f64), x: f64, end: State) {
+        let body = &self.bodies[first];
+        let (left, right) = self.forces_on(node);
+        let member = &self.members[node];
+        let force = |pair: Option<usize>| {
+            pair.map_or(&[][..], |pair| &self.contacts[pair].force[..body.len])
+        };
+        let impulse = |pair| integral(force(pair), body.power, x);
+        let span = Span {
+            structure: node,
+            start_time: body.start,
+            end_time: time,
+            start: member.state,
+            end,
+            impulse_from_left: impulse(left),
+            impulse_from_right: -impulse(right),
+            path: Path::Series(Series {
+                origin: body.start,
+                power: body.power,
+                displacement: &member.displacement[..body.len],
+                velocity: &member.velocity[..body.len],
+                acceleration: &member.acceleration[..body.len],
+                restoring_force: (member.state.restoring_force, member.tangent()),
+                force_from_left: force(left),
+                force_from_right: force(right),
+            }),
+        };
+        self.recorder.span(&span);
+    }
+
+    /// What an event changes.
+    fn apply(&mut self, event: Event, time: f64) {
+        match event {
+            Event::Turn(leader) => {
+                let mut node = leader;
+                while node < self.members.len() && self.leader(node) == leader {
+                    self.members[node].branch = Branch::Elastic;
+                    node += 1;
+                }
+            }
+            Event::Yield(node, branch) => self.members[node].branch = branch,
+            Event::Balance(node) => self.members[node].balanced = true,
+            Event::Extremum(node) => self.members[node].peaked = true,
+            Event::Peak(pair) => self.contacts[pair].peaked = true,
+            Event::Fade(pair) => {
+                let contact = &mut self.contacts[pair];
+                contact.link = Link::Apart;
+                contact.faded = true;
+            }
+            Event::Reversal(pair) => {
+                let contact = &mut self.contacts[pair];
+                contact.rate = 0.0;
+                match contact.link {
+                    Link::Touching(Phase::Approach) => {
+                        contact.link = Link::Touching(Phase::Restitution);
+                    }
+                    Link::Touching(Phase::Restitution) => {
+                        contact.link = Link::Touching(Phase::Approach);
+                    }
+                    // What was left of the deformation is below the tolerance: a new touch may begin.
+                    Link::Touching(Phase::Parting) | Link::Apart | Link::Resting => {
+                        (contact.link, contact.deformation) = (Link::Apart, 0.0);
+                    }
+                }
+            }
+            Event::Part(pair) => {
+                let contact = &mut self.contacts[pair];
+                (contact.link, contact.deformation) = (Link::Apart, 0.0);
+                contact.time = time;
+            }
+        }
+    }
+}
+
+/// Length up to which the series of a touching pair have converged to the tolerance.
+fn reach(
+    contact: &Contact,
+    sides: &[Member],
+    (power, len): (Power, usize),
+    (length, tolerance): (f64, f64),
+) -> f64 {
+    if !matches!(contact.link, Link::Touching(_)) {
+        return length;
+    }
+    let mut x = length;
+    loop {
+        let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
+        for n in 0..len {
+            let term = weight * contact.rate(sides, n).abs();
+            sum += term;
+            if n + len / 4 >= len {
+                tail += term;
+            }
+            weight *= x;
+        }
+        // The shortest piece that time can tell apart ends the search.
+        if tail <= tolerance * sum || power.time(x) < 1e-18 {
+            return x;
+        }
+        x *= 0.85;
+    }
+}
+
+/// ∫ F dt from the start of a piece to x.
+fn integral(force: &[f64], power: Power, x: f64) -> f64 {
+    let p = power.order();
+    let mut sum = 0.0;
+    for (n, coefficient) in force.iter().enumerate().rev() {
+        sum = sum * x + p as f64 * coefficient / (n + p) as f64;
+    }
+    sum * power.time(x)
+}
+
+/// The search for the first event of a piece.
+struct Watch {
+    start: f64,
+    power: Power,
+    /// Every search covers all of it, so that an event does not depend on the order of the searches.
+    reach: f64,
+    /// The first event so far, or the reach.
+    length: f64,
+    /// What happens there.
+    events: Vec<Event>,
+}
+
+impl Watch {
+    /// A rise of the polynomial with these coefficients through zero.
+    fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
+        let mut polynomial = [0.0; CAPACITY];
+        for (n, place) in polynomial[..len].iter_mut().enumerate() {
+            *place = coefficient(n);
+        }
+        if let Some(x) = first_rise(&polynomial[..len], self.reach) {
+            self.take(x, event);
+        }
+    }
+
+    /// A change of sign; a zero `known` to be at the start is none.
+    fn change_of(
+        &mut self,
+        len: usize,
+        known: bool,
+        coefficient: impl Fn(usize) -> f64,
+        event: Event,
+    ) {
+        let mut polynomial = [0.0; CAPACITY];
+        for (n, place) in polynomial[..len].iter_mut().enumerate() {
+            *place = coefficient(n);
+        }
+        let polynomial = &mut polynomial[..len];
+        if known {
+            polynomial[0] = 0.0;
+        }
+        let begins_at_zero = polynomial.first() == Some(&0.0);
+        while let Some(leading) = polynomial.iter().position(|c| *c != 0.0) {
+            let sign = -polynomial[leading].signum();
+            for coefficient in polynomial.iter_mut() {
+                *coefficient *= sign;
+            }
+            let Some(x) = first_rise(polynomial, self.reach) else {
+                return;
+            };
+            let at_start = self.start + self.power.time(x) <= self.start;
+            if !(begins_at_zero && at_start) {
+                self.take(x, event);
+                return;
+            }
+            // The same zero again: what separates the two is rounding.
+            polynomial[leading] = 0.0;
+        }
+    }
+
+    fn take(&mut self, x: f64, event: Event) {
+        if x > self.length {
+            return;
+        }
+        if x < self.length {
+            self.events.clear();
+        }
+        self.length = x;
+        self.events.push(event);
+    }
+}

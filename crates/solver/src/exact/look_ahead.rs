@@ -1,0 +1,209 @@
+//! The deformation of a pair from piece to piece, and its next touch.
+//!
+//! A small deformation is carried from piece to piece as a number of its own: as a difference of displacements it would
+//! have lost its digits, and bouncing could gain energy from rounding.
+
+use std::cmp::Ordering;
+
+use crate::Recorder;
+use crate::exact::Run;
+use crate::exact::contact::{Contact, Link};
+use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
+use crate::exact::settle::noise;
+use crate::span::{Power, value};
+
+/// A deformation below this part of the displacements is carried; above, their difference is as good.
+const CARRIED: f64 = 1e-6;
+
+impl<R: Recorder> Run<'_, R> {
+    /// Brings deformation and rate of a pair to this instant, from its own series.
+    pub(super) fn carry_deformation(&mut self, pair: usize, time: f64) {
+        let left = self.lefts[pair];
+        let body = &self.bodies[self.body_of[left]];
+        let contact = &self.contacts[pair];
+        if contact.time >= time {
+            return;
+        }
+        let (deformation, rate) = match contact.link {
+            Link::Resting => (0.0, 0.0),
+            Link::Apart => contact.at(time),
+            Link::Touching(_) => {
+                let (sides, x) = (&self.members[left..left + 2], body.position(time));
+                let sum = |coefficient: &dyn Fn(usize) -> f64| {
+                    (0..body.len)
+                        .rev()
+                        .fold(0.0, |sum, n| sum * x + coefficient(n))
+                };
+                (
+                    sum(&|n| contact.deformation(sides, body.power, n)),
+                    sum(&|n| contact.rate(sides, n)),
+                )
+            }
+        };
+        let contact = &mut self.contacts[pair];
+        (contact.deformation, contact.rate, contact.time) = (deformation, rate, time);
+        (contact.faded, contact.peaked) = (false, false);
+    }
+
+    /// Takes a deformation that is not small from the displacements.
+    pub(super) fn refresh_deformation(&mut self, pair: usize, time: f64) {
+        let left = self.lefts[pair];
+        let ((u_left, v_left), (u_right, v_right)) =
+            (self.motion(left, time), self.motion(left + 1, time));
+        let gap = self.gaps[pair];
+        let contact = &mut self.contacts[pair];
+        let deformation = u_left - u_right - gap;
+        contact.scale = contact.scale.max(u_left.abs() + u_right.abs() + gap);
+        // At a touch the series knows both better than the rounded time does.
+        let touches = contact.meets <= time;
+        let coarse = !touches && deformation.abs() > CARRIED * contact.scale;
+        if coarse && contact.link != Link::Resting {
+            contact.deformation = deformation;
+            // A rate that is zero by an event stays so.
+            if contact.rate != 0.0 {
+                contact.rate = v_left - v_right;
+            }
+        }
+    }
+
+    /// Displacement and velocity of a node now, landed or not.
+    fn motion(&self, node: usize, time: f64) -> (f64, f64) {
+        let member = &self.members[node];
+        if self.landed[node] {
+            return (member.state.displacement, member.state.velocity);
+        }
+        let body = &self.bodies[self.body_of[node]];
+        let x = body.position(time);
+        (
+            value(&member.displacement[..body.len], x),
+            value(&member.velocity[..body.len], x),
+        )
+    }
+
+    /// Bodies on both sides of a pair whose pieces run in roots of time from different instants: the earlier of them.
+    pub(super) fn conflict(&self, pair: usize) -> Option<usize> {
+        let left = self.lefts[pair];
+        let firsts = [self.body_of[left], self.body_of[left + 1]];
+        let [a, b] = firsts.map(|first| &self.bodies[first]);
+        let rooted = a.power == Power::Four && b.power == Power::Four;
+        match a.start.total_cmp(&b.start) {
+            Ordering::Less if rooted => Some(firsts[0]),
+            Ordering::Greater if rooted => Some(firsts[1]),
+            Ordering::Less | Ordering::Equal | Ordering::Greater => None,
+        }
+    }
+
+    /// Finds the next touch of a pair within the pieces on both sides of it.
+    pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
+        let left = self.lefts[pair];
+        let bodies = [left, left + 1].map(|node| &self.bodies[self.body_of[node]]);
+        let contact = &self.contacts[pair];
+        if contact.link != Link::Apart || time >= self.end {
+            self.contacts[pair].meets = f64::INFINITY;
+            return;
+        }
+        let end = bodies[0].end.min(bodies[1].end);
+        let rooted = bodies.iter().find(|body| body.power == Power::Four);
+        let (origin, power) = rooted.map_or((time, Power::One), |body| (body.start, Power::Four));
+        let mut sides = [[0.0; CAPACITY]; 2];
+        let mut len = 0;
+        for (index, side) in sides.iter_mut().enumerate() {
+            let (body, member) = (bodies[index], &self.members[left + index]);
+            side[..body.len].copy_from_slice(&member.displacement[..body.len]);
+            let mut own = body.len;
+            if body.power == Power::One {
+                shift(&mut side[..own], origin - body.start);
+                if power == Power::Four {
+                    own = spread(side, own);
+                }
+            }
+            len = len.max(own);
+        }
+        let mut coefficients = [0.0; CAPACITY];
+        for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {
+            *coefficient = sides[0][n] - sides[1][n];
+        }
+        let offset = power.root(time - origin);
+        let members = &self.members[left..left + 2];
+        let contact = &mut self.contacts[pair];
+        contact.begin_series(&mut coefficients[..len], (power, offset));
+        if contact.deformation == 0.0 && contact.rate == 0.0 {
+            // What rounding leaves of two equal motions touches nothing.
+            let rounding = |n: usize| noise(members, [sides[0][n], sides[1][n]], power.order(), n);
+            let head = coefficients[..len].iter_mut().enumerate();
+            for (n, coefficient) in head.skip(2 * power.order()) {
+                if coefficient.abs() > rounding(n) {
+                    break;
+                }
+                *coefficient = 0.0;
+            }
+        }
+        contact.series.coefficients = coefficients;
+        (contact.series.len, contact.series.origin) = (len, origin);
+        (contact.series.offset, contact.series.power) = (offset, power);
+        let length = power.root(end - origin) - offset;
+        let touch = first_rise(&coefficients[..len], length);
+        contact.meets_at = touch.unwrap_or(length);
+        contact.meets = match touch {
+            Some(x) if x >= length => end,
+            Some(x) => (origin + power.time(offset + x)).clamp(time, end),
+            None => f64::INFINITY,
+        };
+    }
+}
+
+impl Contact {
+    /// Deformation and rate of a pair that is apart.
+    fn at(&self, time: f64) -> (f64, f64) {
+        let series = &self.series;
+        let x = series.power.root((time - series.origin).max(0.0));
+        let at = if time < self.meets {
+            x - series.offset
+        } else {
+            self.meets_at
+        };
+        let (deformation, slope) = value_and_slope(&series.coefficients[..series.len], at);
+        let rate = match series.power {
+            Power::One => slope,
+            // At the origin itself nothing has changed yet.
+            Power::Four if x == 0.0 => self.rate,
+            Power::Four => slope / (4.0 * x * x * x),
+        };
+        (deformation, rate)
+    }
+
+    /// Puts the carried deformation and rate at the head of the series, and clears what is known to be zero.
+    fn begin_series(&self, coefficients: &mut [f64], (power, offset): (Power, f64)) {
+        if offset > 0.0 {
+            shift(coefficients, offset);
+            coefficients[0] = self.deformation;
+            return;
+        }
+        coefficients[0] = self.deformation;
+        if let Some(place) = coefficients.get_mut(power.order()) {
+            *place = self.rate;
+        }
+        if self.faded
+            && let Some(place) = coefficients.get_mut(2 * power.order())
+        {
+            *place = 0.0;
+        }
+    }
+
+    /// The pair touches now.
+    pub(super) fn touch(&mut self, time: f64) {
+        (self.deformation, self.time, self.meets) = (0.0, time, f64::INFINITY);
+        self.touching = true;
+    }
+}
+
+/// Turns a series in t into one in x, t = x⁴, as far as the capacity goes; returns its number of coefficients.
+fn spread(coefficients: &mut [f64; CAPACITY], len: usize) -> usize {
+    let kept = len.min(CAPACITY / 4);
+    let old = *coefficients;
+    coefficients.fill(0.0);
+    for n in 0..kept {
+        coefficients[4 * n] = old[n];
+    }
+    4 * kept - 3
+}

@@ -1,0 +1,196 @@
+//! The first instant at which a polynomial rises through zero, by bounds only.
+//!
+//! A stretch is left out only where an upper bound of the polynomial is not positive, so that a rise and fall between
+//! two ends cannot be missed.
+
+use crate::span::value;
+
+/// Capacity of every series.
+pub(super) const CAPACITY: usize = 64;
+
+/// Part of the whole below which a stretch is as short as rounding.
+const SHORTEST: f64 = 1e-15;
+
+/// First x in 0 ..= `length` from which on the polynomial is positive, coming from values ≤ 0.
+///
+/// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
+/// is positive from the start rises at 0.
+pub(super) fn first_rise(coefficients: &[f64], length: f64) -> Option<f64> {
+    let known = coefficients.iter().position(|c| *c != 0.0)?;
+    let whole = &coefficients[known..];
+    if whole[0] > 0.0 {
+        return Some(0.0);
+    }
+    if upper_bound(whole, length) <= 0.0 {
+        return None;
+    }
+    let mut local = [0.0; CAPACITY];
+    let local = &mut local[..whole.len()];
+    local.copy_from_slice(whole);
+    let (mut left, mut width) = (0.0, length);
+    loop {
+        let monotone = lower_bound_of_slope(local, width) >= 0.0;
+        let none = upper_bound(local, width) <= 0.0 || (monotone && value(local, width) <= 0.0);
+        if monotone && !none {
+            return Some(left + rise_of_monotone(local, width));
+        }
+        if !none {
+            width *= 0.5;
+            if width > SHORTEST * length {
+                continue;
+            }
+            // A double zero as sharp as rounding: its side decides.
+            if value(local, width) > 0.0 {
+                return Some(left + width);
+            }
+        }
+        left += width;
+        if left >= length {
+            return None;
+        }
+        local.copy_from_slice(whole);
+        shift(local, left);
+        if local[0] > 0.0 {
+            return Some(left);
+        }
+        width = (2.0 * width).min(length - left);
+    }
+}
+
+/// Largest value that the polynomial could have on 0 ..= `width`.
+fn upper_bound(coefficients: &[f64], width: f64) -> f64 {
+    let sum = |sum: f64, c: &f64| (sum * width) + c.max(0.0);
+    coefficients[0] + width * coefficients[1..].iter().rev().fold(0.0, sum)
+}
+
+/// Smallest slope that the polynomial could have on 0 ..= `width`.
+fn lower_bound_of_slope(coefficients: &[f64], width: f64) -> f64 {
+    let Some((slope, rest)) = coefficients[1..].split_first() else {
+        return 0.0;
+    };
+    let mut sum = 0.0;
+    for (index, coefficient) in rest.iter().enumerate().rev() {
+        sum = sum * width + ((index + 2) as f64 * coefficient).min(0.0);
+    }
+    slope + width * sum
+}
+
+/// Zero of a polynomial that grows from ≤ 0 at 0 to > 0 at `width`: Newton's method kept in a bracket.
+fn rise_of_monotone(coefficients: &[f64], width: f64) -> f64 {
+    let (mut low, mut high) = (0.0, width);
+    let mut x = width;
+    for _ in 0..200 {
+        let (y, slope) = value_and_slope(coefficients, x);
+        if y > 0.0 {
+            high = x;
+        } else {
+            low = x;
+        }
+        let newton = x - y / slope;
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        let settled = (next - x).abs() <= f64::EPSILON * next.abs();
+        x = next;
+        if settled || low >= high {
+            break;
+        }
+    }
+    x
+}
+
+/// Value and first derivative.
+pub(super) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
+    let (mut y, mut slope) = (0.0, 0.0);
+    for coefficient in coefficients.iter().rev() {
+        slope = slope * x + y;
+        y = y * x + coefficient;
+    }
+    (y, slope)
+}
+
+/// Expands a polynomial about `origin` instead of 0.
+pub(super) fn shift(coefficients: &mut [f64], origin: f64) {
+    let n = coefficients.len();
+    for from in 0..n {
+        for index in (from..n - 1).rev() {
+            coefficients[index] += origin * coefficients[index + 1];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// −(x − a)(x − b)…, negative at 0 for an even number of zeros on the right.
+    fn with_zeros(zeros: &[f64]) -> Vec<f64> {
+        let mut p = vec![-1.0];
+        for zero in zeros {
+            let mut next = vec![0.0; p.len() + 1];
+            for (index, c) in p.iter().enumerate() {
+                next[index + 1] += c;
+                next[index] -= zero * c;
+            }
+            p = next;
+        }
+        p
+    }
+
+    #[test]
+    fn reference_double_crossings_are_found() {
+        for separation in [1e-1, 1e-3, 1e-5, 1e-6] {
+            let zeros = [0.6, 0.6 + separation];
+            let found = first_rise(&with_zeros(&zeros), 1.0).unwrap();
+            assert!(
+                (found - 0.6).abs() < 1e-15 / separation,
+                "{separation}: {found}"
+            );
+        }
+        assert_eq!(
+            first_rise(&[-1.0 - 1e-12, 2.0, -1.0], 2.0),
+            None,
+            "a near miss"
+        );
+    }
+
+    #[test]
+    fn limit_known_zeros_at_the_start_are_left_out() {
+        let half = first_rise(&[0.0, -1.0, 2.0], 1.0).unwrap();
+        assert!((half - 0.5).abs() < 2e-16, "{half}");
+        assert_eq!(first_rise(&[0.0, 0.0, 3.0], 1.0), Some(0.0));
+        assert_eq!(first_rise(&[0.0, 0.0, -3.0], 1.0), None);
+        assert_eq!(first_rise(&[0.0; 4], 1.0), None);
+    }
+
+    proptest! {
+        #[test]
+        fn reference_first_of_several_zeros(mut zeros in prop::collection::vec(0.01..3.0_f64, 2..7)) {
+            if zeros.len() % 2 == 1 {
+                zeros.pop();
+            }
+            zeros.sort_by(f64::total_cmp);
+            prop_assume!(zeros[1] - zeros[0] > 1e-3);
+            let found = first_rise(&with_zeros(&zeros), 1.0);
+            if zeros[0] < 1.0 {
+                let found = found.expect("there is a rise");
+                prop_assert!((found - zeros[0]).abs() < 1e-8, "{found} of {zeros:?}");
+            } else {
+                prop_assert_eq!(found, None);
+            }
+        }
+
+        #[test]
+        fn reference_shifted_polynomials_have_the_same_values(
+            coefficients in prop::collection::vec(-1.0..1.0_f64, 1..12), origin in -1.0..1.0_f64, x in -1.0..1.0_f64,
+        ) {
+            let mut shifted = coefficients.clone();
+            shift(&mut shifted, origin);
+            let (found, wanted) = (value(&shifted, x), value(&coefficients, origin + x));
+            prop_assert!((found - wanted).abs() < 1e-10, "{found} {wanted}");
+        }
+    }
+}
