@@ -76,16 +76,13 @@ fn methods(advice: &Advice) -> String {
 fn of_trial(trial: &Trial) -> String {
     if trial.worst.is_empty() {
         "rounding".into()
-    } else if trial.error.is_finite() {
-        format!("{} ({})", percent(trial.error), trial.worst)
     } else {
-        trial.worst.into()
+        format!("{} ({})", percent(trial.error), trial.worst)
     }
 }
 
 /// Work relative to the exact run's.
 fn ratio(trial: &Trial, advice: &Advice) -> String {
-    #[expect(clippy::cast_precision_loss, reason = "two digits are shown")]
     let ratio = trial.cost as f64 / advice.exact.cost as f64;
     if ratio < 10.0 {
         format!("{ratio:.2}")

@@ -15,7 +15,8 @@ is relative to the folder of the file that holds the scene.";
 const ADVISE: &str = "\
 Examples:
   pounding advise studies/examples/two-structures.json --error 1%
-  pounding advise studies/examples/wall-and-neighbour.json --error 0.1% --quantity momentum
+  pounding advise studies/examples/two-structures.json --error 0.1% \\
+    --quantity momentum
 
 A scene with \"method\": {\"accuracy\": 0.01} asks for the same whenever it is run.";
 

@@ -102,7 +102,8 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
                 largest if largest.is_finite() => {
                     format!("the largest is {} ({of})", percent(largest))
                 }
-                _ => format!("the {of} is another"),
+                _ if of == "number of collisions" => "the numbers of collisions differ".into(),
+                _ => format!("the exact run has no {of}, or this run has none"),
             };
             format!("below each number, its distance from the exact run;\n{largest}")
         }
@@ -206,9 +207,9 @@ fn structures(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> S
         ["Damping", "ratio", ""],
         ["Peak", "displ.", "[mm]"],
         ["at", "[s]", ""],
-        ["Peak", "restoring", "force [kN]"],
+        ["Peak", "shear", "[kN]"],
         ["Ductility", "", ""],
-        ["Transferred", "momentum", "[kN·s]"],
+        ["Transf.", "momentum", "[kN·s]"],
     ];
     let rows = scene
         .structures
@@ -238,7 +239,8 @@ fn structure_row(structure: &Structure, index: usize, outcome: &Outcome) -> Vec<
         short(sdof.period()),
         short(sdof.damping_ratio()),
         short(peaks.displacement.value * 1e3),
-        digits(peaks.displacement.time),
+        // To a tenth of a millisecond: the line must fit.
+        digits((peaks.displacement.time * 1e4).round() * 1e-4),
         short(peaks.restoring_force.value / 1e3),
         ductility(sdof, &peaks.displacement),
         momentum,

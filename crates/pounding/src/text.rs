@@ -85,6 +85,10 @@ pub(crate) fn percent(error: f64) -> String {
     if value == 0.0 {
         return "0 %".into();
     }
+    if value < 1e-9 {
+        // The exact run is no better than about this.
+        return "<1e-9 %".into();
+    }
     if !value.is_finite() {
         return "∞".into();
     }
@@ -93,7 +97,7 @@ pub(crate) fn percent(error: f64) -> String {
         .split_once('e')
         .and_then(|(_, exponent)| exponent.parse().ok());
     match exponent {
-        Some(exponent @ -3..=3_i32) => {
+        Some(exponent @ -2..=3_i32) => {
             let decimals = usize::try_from(1 - exponent).unwrap_or(0);
             format!("{value:.decimals$} %")
         }
