@@ -1,5 +1,6 @@
 //! The answer of `pounding advise`, as plain text.
 
+use pounding::solver::{ImpactRule, VerletImpacts};
 use pounding::studies::{Advice, Method, Prepared, Quantity, Trial, WORK_BUDGET, digits};
 
 use crate::text::{NONE, paragraph, percent, table};
@@ -95,10 +96,10 @@ fn ratio(trial: &Trial, advice: &Advice) -> String {
 fn name(method: &Method) -> String {
     let name = method.name().replace('_', " ");
     match *method {
-        Method::CentralDifference { impacts, .. } if impacts != Default::default() => {
+        Method::CentralDifference { impacts, .. } if impacts != ImpactRule::default() => {
             format!("{name}, jump")
         }
-        Method::VelocityVerlet { impacts, .. } if impacts != Default::default() => {
+        Method::VelocityVerlet { impacts, .. } if impacts != VerletImpacts::default() => {
             format!("{name}, located")
         }
         Method::CentralDifference { .. }

@@ -18,7 +18,7 @@ Examples:
   pounding advise studies/examples/two-structures.json --error 0.1% \\
     --quantity momentum
 
-A scene with \"method\": {\"accuracy\": 0.01} asks for the same whenever it is run.";
+A scene with \"method\": {\"accuracy\": 0.01} asks for the same when it is run.";
 
 /// Earthquake-induced structural pounding.
 #[derive(Debug, Parser)]
@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Task {
-    /// Run a scene and print peaks, collisions, their errors and what the run cost.
+    /// Run a scene and print peaks, collisions, errors and work.
     #[command(after_help = EXAMPLE)]
     Run {
         /// The scene, a JSON file.

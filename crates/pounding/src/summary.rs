@@ -154,7 +154,7 @@ fn settings(method: &Method) -> String {
             VerletImpacts::VelocityJump => ", impacts: velocity jump".into(),
             VerletImpacts::Located => ", impacts: located".into(),
         },
-        Method::Rk4 { .. } => String::new(),
+        Method::Rk4 { .. } | Method::Accuracy(_) => String::new(),
         Method::MoreauJean { theta, .. } => format!(", θ = {}", short(theta)),
         Method::Exact {
             tolerance,
@@ -166,7 +166,6 @@ fn settings(method: &Method) -> String {
             };
             format!(", tolerance {tolerance:e}{together}")
         }
-        Method::Accuracy(_) => String::new(),
     }
 }
 
