@@ -154,7 +154,20 @@ impl<'a> Ledger<'a> {
     }
 
     fn judge(&mut self, outcome: Result<(), LedgerError>) {
-        if let Err(violation) = outcome {
+        let Err(violation) = outcome else {
+            return;
+        };
+        // An energy is known to the rounding of all that is booked.
+        let rounding = match violation {
+            LedgerError::GainAtImpact { found, .. } | LedgerError::GainInContact { found, .. } => {
+                found <= ROUNDING * self.largest.scale
+            }
+            LedgerError::Tension { .. }
+            | LedgerError::PullingImpact { .. }
+            | LedgerError::GainInYielding { .. }
+            | LedgerError::Imbalance { .. } => false,
+        };
+        if !rounding {
             self.violation.get_or_insert(violation);
         }
     }
