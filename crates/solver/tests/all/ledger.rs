@@ -191,14 +191,15 @@ proptest! {
         let row = Row::new(nodes, between).expect("the row is valid");
         let samples = ground();
         let ledger = book(&row, METHODS[method].1, &samples, clock(0.001, 4.0));
-        prop_assert!(ledger.identity() < 1e-12, "{:e}", ledger.identity());
-        prop_assert!(ledger.momentum() < 1e-12, "{:e}", ledger.momentum());
+        // Newton's method leaves up to 1e-12 of the forces in every step of stiff contact.
+        prop_assert!(ledger.identity() < 1e-11, "{:e}", ledger.identity());
+        prop_assert!(ledger.momentum() < 1e-11, "{:e}", ledger.momentum());
         let terms = ledger.terms();
         for term in [terms.kinetic, terms.strain, terms.damping, terms.hysteretic] {
             prop_assert!(term >= 0.0, "{terms:?}");
         }
         // The published rule may create energy, velocity jumps may not.
         let verdict = ledger.verdict();
-        prop_assert!(verdict.is_ok() || (method == 0 && !compliant), "{verdict:?}");
+        prop_assert!(verdict.is_ok() || (METHODS[method].1 == CENTRAL && !compliant), "{verdict:?}");
     }
 }
