@@ -18,7 +18,7 @@ impl Completed {
     ///
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be prepared or run.
-    pub fn run(file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
+    pub fn run(mut file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
         use rayon::prelude::*;
         let stepless = |scene: &&Scene| scene.method.time_step().is_none();
         if let Some(scene) = file.study.scenes.iter().find(stepless)
@@ -39,6 +39,10 @@ impl Completed {
                 Prepared::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
             })
             .collect::<Result<Vec<_>, _>>()?;
+        // Where a scene asks for an accuracy, tables and figures show the method found for it.
+        for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
+            scene.method = prepared.method();
+        }
         let keeps_histories = file.study.output.needs_histories();
         let outcomes = prepared
             .par_iter()

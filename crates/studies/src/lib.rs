@@ -6,9 +6,11 @@
 //!
 //! Left out: integration (`pounding-solver`), record formats (`pounding-motion`).
 
+mod advice;
 mod agreement;
 mod check;
 mod claims;
+mod comparison;
 mod completed;
 mod error;
 mod figures;
@@ -27,10 +29,12 @@ pub mod second_route;
 mod study;
 mod tables;
 
+pub use advice::{Advice, Goal, LONGEST_STEP, Rungs, Trial, WORK_BUDGET, advise, cost, n_methods};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
 pub use claims::{Claim, Finding, claims, claims_csv};
+pub use comparison::{PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;
