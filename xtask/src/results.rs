@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold generated files only; anything else in them is stale.
-const GENERATED: [&str; 3] = ["", "tables", "figures"];
+const GENERATED: [&str; 4] = ["", "tables", "figures", "trade"];
 /// What is written by hand.
 const BY_HAND: &str = "README.md";
 

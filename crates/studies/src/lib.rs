@@ -16,7 +16,7 @@ mod figures;
     not(test),
     expect(
         dead_code,
-        reason = "figures of errors against work will need logarithmic axes, marks and names"
+        reason = "bars, names and some marks wait for a figure that needs them"
     )
 )]
 mod plot;
@@ -25,6 +25,7 @@ mod reproduce;
 mod scene;
 mod study;
 mod tables;
+mod trade;
 
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
@@ -39,3 +40,4 @@ pub use reproduce::{Reproduction, Studies};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
 pub use study::{Output, Study, StudyFile, read_json};
 pub use tables::{Table, Value, digits};
+pub use trade::{Ladder, Trade};

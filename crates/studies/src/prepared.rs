@@ -84,10 +84,7 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub fn run(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
-        let (n, pairs) = match &self.model {
-            Model::Elastic(row) => (row.nodes().len(), row.pairs()),
-            Model::ElastoPlastic(row) => (row.nodes().len(), row.pairs()),
-        };
+        let (n, pairs) = (self.structures.len(), self.pairs());
         let base = (
             Peaks::new(n),
             Collisions::new(n, pairs),
@@ -125,15 +122,33 @@ impl Prepared {
         }
     }
 
-    /// Runs the scene with any recorder.
-    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+    /// The pairs that can touch, from left to right.
+    pub(crate) fn pairs(&self) -> &[Pair] {
+        match &self.model {
+            Model::Elastic(row) => row.pairs(),
+            Model::ElastoPlastic(row) => row.pairs(),
+        }
+    }
+
+    /// Runs the scene by any method, whatever its own is.
+    pub(crate) fn run_by<R: Recorder>(
+        &self,
+        integrator: &Integrator,
+        clock: Clock,
+        recorder: &mut R,
+    ) -> Result<Work, RunError> {
         let excitation = Excitation::new(self.record.time_step(), self.record.samples())
             .expect("a record has samples and a time step > 0");
         match &self.model {
-            Model::Elastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
-            Model::ElastoPlastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
+            Model::Elastic(row) => integrator.run(row, excitation, clock, recorder),
+            Model::ElastoPlastic(row) => integrator.run(row, excitation, clock, recorder),
         }
-        .map_err(|error| self.ended(error))
+    }
+
+    /// Runs the scene with any recorder.
+    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+        self.run_by(&self.integrator, self.clock, recorder)
+            .map_err(|error| self.ended(error))
     }
 
     /// Says in the words of the scene why a run ended early.
