@@ -8,6 +8,7 @@
 use pounding_contact::{ContactLaw, Overlap};
 use serde::{Deserialize, Serialize};
 
+use crate::span::Load;
 use crate::{
     Clock, Excitation, Impact, Node, Recorder, RestoringForce, Row, RunError, Span, State,
     Velocities, Work,
@@ -97,15 +98,15 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         .collect();
     let mut impulses = vec![0.0; row.pairs().len()];
     let mut work = Work::default();
-    let first = match settings.start {
-        Start::Consistent | Start::FirstLoadUsed => 0,
-        Start::FirstLoadSkipped => 1,
-    };
+    let first = usize::from(settings.start == Start::FirstLoadSkipped);
     // Node n is reached by the step before the last; the last one gives it a velocity.
+    let mut before = 0.0;
     for (step, &ground) in ground.iter().enumerate().skip(first) {
         let hit = touch(row, &mut bodies, &mut impulses, dt, &mut work);
-        for (index, (body, constants)) in bodies.iter_mut().zip(&coefficients).enumerate() {
-            let end = advance(body, constants, &row.nodes()[index].column, ground, dt);
+        let nodes = row.nodes().iter().zip(&coefficients);
+        for (index, (body, (node, constants))) in bodies.iter_mut().zip(nodes).enumerate() {
+            let central = body.velocity;
+            let end = advance(body, constants, &node.column, ground, dt);
             if !body.displacement.is_finite() {
                 return Err(RunError::Diverged {
                     structure: index,
@@ -115,7 +116,21 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             }
             if step > 0 {
                 let times = (clock.time(step - 1), clock.time(step));
-                recorder.span(&Span::step(index, times, body.start, end));
+                let ends = [body.start, end];
+                // The equation's damping force is that of the central velocity, half way through a jump.
+                let loads = [
+                    Load::at(&ends[0], node.damping * central, before),
+                    Load::at(&ends[1], node.damping * body.velocity, ground),
+                ];
+                // The node before the first solved one has no equation.
+                let weights = [if step > first { 1.0 } else { 0.0 }, 1.0];
+                recorder.span(&Span::step::<R, _>(
+                    index,
+                    times,
+                    ends,
+                    (0.5 * dt, weights),
+                    loads,
+                ));
             }
             let jump = constants.inverse_mass * body.impulse;
             body.start = end;
@@ -125,6 +140,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         if hit {
             report(row, &bodies, &impulses, clock.time(step), recorder);
         }
+        before = ground;
         work.steps += 1;
         work.force_evaluations += bodies.len() as u64;
     }

@@ -91,13 +91,15 @@ pub enum RunError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
-    /// Too many events at one instant.
+    /// Too many events.
     #[error(
-        "t = {time} s: events follow each other without end; a coefficient of restitution below one or a larger mass of \
-         the structures between others ends them"
+        "t = {time} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \
+         and 10 million in a run: use a coefficient of restitution below 1, a compliant law or a stepping method"
     )]
     NoProgress {
         /// The instant \[s\].
         time: f64,
+        /// Events of the run so far.
+        events: u64,
     },
 }

@@ -34,6 +34,7 @@ mod excitation;
 mod integrator;
 mod newmark;
 mod newton;
+mod quadrature;
 mod recorder;
 mod recorders;
 mod row;
@@ -51,8 +52,9 @@ pub use integrator::Integrator;
 pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Velocities};
 pub use recorders::{
-    Collision, Collisions, Histories, History, Peak, Peaks, StructurePeaks, TransferredMomentum,
+    Collision, Collisions, Histories, History, Ledger, LedgerError, PairTerms, Peak, Peaks,
+    StructurePeaks, Terms, TransferredMomentum,
 };
 pub use row::{Node, Pair, Row};
-pub use span::{Path, Series, Span, State};
+pub use span::{Path, Series, Span, State, Weighed};
 pub use work::Work;

@@ -6,6 +6,7 @@
 use pounding_contact::ContactLaw;
 
 use crate::newton::{self, Failure, Slopes, Trial};
+use crate::span::Load;
 use crate::{
     Clock, Excitation, Impact, Recorder, RestoringForce, Row, RunError, Span, State, Velocities,
     Work,
@@ -95,7 +96,8 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     };
     let mut scratch = begin(row, ground[0]);
     let mut work = Work::default();
-    for (step, &ground) in ground.iter().enumerate().skip(1) {
+    for step in 1..ground.len() {
+        let at_ends = [ground[step - 1], ground[step]];
         for (state, trial) in scratch.states.iter().zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement
@@ -106,13 +108,24 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         balance(
             row,
             &mut scratch,
-            (slopes, ground),
+            (slopes, ground[step]),
             clock.time(step),
             &mut work,
         )?;
-        commit(&mut scratch, clock, step, recorder)?;
+        commit(
+            row,
+            &mut scratch,
+            (clock, step),
+            (settings.gamma, at_ends),
+            recorder,
+        )?;
         work.touching_steps += overlaps(row, &scratch.states);
-        jump(row, &mut scratch, (ground, clock.time(step)), recorder);
+        jump(
+            row,
+            &mut scratch,
+            (ground[step], clock.time(step)),
+            recorder,
+        );
         work.steps += 1;
     }
     Ok(work)
@@ -225,13 +238,16 @@ fn mark_overlaps<Column: RestoringForce>(
 }
 
 /// Accepts the end of a step and reports its spans.
-fn commit<Memory: Copy, R: Recorder>(
-    scratch: &mut Scratch<Memory>,
-    clock: Clock,
-    step: usize,
+fn commit<Column: RestoringForce, R: Recorder>(
+    row: &Row<Column>,
+    scratch: &mut Scratch<Column::Memory>,
+    (clock, step): (Clock, usize),
+    (gamma, ground): (f64, [f64; 2]),
     recorder: &mut R,
 ) -> Result<(), RunError> {
     let (start_time, end_time) = (clock.time(step - 1), clock.time(step));
+    // The trapezoidal rule where γ = 1/2.
+    let weights = [2.0 - 2.0 * gamma, 2.0 * gamma];
     for (structure, (state, trial)) in scratch
         .states
         .iter_mut()
@@ -253,7 +269,19 @@ fn commit<Memory: Copy, R: Recorder>(
                 time_step: clock.time_step,
             });
         }
-        recorder.span(&Span::step(structure, (start_time, end_time), *state, end));
+        let damping = row.nodes()[structure].damping;
+        let ends = [*state, end];
+        let load = |index: usize| {
+            let state: &State = &ends[index];
+            Load::at(state, damping * state.velocity, ground[index])
+        };
+        recorder.span(&Span::step::<R, _>(
+            structure,
+            (start_time, end_time),
+            ends,
+            (0.5 * clock.time_step, weights),
+            [load(0), load(1)],
+        ));
         *state = end;
         trial.memory = trial.response.memory;
     }

@@ -32,6 +32,10 @@ pub struct Impact {
 ///
 /// `()` records nothing and costs nothing; a tuple records what its members do.
 pub trait Recorder {
+    /// Whether the recorder reads the impulses of [`Weighed`](crate::Weighed); where none does, they are left at zero
+    /// and cost nothing.
+    const READS_WEIGHED: bool = false;
+
     /// Sees the motion of one structure over one span.
     fn span(&mut self, span: &Span<'_>);
 
@@ -47,6 +51,8 @@ impl Recorder for () {
 macro_rules! record_in_each {
     ($($name:ident)+) => {
         impl<$($name: Recorder),+> Recorder for ($($name,)+) {
+            const READS_WEIGHED: bool = $($name::READS_WEIGHED)||+;
+
             #[expect(non_snake_case, reason = "type names serve as variables")]
             fn span(&mut self, span: &Span<'_>) {
                 let ($($name,)+) = self;

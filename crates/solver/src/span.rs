@@ -1,3 +1,5 @@
+use crate::{Recorder, quadrature};
+
 /// State of a structure at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct State {
@@ -49,10 +51,50 @@ pub struct Span<'a> {
 /// What is known of a motion between the ends of its span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path<'a> {
-    /// Nothing but the ends, as in a step of a stepping method: a cubic between them.
-    Cubic,
+    /// Nothing but the ends and what the method made of the forces, as in a step of a stepping method; a cubic between
+    /// the ends.
+    Cubic(Weighed),
     /// The motion itself.
     Series(Series<'a>),
+}
+
+/// What acts on a structure besides its neighbours, over a step, as the method weighed it.
+///
+/// With the impulses of the pounding forces it is the step's own balance of momentum: m·Δu̇ equals the sum of the
+/// impulses, less m times the change of the ground's velocity, to rounding. All are 0 unless a recorder
+/// [reads](crate::Recorder::READS_WEIGHED) them.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Weighed {
+    /// Impulse of the restoring force, −∫`f_s` dt \[N·s\].
+    pub restoring: f64,
+    /// Impulse of the viscous damping, −∫c·u̇ dt \[N·s\].
+    pub damping: f64,
+    /// Change of the ground's velocity, ∫`a_g` dt \[m/s\]; of a wall it says nothing.
+    pub ground_velocity: f64,
+}
+
+/// What acts on a structure at an instant, as it enters a method's equation.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Load {
+    pub(crate) restoring: f64,
+    pub(crate) damping: f64,
+    pub(crate) ground: f64,
+    pub(crate) from_left: f64,
+    pub(crate) from_right: f64,
+}
+
+impl Load {
+    /// The forces of a state, the damping force c·u̇ \[N\] and the ground acceleration \[m/s²\].
+    #[inline]
+    pub(crate) fn at(state: &State, damping: f64, ground: f64) -> Self {
+        Self {
+            restoring: state.restoring_force,
+            damping,
+            ground,
+            from_left: state.force_from_left,
+            from_right: state.force_from_right,
+        }
+    }
 }
 
 /// A motion as power series in x, with t = origin + x^power.
@@ -68,6 +110,7 @@ pub struct Series<'a> {
     pub(crate) acceleration: &'a [f64],
     /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
     pub(crate) restoring_force: (f64, f64),
+    /// Magnitude of the pounding force from either side \[N\].
     pub(crate) force_from_left: &'a [f64],
     pub(crate) force_from_right: &'a [f64],
 }
@@ -96,6 +139,14 @@ impl Power {
         }
     }
 
+    /// dt/dx.
+    pub(crate) fn rate(self, x: f64) -> f64 {
+        match self {
+            Self::One => 1.0,
+            Self::Four => 4.0 * (x * x) * x,
+        }
+    }
+
     /// The power as a number.
     pub(crate) fn order(self) -> usize {
         match self {
@@ -112,8 +163,13 @@ pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
 }
 
 impl Series<'_> {
-    fn at(&self, time: f64) -> State {
-        let x = self.power.root((time - self.origin).max(0.0));
+    /// x at an instant \[s\].
+    fn x(&self, time: f64) -> f64 {
+        self.power.root((time - self.origin).max(0.0))
+    }
+
+    /// State at x.
+    fn at(&self, x: f64) -> State {
         let rise = x * value(self.displacement.get(1..).unwrap_or_default(), x);
         State {
             displacement: value(self.displacement, x),
@@ -121,29 +177,47 @@ impl Series<'_> {
             acceleration: value(self.acceleration, x),
             restoring_force: self.restoring_force.0 + self.restoring_force.1 * rise,
             force_from_left: value(self.force_from_left, x),
-            force_from_right: value(self.force_from_right, x),
+            force_from_right: -value(self.force_from_right, x),
         }
     }
 }
 
 impl Span<'_> {
-    /// A step of a stepping method; pounding forces between its nodes are taken as linear.
-    pub(crate) fn step(
+    /// A step of a stepping method for a recorder R.
+    ///
+    /// The method made of the loads in the step their sum with these weights, times `scale` \[s\]; the trapezoidal
+    /// rule is Δt/2 times 1 and 1 of the loads at both ends.
+    #[inline]
+    pub(crate) fn step<R: Recorder, const N: usize>(
         structure: usize,
         (start_time, end_time): (f64, f64),
-        start: State,
-        end: State,
+        [start, end]: [State; 2],
+        (scale, weights): (f64, [f64; N]),
+        loads: [Load; N],
     ) -> Self {
-        let half = 0.5 * (end_time - start_time);
+        let weigh = |force: fn(&Load) -> f64| {
+            let terms = weights.iter().zip(&loads);
+            let sum = terms.map(|(weight, load)| weight * force(load));
+            scale * sum.reduce(|sum, term| sum + term).unwrap_or(0.0)
+        };
+        let weighed = if R::READS_WEIGHED {
+            Weighed {
+                restoring: -weigh(|load| load.restoring),
+                damping: -weigh(|load| load.damping),
+                ground_velocity: weigh(|load| load.ground),
+            }
+        } else {
+            Weighed::default()
+        };
         Self {
             structure,
             start_time,
             end_time,
             start,
             end,
-            impulse_from_left: half * (start.force_from_left + end.force_from_left),
-            impulse_from_right: half * (start.force_from_right + end.force_from_right),
-            path: Path::Cubic,
+            impulse_from_left: weigh(|load| load.from_left),
+            impulse_from_right: weigh(|load| load.from_right),
+            path: Path::Cubic(weighed),
         }
     }
 
@@ -158,8 +232,37 @@ impl Span<'_> {
     /// forces and acceleration are linear.
     pub fn at(&self, time: f64) -> State {
         match self.path {
-            Path::Cubic => self.cubic(time),
-            Path::Series(series) => series.at(time),
+            Path::Cubic(_) => self.cubic(time),
+            Path::Series(series) => series.at(series.x(time)),
+        }
+    }
+
+    /// Integrals over time of N functions of instant \[s\] and state, by the Gauss–Legendre rule with 16 nodes.
+    ///
+    /// In the variable of a [`Path::Series`], in which its forces are smooth, and so to rounding where the functions
+    /// are smooth too.
+    pub fn integrate<const N: usize>(
+        &self,
+        integrand: impl Fn(f64, &State) -> [f64; N],
+    ) -> [f64; N] {
+        self.integrate_between((self.start_time, self.end_time), integrand)
+    }
+
+    /// The same integrals between two instants of the span.
+    pub(crate) fn integrate_between<const N: usize>(
+        &self,
+        (from, to): (f64, f64),
+        integrand: impl Fn(f64, &State) -> [f64; N],
+    ) -> [f64; N] {
+        match self.path {
+            Path::Cubic(_) => {
+                quadrature::integrate((from, to), |time| integrand(time, &self.cubic(time)))
+            }
+            Path::Series(series) => quadrature::integrate((series.x(from), series.x(to)), |x| {
+                let time = series.origin + series.power.time(x);
+                let rate = series.power.rate(x);
+                integrand(time, &series.at(x)).map(|value| rate * value)
+            }),
         }
     }
 
@@ -196,7 +299,9 @@ mod tests {
             acceleration: 6.0 - 3.0 * t,
             ..State::default()
         };
-        let span = Span::step(0, (0.5, 2.5), path(0.5), path(2.5));
+        let ends = [path(0.5), path(2.5)];
+        let loads = ends.map(|state| Load::at(&state, 0.0, 0.0));
+        let span = Span::step::<(), _>(0, (0.5, 2.5), ends, (1.0, [1.0, 1.0]), loads);
         for time in [0.5, 0.7, 1.3, 2.2, 2.5] {
             let (found, wanted) = (span.at(time), path(time));
             assert!(
@@ -212,5 +317,46 @@ mod tests {
                 "{time}: {found:?}"
             );
         }
+    }
+
+    #[test]
+    fn reference_integrals_over_a_span() {
+        // u = 1 + 2x + 3x⁴ with t = 2 + x⁴, so ∫u dt over T = h is h + 8/5 h^(5/4) + 3/2 h².
+        let displacement = [1.0, 2.0, 0.0, 0.0, 3.0];
+        let mut span = Span::step::<(), 1>(
+            0,
+            (2.0, 2.0625),
+            [State::default(); 2],
+            (1.0, [1.0]),
+            [Load::at(&State::default(), 0.0, 0.0)],
+        );
+        span.path = Path::Series(Series {
+            origin: 2.0,
+            power: Power::Four,
+            displacement: &displacement,
+            velocity: &[],
+            acceleration: &[],
+            restoring_force: (0.0, 0.0),
+            force_from_left: &[],
+            force_from_right: &[],
+        });
+        let h: f64 = 0.0625;
+        let [integral, duration] = span.integrate(|_, state| [state.displacement, 1.0]);
+        let wanted = h + 1.6 * h * h.sqrt().sqrt() + 1.5 * h * h;
+        assert!(
+            (integral / wanted - 1.0).abs() < 1e-14,
+            "{integral} {wanted}"
+        );
+        assert!((duration / h - 1.0).abs() < 1e-14, "{duration}");
+        // A cubic from rest to rest over 1 m: ∫u dt is half the duration.
+        let end = State {
+            displacement: 1.0,
+            ..State::default()
+        };
+        let ends = [State::default(), end];
+        let loads = ends.map(|state| Load::at(&state, 0.0, 0.0));
+        let step = Span::step::<(), _>(0, (0.0, 0.5), ends, (0.25, [1.0, 1.0]), loads);
+        let [integral] = step.integrate(|_, state| [state.displacement]);
+        assert!((integral - 0.25).abs() < 1e-15, "{integral}");
     }
 }

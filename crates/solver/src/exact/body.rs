@@ -126,9 +126,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         self.find_partings(first, last);
         let (power, len) = self.expand((first, last), time);
-        if last > first {
-            self.clean((first, last), time);
-        }
+        self.clean((first, last), time, power);
         let within = self.pairs_within(first, last);
         for node in first..=last {
             self.fill_start(node)?;

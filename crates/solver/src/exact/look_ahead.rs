@@ -9,6 +9,7 @@ use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link};
 use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
+use crate::exact::settle::noise;
 use crate::span::{Power, value};
 
 /// A deformation below this part of the displacements is carried; above, their difference is as good.
@@ -123,8 +124,20 @@ impl<R: Recorder> Run<'_, R> {
             *coefficient = sides[0][n] - sides[1][n];
         }
         let offset = power.root(time - origin);
+        let members = &self.members[left..left + 2];
         let contact = &mut self.contacts[pair];
         contact.begin_series(&mut coefficients[..len], (power, offset));
+        if contact.deformation == 0.0 && contact.rate == 0.0 {
+            // What rounding leaves of two equal motions touches nothing.
+            let rounding = |n: usize| noise(members, [sides[0][n], sides[1][n]], power.order(), n);
+            let head = coefficients[..len].iter_mut().enumerate();
+            for (n, coefficient) in head.skip(2 * power.order()) {
+                if coefficient.abs() > rounding(n) {
+                    break;
+                }
+                *coefficient = 0.0;
+            }
+        }
         contact.series.coefficients = coefficients;
         (contact.series.len, contact.series.origin) = (len, origin);
         (contact.series.offset, contact.series.power) = (offset, power);

@@ -1,7 +1,7 @@
 //! A structure between events: its state, its branch, and its motion as a power series.
 
 use crate::exact::roots::CAPACITY;
-use crate::exact::settle::Bounds;
+use crate::exact::settle::Terms;
 use crate::{Node, PiecewiseLinear, State};
 
 /// The branch of a piecewise-linear restoring force.
@@ -28,7 +28,7 @@ pub(super) struct Member {
     pub(super) balanced: bool,
     /// The net pounding force is known to have an extremum.
     pub(super) peaked: bool,
-    pub(super) bounds: Bounds,
+    pub(super) terms: Terms,
     /// State at the start of the piece; displacement, velocity and restoring force lead, the rest follows.
     pub(super) state: State,
     pub(super) displacement: [f64; CAPACITY],
@@ -51,7 +51,7 @@ impl Member {
             branch: Branch::Elastic,
             balanced: false,
             peaked: false,
-            bounds: Bounds::default(),
+            terms: Terms::default(),
             state: State {
                 displacement: node.initial_displacement,
                 velocity: node.initial_velocity,

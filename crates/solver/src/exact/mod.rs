@@ -53,6 +53,8 @@ impl Default for Exact {
 const CHATTER: f64 = 1e-12;
 /// Events at one instant after which a run gives up.
 const MOST_AT_ONCE: u32 = 10_000;
+/// Events after which a run gives up: neighbours that press against each other with e = 1 bounce for ever.
+const MOST_EVENTS: u64 = 10_000_000;
 
 /// Everything of a run.
 struct Run<'a, R> {
@@ -139,8 +141,9 @@ impl<R: Recorder> Run<'_, R> {
                 return Ok(());
             }
             at_once = if time > now { 0 } else { at_once + 1 };
-            if at_once > MOST_AT_ONCE {
-                return Err(RunError::NoProgress { time });
+            if at_once > MOST_AT_ONCE || self.work.events > MOST_EVENTS {
+                let events = self.work.events;
+                return Err(RunError::NoProgress { time, events });
             }
             now = time;
             self.work.events += 1;
@@ -178,6 +181,24 @@ impl<R: Recorder> Run<'_, R> {
                 self.land(self.body_of[left], time);
                 self.land(self.body_of[left + 1], time);
                 self.contacts[pair].touch(time);
+            }
+        }
+        self.land_touching(time);
+    }
+
+    /// Ends the pieces of neighbours whose gap is closed to what has landed: they take part in what happens now.
+    fn land_touching(&mut self, time: f64) {
+        let mut grown = true;
+        while grown {
+            grown = false;
+            for pair in 0..self.contacts.len() {
+                let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
+                let closed = contact.time >= time && contact.deformation == 0.0;
+                if closed && self.landed[left] != self.landed[left + 1] {
+                    self.land(self.body_of[left], time);
+                    self.land(self.body_of[left + 1], time);
+                    grown = true;
+                }
             }
         }
     }

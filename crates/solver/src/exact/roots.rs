@@ -8,8 +8,8 @@ use crate::span::value;
 /// Capacity of every series.
 pub(super) const CAPACITY: usize = 64;
 
-/// Halvings after which a stretch is as short as rounding.
-const SHORTEST: f64 = 1e-17;
+/// Part of the whole below which a stretch is as short as rounding.
+const SHORTEST: f64 = 1e-15;
 
 /// First x in 0 ..= `length` from which on the polynomial is positive, coming from values ≤ 0.
 ///

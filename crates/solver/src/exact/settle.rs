@@ -4,12 +4,15 @@ use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::Member;
 use crate::exact::{CHATTER, Run};
 use crate::excitation::Segment;
+use crate::span::Power;
 use crate::{Impact, Recorder, Velocities};
 
 /// Impacts of a pair within the shortest remainder after which the next one is plastic.
 const BURST: u32 = 50;
-/// Coefficients that decide whether a pair presses or parts.
-pub(super) const GERM: usize = 8;
+/// Coefficients that decide whether a pair presses or parts, from that of the acceleration on.
+const DECISIVE: usize = 12;
+/// Orders in time of a force at rest that are looked at for rounding.
+const ORDERS: usize = 8;
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -110,10 +113,10 @@ impl<R: Recorder> Run<'_, R> {
             .checked_sub(1)
             .and_then(|left| self.pair_right_of[left])
         {
-            self.contacts[pair].rate -= at_start;
+            self.contacts[pair].push(-at_start);
         }
         if let Some(pair) = self.pair_right_of[end] {
-            self.contacts[pair].rate += at_end;
+            self.contacts[pair].push(at_end);
         }
     }
 
@@ -246,19 +249,27 @@ impl<R: Recorder> Run<'_, R> {
     /// Whether the free motion of a pair overlaps; nothing where rounding hides it.
     fn presses(&self, pair: usize) -> Option<bool> {
         let left = self.lefts[pair];
-        let sides = &self.members[left..left + 2];
-        let difference = |n: usize| {
-            let bound = sides[0].bounds.displacement[n] + sides[1].bounds.displacement[n];
-            (sides[0].displacement[n] - sides[1].displacement[n], bound)
+        let powers = [left, left + 1].map(|node| self.bodies[self.body_of[node]].power.order());
+        let p = powers[0].max(powers[1]);
+        // A series in t beside one in its fourth root.
+        let coefficient = |side: usize, n: usize| {
+            let stretched = p / powers[side];
+            if n.is_multiple_of(stretched) {
+                self.members[left + side].displacement[n / stretched]
+            } else {
+                0.0
+            }
         };
-        (2..GERM)
-            .map(|n| (n, difference(n)))
+        let contact = &self.contacts[pair];
+        (2 * p..2 * p + DECISIVE)
+            .map(|n| (n, [coefficient(0, n), coefficient(1, n)]))
             // A force that has just faded leaves no closing acceleration.
-            .filter(|(n, (difference, _))| {
-                !(self.contacts[pair].faded && *n == 2 && *difference > 0.0)
+            .filter(|(n, [left, right])| !(contact.faded && *n == 2 * p && left > right))
+            .find(|(n, values)| {
+                let noise = noise(&self.members[left..left + 2], *values, p, *n);
+                (values[0] - values[1]).abs() > noise
             })
-            .find(|(_, (difference, bound))| difference.abs() > ROUNDING * bound)
-            .map(|(_, (difference, _))| difference > 0.0)
+            .map(|(_, [left, right])| left > right)
     }
 
     /// Expands the bodies that have landed.
@@ -270,22 +281,20 @@ impl<R: Recorder> Run<'_, R> {
                 last += 1;
             }
             if self.landed[first] {
-                self.expand((first, last), time);
-                self.clean((first, last), time);
+                let (power, _) = self.expand((first, last), time);
+                self.bodies[first].power = power;
+                self.clean((first, last), time, power);
             }
             first = last + 1;
         }
     }
 
-    /// Bounds the terms of the first coefficients of an expanded body; clears forces at rest that are rounding.
-    pub(super) fn clean(&mut self, (first, last): (usize, usize), time: f64) {
+    /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
+    pub(super) fn clean(&mut self, (first, last): (usize, usize), time: f64, power: Power) {
         let within = self.pairs_within(first, last);
         let ground = self.excitation.segment(time);
-        clean_forces(
-            &mut self.members[first..=last],
-            &mut self.contacts[within],
-            ground,
-        );
+        let (members, contacts) = (&mut self.members[first..=last], &mut self.contacts[within]);
+        clean(members, contacts, ground, power.order());
     }
 
     /// Bodies anew, from the links.
@@ -299,72 +308,123 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Magnitudes of the terms that coefficients are sums of.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Bounds {
-    displacement: [f64; GERM + 2],
-    velocity: [f64; GERM + 2],
-    acceleration: [f64; GERM + 2],
+/// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
+/// coefficients of both sides.
+pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f64 {
+    let terms = if n >= 2 * p && n.is_multiple_of(p) {
+        let order = n / p - 2;
+        let weight = ((order + 1) * (order + 2)) as f64;
+        (sides[0].noise(order) + sides[1].noise(order)) / weight
+    } else {
+        0.0
+    };
+    ROUNDING * (values[0].abs() + values[1].abs() + terms)
 }
 
-fn clean_forces(members: &mut [Member], contacts: &mut [Contact], ground: Segment) {
-    let impulsive = |contact: &Contact| contact.restitution().is_some();
-    if !contacts.iter().all(impulsive) {
-        for member in members {
-            member.bounds = Bounds::default();
+/// Finds what rounding of the coefficients of a body is measured by; clears forces at rest that are rounding.
+fn clean(members: &mut [Member], contacts: &mut [Contact], ground: Segment, p: usize) {
+    let mut first = 0;
+    while first < members.len() {
+        let mut last = first;
+        while last < contacts.len() && contacts[last].link == Link::Resting {
+            last += 1;
         }
-        return;
-    }
-    for member in members.iter_mut() {
-        let speed = member.state.velocity.abs();
-        member.bounds = Bounds::default();
-        (member.bounds.velocity[0], member.bounds.displacement[1]) = (speed, speed);
-    }
-    let mass: f64 = members.iter().map(|member| member.mass).sum();
-    for n in 0..GERM {
-        let ground = match n {
-            0 => ground.value.abs(),
-            1 => ground.slope.abs(),
-            _ => 0.0,
-        };
-        let own: f64 = members.iter().map(|member| member.terms(n)).sum();
-        let shared = if mass.is_finite() {
-            own / mass + ground
-        } else {
-            0.0
-        };
-        for member in members.iter_mut() {
-            member.bounds.acceleration[n] = shared;
-            member.bounds.velocity[n + 1] = shared / (n + 1) as f64;
-            member.bounds.displacement[n + 2] = member.bounds.velocity[n + 1] / (n + 2) as f64;
-        }
-        for (index, contact) in contacts.iter_mut().enumerate() {
-            let needs = |side: &[Member]| {
-                let need = |member: &Member| member.mass * (shared + ground) + member.terms(n);
-                side.iter().map(need).sum::<f64>()
+        let outside =
+            |contact: Option<&Contact>| contact.map_or(0.0, |contact| contact.force[0].abs());
+        let pushed =
+            outside(first.checked_sub(1).map(|left| &contacts[left])) + outside(contacts.get(last));
+        let block = &mut members[first..=last];
+        let own: f64 = block.iter().map(Member::magnitude).sum();
+        let mass: f64 = block.iter().map(|member| member.mass).sum();
+        let rate = block.iter().map(Member::fastest_rate).fold(0.0, f64::max);
+        for member in block.iter_mut() {
+            member.terms = Terms {
+                acceleration: if mass.is_finite() {
+                    (own + pushed) / mass + ground.value.abs()
+                } else {
+                    0.0
+                },
+                ground: (ground.value.abs(), ground.slope.abs()),
+                rate,
             };
-            let (before, after) = members.split_at(index + 1);
-            if contact.force[n].abs() <= ROUNDING * needs(before).min(needs(after)) {
-                contact.force[n] = 0.0;
-            }
         }
-    }
-    for contact in contacts {
-        // Nothing but rounding up to here: nothing at all.
-        if contact.force[..GERM].iter().all(|force| *force == 0.0) {
-            contact.force.fill(0.0);
+        for (index, contact) in contacts[first..last].iter_mut().enumerate() {
+            contact.clear_rounding(block, index, p);
         }
+        first = last + 1;
     }
+}
+
+/// What the first coefficients of an acceleration are sums of.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Terms {
+    /// Sum of the magnitudes of the terms of the acceleration \[m/s²\].
+    acceleration: f64,
+    /// Magnitude of the ground acceleration and its slope.
+    ground: (f64, f64),
+    /// The fastest rate of the structures that share the acceleration \[1/s\].
+    rate: f64,
 }
 
 impl Member {
-    /// Magnitude of damping and restoring force in coefficient `n`.
-    fn terms(&self, n: usize) -> f64 {
-        let restoring = if n == 0 {
-            self.state.restoring_force.abs()
-        } else {
-            self.tangent() * self.bounds.displacement[n]
-        };
-        self.damping * self.bounds.velocity[n] + restoring
+    /// Magnitude of the terms of the own forces \[N\].
+    fn magnitude(&self) -> f64 {
+        self.damping * self.state.velocity.abs() + self.state.restoring_force.abs()
+    }
+
+    /// What rounding of the acceleration's coefficient of this order in time is a part of.
+    fn noise(&self, order: usize) -> f64 {
+        let terms = &self.terms;
+        let mut noise = terms.acceleration;
+        for n in 1..=order {
+            noise *= terms.rate / n as f64;
+            if n == 1 {
+                noise += terms.ground.1;
+            }
+        }
+        noise
+    }
+}
+
+impl Contact {
+    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
+    fn push(&mut self, jump: f64) {
+        self.rate += jump;
+        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
+            self.link = Link::Touching(if self.rate > 0.0 {
+                Phase::Approach
+            } else {
+                Phase::Restitution
+            });
+        }
+    }
+
+    /// Clears the first coefficients of a force at rest that are rounding, and all when the first ones are.
+    fn clear_rounding(&mut self, block: &[Member], index: usize, p: usize) {
+        let (before, after) = block.split_at(index + 1);
+        let mut rounding = true;
+        for order in 0..ORDERS {
+            let need = |side: &[Member]| {
+                let need = |member: &Member| {
+                    let ground = if order == 0 {
+                        member.terms.ground.0
+                    } else {
+                        0.0
+                    };
+                    member.mass * (member.noise(order) + ground)
+                        + if order == 0 { member.magnitude() } else { 0.0 }
+                };
+                side.iter().map(need).sum::<f64>()
+            };
+            let force = &mut self.force[order * p];
+            if force.abs() <= ROUNDING * need(before).min(need(after)) {
+                *force = 0.0;
+            } else {
+                rounding = false;
+            }
+        }
+        if rounding {
+            self.force.fill(0.0);
+        }
     }
 }

@@ -48,6 +48,7 @@ impl Collisions {
 }
 
 impl Recorder for Collisions {
+    #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let Some(pair) = self.pair_of_left[span.structure] else {
             return;
@@ -60,8 +61,8 @@ impl Recorder for Collisions {
         let index = *self.open[pair].get_or_insert_with(|| {
             let first = match span.path {
                 // A step knows its nodes only.
-                Path::Cubic if start == 0.0 => span.end_time,
-                Path::Cubic | Path::Series(_) => span.start_time,
+                Path::Cubic(_) if start == 0.0 => span.end_time,
+                Path::Cubic(_) | Path::Series(_) => span.start_time,
             };
             self.found.push(Collision {
                 pair,

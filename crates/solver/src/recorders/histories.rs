@@ -52,6 +52,7 @@ impl Histories {
 }
 
 impl Recorder for Histories {
+    #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let states = &mut self.structures[span.structure].states;
         let near = SNAP * self.interval;

@@ -2,10 +2,12 @@
 
 mod collisions;
 mod histories;
+mod ledger;
 mod peaks;
 mod transferred_momentum;
 
 pub use collisions::{Collision, Collisions};
 pub use histories::{Histories, History};
+pub use ledger::{Ledger, LedgerError, PairTerms, Terms};
 pub use peaks::{Peak, Peaks, StructurePeaks};
 pub use transferred_momentum::TransferredMomentum;

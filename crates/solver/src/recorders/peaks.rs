@@ -49,6 +49,7 @@ impl Peaks {
 }
 
 impl Recorder for Peaks {
+    #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let peaks = &mut self.structures[span.structure];
         let mut take = |state: &State, time| {

@@ -43,9 +43,10 @@ impl TransferredMomentum {
 }
 
 impl Recorder for TransferredMomentum {
+    #[inline]
     fn span(&mut self, span: &Span<'_>) {
         self.structures[span.structure].closed += match span.path {
-            Path::Cubic => {
+            Path::Cubic(_) => {
                 let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
                 0.5 * span.duration() * ends
             }

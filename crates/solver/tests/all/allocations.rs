@@ -6,7 +6,7 @@ use std::cell::Cell;
 use crate::common::{
     METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
 };
-use pounding_solver::{Excitation, Peaks, Row, TransferredMomentum};
+use pounding_solver::{Excitation, Ledger, Peaks, Row, TransferredMomentum};
 
 /// The system's allocator with a counter.
 struct Counting;
@@ -45,8 +45,12 @@ fn limit_a_step_allocates_nothing() {
         let row = Row::new(nodes, pairs(3, 0.02, law)).unwrap();
         for (name, method) in METHODS {
             let count = |duration| {
-                let mut recorder = (Peaks::new(3), TransferredMomentum::new(3));
                 let excitation = Excitation::new(0.01, &samples).unwrap();
+                let mut recorder = (
+                    Peaks::new(3),
+                    TransferredMomentum::new(3),
+                    Ledger::new(&row, excitation),
+                );
                 let before = ALLOCATIONS.get();
                 let work = method
                     .run(&row, excitation, clock(0.005, duration), &mut recorder)

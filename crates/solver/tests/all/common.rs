@@ -1,8 +1,9 @@
 //! What the tests of the solver share: structures of the paper, a synthetic ground motion, shorthands.
+use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Histories, Integrator, Newmark,
-    Node, Pair, PiecewiseLinear, Row, Start, Work,
+    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Histories, Integrator, Ledger,
+    Newmark, Node, Pair, PiecewiseLinear, Row, Start, Work,
 };
 
 pub(crate) const WEAK: (f64, f64, f64) = (75e3, 2.056e6, 70e3);
@@ -93,4 +94,42 @@ pub(crate) fn histories<Column: PiecewiseLinear>(
         .run(row, excitation, clock, &mut histories)
         .expect("the run ends");
     (histories, work)
+}
+
+/// Slope of log(error) over log(Δt) by least squares.
+pub(crate) fn slope(steps: &[f64], errors: &[f64]) -> f64 {
+    let rows = DMatrix::from_fn(steps.len(), 2, |row, column| {
+        if column == 0 {
+            libm::log(steps[row])
+        } else {
+            1.0
+        }
+    });
+    let right = DVector::from_iterator(errors.len(), errors.iter().map(|error| libm::log(*error)));
+    rows.svd(true, true)
+        .solve(&right, 1e-12)
+        .expect("two unknowns, more steps")[0]
+}
+
+/// Ledger of a run.
+pub(crate) fn book<'a, Column: PiecewiseLinear>(
+    row: &Row<Column>,
+    method: Integrator,
+    samples: &'a [f64],
+    clock: Clock,
+) -> Ledger<'a> {
+    let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
+    let mut ledger = Ledger::new(row, excitation);
+    method
+        .run(row, excitation, clock, &mut ledger)
+        .expect("the run ends");
+    ledger
+}
+
+/// A mass without columns.
+pub(crate) fn free(mass: f64, velocity: f64) -> Node<Elastic> {
+    Node {
+        initial_velocity: velocity,
+        ..Node::structure(mass, 0.0, Elastic { stiffness: 0.0 })
+    }
 }

@@ -3,30 +3,14 @@
 use std::fmt::Write;
 
 use insta::assert_snapshot;
-use nalgebra::{DMatrix, DVector};
 use pounding_solver::{
     Elastic, Excitation, Integrator, Node, PiecewiseLinear, Recorder, Row, TransferredMomentum,
 };
 
 use crate::common::{
     METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs,
-    yielding,
+    slope, yielding,
 };
-
-/// Slope of log(error) over log(Δt) by least squares.
-fn slope(steps: &[f64], errors: &[f64]) -> f64 {
-    let rows = DMatrix::from_fn(steps.len(), 2, |row, column| {
-        if column == 0 {
-            libm::log(steps[row])
-        } else {
-            1.0
-        }
-    });
-    let right = DVector::from_iterator(errors.len(), errors.iter().map(|error| libm::log(*error)));
-    rows.svd(true, true)
-        .solve(&right, 1e-12)
-        .expect("two unknowns, more steps")[0]
-}
 
 /// Displacement of a damped structure released at u₀ under a load that rises linearly: closed form.
 fn ramp(node: &Node<Elastic>, initial: f64, rate: f64, time: f64) -> f64 {

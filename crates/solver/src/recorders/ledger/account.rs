@@ -1,0 +1,268 @@
+//! The energy and momentum of one structure.
+
+use super::{LedgerError, Terms};
+use crate::{Excitation, Node, Path, PiecewiseLinear, Series, Span, State, Weighed};
+
+/// Everything that is booked of one structure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Account {
+    /// 0 of a wall, of which nothing is booked.
+    mass: f64,
+    damping: f64,
+    stiffness: f64,
+    yield_force: f64,
+    /// Whether its first span has come.
+    open: bool,
+    pub(super) terms: Terms,
+    /// Kinetic energy of the start.
+    first_kinetic: f64,
+    /// Momentum of the start.
+    first_momentum: f64,
+    momentum: f64,
+    /// Work of the restoring force as the method weighed it.
+    restoring_work: f64,
+    /// Sums over time of what acted.
+    impulses: Acting,
+}
+
+/// Rounding that flow is forgiven, relative to the energies of the columns.
+const ROUNDING: f64 = 1e-12;
+
+/// Works \[J\] or impulses \[N·s\] on a structure, of everything that acts on it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Acting {
+    restoring: f64,
+    damping: f64,
+    ground: f64,
+    pub(super) from_left: f64,
+    pub(super) from_right: f64,
+    impacts: f64,
+}
+
+impl Acting {
+    fn besides_impacts([restoring, damping, ground, from_left, from_right]: [f64; 5]) -> Self {
+        Self {
+            restoring,
+            damping,
+            ground,
+            from_left,
+            from_right,
+            impacts: 0.0,
+        }
+    }
+
+    fn all(&self) -> [f64; 6] {
+        [
+            self.restoring,
+            self.damping,
+            self.ground,
+            self.from_left,
+            self.from_right,
+            self.impacts,
+        ]
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.restoring += other.restoring;
+        self.damping += other.damping;
+        self.ground += other.ground;
+        self.from_left += other.from_left;
+        self.from_right += other.from_right;
+        self.impacts += other.impacts;
+    }
+}
+
+impl Account {
+    pub(super) fn new<Column: PiecewiseLinear>(node: &Node<Column>) -> Self {
+        Self {
+            mass: if node.is_wall() {
+                0.0
+            } else {
+                1.0 / node.inverse_mass
+            },
+            damping: node.damping,
+            stiffness: node.column.stiffness(),
+            yield_force: node.column.yield_force(),
+            open: false,
+            terms: Terms::default(),
+            first_kinetic: 0.0,
+            first_momentum: 0.0,
+            momentum: 0.0,
+            restoring_work: 0.0,
+            impulses: Acting::default(),
+        }
+    }
+
+    /// Books a span; returns the works done on the structure in it.
+    pub(super) fn span(&mut self, span: &Span<'_>, excitation: &Excitation<'_>) -> Acting {
+        if self.mass == 0.0 {
+            return Acting::default();
+        }
+        if !self.open {
+            self.start(&span.start);
+        }
+        let (works, impulses) = match span.path {
+            Path::Cubic(weighed) => self.weighed(span, weighed),
+            Path::Series(_) => self.integrated(span, excitation),
+        };
+        self.impulses.add(&impulses);
+        self.restoring_work += works.restoring;
+        let (flow, kinetic) = (self.flow(span), self.kinetic(&span.end));
+        let strain = self.strain(&span.end);
+        let terms = &mut self.terms;
+        terms.input += works.ground;
+        terms.damping -= works.damping;
+        terms.contact -= works.from_left + works.from_right;
+        terms.hysteretic += flow;
+        (terms.kinetic, terms.strain) = (kinetic, strain);
+        self.momentum = self.mass * span.end.velocity;
+        works
+    }
+
+    /// Books an impact: the impulse on the structure \[N·s\], its velocities before and after \[m/s\].
+    pub(super) fn impact(&mut self, impulse: f64, (before, after): (f64, f64)) {
+        if self.mass > 0.0 {
+            self.impulses.impacts += impulse;
+            self.terms.impact -= 0.5 * impulse * (before + after);
+            self.terms.kinetic = 0.5 * self.mass * (after * after);
+            self.momentum = self.mass * after;
+        }
+    }
+
+    /// Columns must not give energy when they flow; of an earlier hysteretic energy \[J\] and the end of a span.
+    pub(super) fn flowed(&self, earlier: f64, span: &Span<'_>) -> Result<(), LedgerError> {
+        let found = earlier - self.terms.hysteretic;
+        if found <= 0.0 {
+            return Ok(());
+        }
+        let allowed =
+            ROUNDING * (earlier + 0.5 * self.yield_force * self.yield_force / self.stiffness);
+        if found <= allowed {
+            return Ok(());
+        }
+        Err(LedgerError::GainInYielding {
+            structure: span.structure,
+            time: span.end_time,
+            found,
+            allowed,
+        })
+    }
+
+    fn start(&mut self, state: &State) {
+        self.open = true;
+        self.first_kinetic = self.kinetic(state);
+        self.first_momentum = self.mass * state.velocity;
+        self.terms.initial = self.first_kinetic + self.strain(state);
+    }
+
+    fn kinetic(&self, state: &State) -> f64 {
+        0.5 * self.mass * (state.velocity * state.velocity)
+    }
+
+    fn strain(&self, state: &State) -> f64 {
+        // Free masses have no stiffness.
+        if self.stiffness > 0.0 {
+            0.5 * state.restoring_force * state.restoring_force / self.stiffness
+        } else {
+            0.0
+        }
+    }
+
+    /// Of a step: each impulse, as the method weighed it, times the mean velocity, so that the sum of works is the
+    /// change of kinetic energy wherever the sum of impulses is the change of momentum.
+    fn weighed(&self, span: &Span<'_>, weighed: Weighed) -> (Acting, Acting) {
+        let impulses = [
+            weighed.restoring,
+            weighed.damping,
+            -self.mass * weighed.ground_velocity,
+            span.impulse_from_left,
+            span.impulse_from_right,
+        ];
+        let mean = 0.5 * (span.start.velocity + span.end.velocity);
+        let works = impulses.map(|impulse| mean * impulse);
+        (
+            Acting::besides_impacts(works),
+            Acting::besides_impacts(impulses),
+        )
+    }
+
+    /// Of a motion known between its ends: integrals over time, between the samples of the ground motion.
+    fn integrated(&self, span: &Span<'_>, excitation: &Excitation<'_>) -> (Acting, Acting) {
+        let (mut works, mut impulses) = (Acting::default(), Acting::default());
+        let mut from = span.start_time;
+        while from < span.end_time {
+            let segment = excitation.segment(from);
+            let to = segment.end.min(span.end_time);
+            let [force, damping, ground, left, right, works_of @ ..] =
+                span.integrate_between((from, to), |time, state| {
+                    let v = state.velocity;
+                    let (force, damping) = (-state.restoring_force, -self.damping * v);
+                    let ground = -self.mass * (segment.value + segment.slope * (time - from));
+                    let (left, right) = (state.force_from_left, state.force_from_right);
+                    [
+                        force,
+                        damping,
+                        ground,
+                        left,
+                        right,
+                        force * v,
+                        damping * v,
+                        ground * v,
+                        left * v,
+                        right * v,
+                    ]
+                });
+            impulses.add(&Acting::besides_impacts([
+                force, damping, ground, left, right,
+            ]));
+            works.add(&Acting::besides_impacts(works_of));
+            from = to;
+        }
+        (works, impulses)
+    }
+
+    /// Work of the restoring force in yielding, ∫ `f_s` d`u_p`.
+    fn flow(&self, span: &Span<'_>) -> f64 {
+        let (start, end) = (&span.start, &span.end);
+        let moved = end.displacement - start.displacement;
+        match span.path {
+            // A step flows at the yield force, and only where it ends there.
+            Path::Cubic(_) => {
+                if end.restoring_force.abs() < self.yield_force {
+                    return 0.0;
+                }
+                let elastic = (end.restoring_force - start.restoring_force) / self.stiffness;
+                end.restoring_force * (moved - elastic)
+            }
+            Path::Series(Series {
+                restoring_force: (force, tangent),
+                ..
+            }) => {
+                if tangent == 0.0 {
+                    force * moved
+                } else {
+                    0.0
+                }
+            }
+        }
+    }
+
+    /// Change of kinetic energy less the works on the structure \[J\]: the method's own balance.
+    pub(super) fn identity(&self) -> f64 {
+        let terms = &self.terms;
+        let works =
+            self.restoring_work + terms.input - terms.damping - terms.contact - terms.impact;
+        terms.kinetic - self.first_kinetic - works
+    }
+
+    /// Change of momentum less the impulses on the structure \[N·s\].
+    pub(super) fn momentum(&self) -> f64 {
+        self.momentum - self.first_momentum - self.impulses.all().iter().sum::<f64>()
+    }
+
+    /// First momentum plus the magnitudes of momentum and impulses \[N·s\].
+    pub(super) fn momentum_magnitude(&self) -> f64 {
+        let sums = self.impulses.all().iter().map(|sum| sum.abs()).sum::<f64>();
+        self.first_momentum.abs() + self.momentum.abs() + sums
+    }
+}

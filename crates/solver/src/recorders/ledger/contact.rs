@@ -1,0 +1,235 @@
+//! What happens between the two structures of a pair.
+
+use super::LedgerError;
+use crate::Pair;
+
+/// Rounding that energies of a contact are forgiven, relative to the works on both structures.
+const ROUNDING: f64 = 1e-12;
+/// Rounding that a pull is forgiven, relative to the largest force of its span: series end in terms left out.
+const PULL: f64 = 1e-9;
+
+/// Everything that is booked of one pair.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Contact {
+    gap: f64,
+    /// Left and right structure.
+    sides: [Side; 2],
+    /// Instant of the last impact, until the pair has come apart \[s\].
+    hit: Option<f64>,
+    /// Impulse of impulsive impacts \[N·s\].
+    impacts: f64,
+    impact_loss: f64,
+    loss: f64,
+    collision: Option<Touching>,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Side {
+    /// End of the last span, and the displacement there.
+    time: f64,
+    displacement: f64,
+    touching: bool,
+    /// Impulse of compliant contact on this structure \[N·s\].
+    impulse: f64,
+    /// Sum of the magnitudes of those impulses \[N·s\].
+    pushed: f64,
+    /// Work on this structure since both sides were last seen at one instant \[J\].
+    work: f64,
+}
+
+/// A collision under way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Touching {
+    start: f64,
+    n_spans: u32,
+    /// Energy taken from the structures, and given back \[J\].
+    taken: f64,
+    given: f64,
+    /// Sum of the magnitudes of the works on both sides \[J\].
+    exchanged: f64,
+}
+
+/// One side's share of a span: magnitudes, ≥ 0 where the neighbours push.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Push {
+    /// Start and end \[s\].
+    pub(super) times: (f64, f64),
+    /// Displacement at the end \[m\].
+    pub(super) displacement: f64,
+    /// Whether the motion is known between the ends.
+    pub(super) exact: bool,
+    /// Force at both ends \[N\].
+    pub(super) forces: (f64, f64),
+    /// Impulse \[N·s\].
+    pub(super) impulse: f64,
+    /// Work on the structure \[J\].
+    pub(super) work: f64,
+}
+
+/// Energy and impulse of the contact of one pair.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PairTerms {
+    /// Energy that impulsive impacts took \[J\].
+    pub impact: f64,
+    /// Energy that compliant contact took, what is still stored there included \[J\].
+    pub contact: f64,
+    /// Impulse on the right structure \[N·s\], ≥ 0.
+    pub impulse: f64,
+    /// Impulse on the right structure plus that on the left one \[N·s\]: 0, to rounding.
+    pub imbalance: f64,
+}
+
+impl Contact {
+    pub(super) fn new(pair: &Pair) -> Self {
+        Self {
+            gap: pair.gap,
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn terms(&self) -> PairTerms {
+        let [left, right] = self.sides;
+        PairTerms {
+            impact: self.impact_loss,
+            contact: self.loss,
+            impulse: self.impacts + right.impulse,
+            imbalance: left.impulse + right.impulse,
+        }
+    }
+
+    /// Books an impact.
+    pub(super) fn impact(&mut self, time: f64, impulse: f64, loss: f64) {
+        self.impacts += impulse;
+        self.impact_loss += loss;
+        self.hit = Some(time);
+    }
+
+    /// Whether the pair has not come apart since its last impact.
+    pub(super) fn meets(&self) -> bool {
+        self.hit.is_some()
+    }
+
+    /// Forgets the last impact once the pair is apart.
+    ///
+    /// A motion known between its nodes separates after an impact or rests; in a step the overlap has to go.
+    fn separate(&mut self, exact: bool) {
+        let [left, right] = &self.sides;
+        let Some(hit) = self.hit else {
+            return;
+        };
+        let together = left.time <= right.time && right.time <= left.time;
+        let apart = left.displacement - right.displacement <= self.gap;
+        if left.time.max(right.time) > hit && (exact || (together && apart)) {
+            self.hit = None;
+        }
+    }
+
+    /// Books the span of a side, 0 for the left structure and 1 for the right one.
+    pub(super) fn push(
+        &mut self,
+        pair: usize,
+        index: usize,
+        push: &Push,
+    ) -> Result<(), LedgerError> {
+        let side = &mut self.sides[index];
+        (side.time, side.displacement) = (push.times.1, push.displacement);
+        side.touching = push.forces.1 != 0.0;
+        if push.impulse != 0.0 || push.forces != (0.0, 0.0) {
+            side.impulse += if index == 0 {
+                -push.impulse
+            } else {
+                push.impulse
+            };
+            side.pushed += push.impulse.abs();
+            side.work += push.work;
+            self.loss -= push.work;
+            self.collision.get_or_insert(Touching {
+                start: push.times.0,
+                n_spans: 0,
+                taken: 0.0,
+                given: 0.0,
+                exchanged: 0.0,
+            });
+            pulls(pair, push)?;
+        }
+        self.separate(push.exact);
+        let [left, right] = &self.sides;
+        // A collision is judged where both sides have been seen.
+        if self.collision.is_none() || left.time < right.time || right.time < left.time {
+            return Ok(());
+        }
+        self.meet(pair)
+    }
+
+    /// Both sides have come to the same instant of a collision.
+    fn meet(&mut self, pair: usize) -> Result<(), LedgerError> {
+        let Some(collision) = &mut self.collision else {
+            return Ok(());
+        };
+        let works = self.sides.map(|side| side.work);
+        for side in &mut self.sides {
+            side.work = 0.0;
+        }
+        let taken = -(works[0] + works[1]);
+        collision.n_spans += 1;
+        collision.taken += taken.max(0.0);
+        collision.given += (-taken).max(0.0);
+        collision.exchanged += works[0].abs() + works[1].abs();
+        if self.sides.iter().any(|side| side.touching) {
+            return Ok(());
+        }
+        let ended = *collision;
+        self.collision = None;
+        ended.judge(pair, self.sides[1].time)
+    }
+
+    /// Both structures must have got opposite impulses.
+    pub(super) fn balanced(&self, pair: usize) -> Result<(), LedgerError> {
+        let [left, right] = self.sides;
+        let allowed = PULL * (left.pushed + right.pushed);
+        if (left.impulse + right.impulse).abs() <= allowed {
+            Ok(())
+        } else {
+            Err(LedgerError::Imbalance {
+                pair,
+                left: left.impulse,
+                right: right.impulse,
+            })
+        }
+    }
+}
+
+impl Touching {
+    /// A collision must not give more than it took.
+    ///
+    /// A stepping method knows its ends to a step only: what one of n steps can spoil, the nth part of the energy, is
+    /// allowed.
+    fn judge(&self, pair: usize, end: f64) -> Result<(), LedgerError> {
+        let found = self.given - self.taken;
+        let allowed = self.taken / f64::from(self.n_spans) + ROUNDING * self.exchanged;
+        if found <= allowed {
+            Ok(())
+        } else {
+            Err(LedgerError::GainInContact {
+                pair,
+                start: self.start,
+                end,
+                found,
+                allowed,
+            })
+        }
+    }
+}
+
+/// Neighbours push, they do not pull.
+fn pulls(pair: usize, push: &Push) -> Result<(), LedgerError> {
+    let (start, end) = push.times;
+    let allowed = PULL * push.forces.0.abs().max(push.forces.1.abs());
+    let mean = push.impulse / (end - start);
+    for (time, found) in [(start, push.forces.0), (end, push.forces.1), (end, mean)] {
+        if found < -allowed {
+            return Err(LedgerError::Tension { pair, time, found });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,95 @@
+use thiserror::Error;
+
+/// A law of mechanics that a run broke.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum LedgerError {
+    /// Neighbours that pull at each other.
+    #[error(
+        "pair {pair} at t = {time:.4} s: found a pounding force of {found:.3} N, which pulls; allowed are 0 N and more: use \
+         a smaller time step, or a contact law that does not pull"
+    )]
+    Tension {
+        /// Index of the pair in its row.
+        pair: usize,
+        /// Instant, or the end of a step \[s\].
+        time: f64,
+        /// Pounding force, or its mean over the step \[N\].
+        found: f64,
+    },
+    /// An impact that pulls.
+    #[error(
+        "pair {pair} at t = {time:.4} s: found an impact with an impulse of {found:.3} N s, which pulls; allowed are 0 N s \
+         and more: use a smaller time step, or another method"
+    )]
+    PullingImpact {
+        /// Index of the pair in its row.
+        pair: usize,
+        /// Instant \[s\].
+        time: f64,
+        /// Impulse \[N·s\].
+        found: f64,
+    },
+    /// A collision of impulsive pairs that gave the row energy.
+    #[error(
+        "pair {pair}, impacts from t = {start:.4} s to {end:.4} s: found {found:.3e} J created, allowed {allowed:.1e} J; use \
+         a smaller time step, or a method whose impacts act on the velocities of their own instant"
+    )]
+    GainAtImpact {
+        /// Index of the pair that was hit first.
+        pair: usize,
+        /// First impact \[s\].
+        start: f64,
+        /// Last impact before the pairs came apart \[s\].
+        end: f64,
+        /// Energy created \[J\].
+        found: f64,
+        /// What rounding of the velocities can make of it \[J\].
+        allowed: f64,
+    },
+    /// A collision of a compliant pair that gave the row more energy than it had taken.
+    #[error(
+        "pair {pair}, collision from t = {start:.4} s to {end:.4} s: found {found:.3e} J more given back than taken, \
+         allowed {allowed:.1e} J; use a smaller time step"
+    )]
+    GainInContact {
+        /// Index of the pair in its row.
+        pair: usize,
+        /// First touch \[s\].
+        start: f64,
+        /// Parting \[s\].
+        end: f64,
+        /// Energy created \[J\].
+        found: f64,
+        /// What the length of the steps can make of it \[J\].
+        allowed: f64,
+    },
+    /// Columns that gave energy in yielding.
+    #[error(
+        "structure {structure} at t = {time:.4} s: found {found:.3e} J given by yielding columns, allowed {allowed:.1e} J; \
+         this is a fault of the method: use another one, and report it"
+    )]
+    GainInYielding {
+        /// Index of the structure, from the left.
+        structure: usize,
+        /// End of the step \[s\].
+        time: f64,
+        /// Energy created \[J\].
+        found: f64,
+        /// What rounding can make of it \[J\].
+        allowed: f64,
+    },
+    /// Neighbours that did not get opposite impulses.
+    #[error(
+        "pair {pair}: found impulses of {left:.3} N s on the left and {right:.3} N s on the right structure, allowed are \
+         opposite ones; this is a fault of the method: use another one, and report it"
+    )]
+    Imbalance {
+        /// Index of the pair in its row.
+        pair: usize,
+        /// What the left structure got \[N·s\].
+        left: f64,
+        /// What the right structure got \[N·s\].
+        right: f64,
+    },
+}

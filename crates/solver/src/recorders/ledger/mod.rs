@@ -1,0 +1,270 @@
+//! The energy and impulse ledger of a run.
+
+mod account;
+mod contact;
+mod error;
+mod terms;
+
+pub use contact::PairTerms;
+pub use error::LedgerError;
+pub use terms::Terms;
+
+use account::Account;
+use contact::{Contact, Push};
+
+use crate::{Excitation, Impact, Path, PiecewiseLinear, Recorder, Row, Span};
+
+/// Books the energy of every structure, and the energy and impulse of every pair.
+///
+/// Works on a structure are integrals over the motion where a method knows it between its nodes
+/// ([`Path::Series`](crate::Path::Series)). In a step they are the impulses, as the method weighed the forces, times
+/// the mean velocity of the step: then the change of kinetic energy equals the sum of the works to rounding, whatever
+/// the step, and [`identity`](Self::identity) finds a method that reports what it did not do. What the step costs in
+/// accuracy shows where works meet energies ([`residual`](Self::residual)), and in the distance from the ledger of a
+/// better run ([`error`](Self::error)).
+///
+/// Signs: input counts positive into the row, everything else positive out of the motion; see [`Terms`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ledger<'a> {
+    excitation: Excitation<'a>,
+    accounts: Vec<Account>,
+    contacts: Vec<Contact>,
+    /// For each structure, the pairs with its left and with its right neighbour.
+    pairs_of: Vec<[Option<usize>; 2]>,
+    /// The impacts since some pair was last hit that has not come apart yet.
+    meeting: Option<Meeting>,
+    largest: Largest,
+    violation: Option<LedgerError>,
+}
+
+/// One collision of impulsive pairs: all impacts until every pair hit has come apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Meeting {
+    start: f64,
+    end: f64,
+    pair: usize,
+    loss: f64,
+    allowed: f64,
+}
+
+/// Largest values over time.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Largest {
+    scale: f64,
+    identity: f64,
+    residual: f64,
+    momentum_scale: f64,
+    momentum: f64,
+}
+
+/// Rounding that the velocities around an impact are forgiven, relative to them.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+impl<'a> Ledger<'a> {
+    /// For a run of this row under this excitation.
+    pub fn new<Column: PiecewiseLinear>(row: &Row<Column>, excitation: Excitation<'a>) -> Self {
+        let mut pairs_of = vec![[None; 2]; row.nodes().len()];
+        for (index, pair) in row.pairs().iter().enumerate() {
+            pairs_of[pair.left][1] = Some(index);
+            pairs_of[pair.right][0] = Some(index);
+        }
+        Self {
+            excitation,
+            accounts: row.nodes().iter().map(Account::new).collect(),
+            contacts: row.pairs().iter().map(Contact::new).collect(),
+            pairs_of,
+            meeting: None,
+            largest: Largest::default(),
+            violation: None,
+        }
+    }
+
+    /// Terms of one structure at the end of its last span, counted from the left; all 0 for a wall.
+    pub fn of(&self, structure: usize) -> &Terms {
+        &self.accounts[structure].terms
+    }
+
+    /// Terms of one pair, by its index in the row.
+    pub fn of_pair(&self, pair: usize) -> PairTerms {
+        self.contacts[pair].terms()
+    }
+
+    /// Terms of the row: the sum over its structures.
+    pub fn terms(&self) -> Terms {
+        let mut sum = Terms::default();
+        for account in &self.accounts {
+            sum += account.terms;
+        }
+        sum
+    }
+
+    /// What energies are measured by \[J\]: the largest over time of the row's initial energy plus the magnitudes of
+    /// its other terms.
+    pub fn scale(&self) -> f64 {
+        self.largest.scale
+    }
+
+    /// The method's own balance: the largest over time of |change of kinetic energy − works on the structure|, summed
+    /// over structures, relative to the [scale](Self::scale) \[–\].
+    ///
+    /// To rounding (1e-12) 0 for every method and every step; more is a fault of the method.
+    pub fn identity(&self) -> f64 {
+        ratio(self.largest.identity, self.largest.scale)
+    }
+
+    /// The physical balance: the largest over time of |[`Terms::balance`]|, summed over structures, relative to the
+    /// [scale](Self::scale) \[–\].
+    ///
+    /// Tends to 0 with the time step, at the order of the method; for a method that knows its motion between its nodes
+    /// it is rounding. Average acceleration balances elastic structures at every step: it is no measure of the error.
+    pub fn residual(&self) -> f64 {
+        ratio(self.largest.residual, self.largest.scale)
+    }
+
+    /// Balance of momentum: the largest over time of |change of momentum − impulses on the structure|, summed over
+    /// structures, relative to the largest sum of their magnitudes \[–\]; 0 to rounding.
+    ///
+    /// As the impulses of a pair cancel, the momentum of the row is then its first one plus the external impulses.
+    pub fn momentum(&self) -> f64 {
+        ratio(self.largest.momentum, self.largest.momentum_scale)
+    }
+
+    /// Energy error against the ledger of the same row's true motion: the largest difference of a [term](Self::terms)
+    /// at the end, relative to the truth's [scale](Self::scale) \[–\].
+    pub fn error(&self, truth: &Ledger<'_>) -> f64 {
+        ratio(self.terms().distance(&truth.terms()), truth.scale())
+    }
+
+    /// The terms of the row, if the run kept the laws of mechanics.
+    ///
+    /// # Errors
+    /// [`LedgerError`], the first in time: neighbours that pull, impacts or collisions that create energy, columns that
+    /// give some in yielding; or a pair that did not get opposite impulses.
+    pub fn verdict(&self) -> Result<Terms, LedgerError> {
+        if let Some(violation) = self.violation {
+            return Err(violation);
+        }
+        if let Some(meeting) = &self.meeting {
+            meeting.judge()?;
+        }
+        for (pair, contact) in self.contacts.iter().enumerate() {
+            contact.balanced(pair)?;
+        }
+        Ok(self.terms())
+    }
+
+    fn judge(&mut self, outcome: Result<(), LedgerError>) {
+        if let Err(violation) = outcome {
+            self.violation.get_or_insert(violation);
+        }
+    }
+
+    /// Takes the largest values over time.
+    fn measure(&mut self) {
+        let (mut row, mut now) = (Terms::default(), Largest::default());
+        for account in &self.accounts {
+            row += account.terms;
+            now.identity += account.identity().abs();
+            now.residual += account.terms.balance().abs();
+            now.momentum += account.momentum().abs();
+            now.momentum_scale += account.momentum_magnitude();
+        }
+        let largest = &mut self.largest;
+        largest.scale = largest.scale.max(row.magnitude());
+        largest.identity = largest.identity.max(now.identity);
+        largest.residual = largest.residual.max(now.residual);
+        largest.momentum = largest.momentum.max(now.momentum);
+        largest.momentum_scale = largest.momentum_scale.max(now.momentum_scale);
+    }
+}
+
+/// 0 where nothing moved.
+fn ratio(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}
+
+impl Meeting {
+    /// A collision must not create energy.
+    ///
+    /// One of its impacts may: a stepping method can hit a pair again that overlaps still, and of several pairs hit
+    /// together one can get what another gives.
+    fn judge(&self) -> Result<(), LedgerError> {
+        if self.loss >= -self.allowed {
+            return Ok(());
+        }
+        Err(LedgerError::GainAtImpact {
+            pair: self.pair,
+            start: self.start,
+            end: self.end,
+            found: -self.loss,
+            allowed: self.allowed,
+        })
+    }
+}
+
+impl Recorder for Ledger<'_> {
+    const READS_WEIGHED: bool = true;
+
+    fn span(&mut self, span: &Span<'_>) {
+        let account = &mut self.accounts[span.structure];
+        let hysteretic = account.terms.hysteretic;
+        let works = account.span(span, &self.excitation);
+        let outcome = account.flowed(hysteretic, span);
+        self.judge(outcome);
+        let [left, right] = self.pairs_of[span.structure];
+        let push = |forces, impulse, work| Push {
+            times: (span.start_time, span.end_time),
+            displacement: span.end.displacement,
+            exact: matches!(span.path, Path::Series(_)),
+            forces,
+            impulse,
+            work,
+        };
+        if let Some(pair) = left {
+            let forces = (span.start.force_from_left, span.end.force_from_left);
+            let push = push(forces, span.impulse_from_left, works.from_left);
+            let outcome = self.contacts[pair].push(pair, 1, &push);
+            self.judge(outcome);
+        }
+        if let Some(pair) = right {
+            let forces = (-span.start.force_from_right, -span.end.force_from_right);
+            let push = push(forces, -span.impulse_from_right, works.from_right);
+            let outcome = self.contacts[pair].push(pair, 0, &push);
+            self.judge(outcome);
+        }
+        if self.meeting.is_some() && !self.contacts.iter().any(Contact::meets) {
+            let ended = self.meeting.take();
+            self.judge(ended.map_or(Ok(()), |meeting| meeting.judge()));
+        }
+        self.measure();
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        let (before, after) = (impact.before, impact.after);
+        let impulse = impact.impulse;
+        self.accounts[impact.left].impact(-impulse, (before.left, after.left));
+        self.accounts[impact.right].impact(impulse, (before.right, after.right));
+        let rates = (before.left - before.right, after.left - after.right);
+        let loss = 0.5 * impulse * (rates.0 + rates.1);
+        self.contacts[impact.pair].impact(impact.time, impulse, loss);
+        if impulse < 0.0 {
+            self.judge(Err(LedgerError::PullingImpact {
+                pair: impact.pair,
+                time: impact.time,
+                found: impulse,
+            }));
+        }
+        let speeds = [before.left, before.right, after.left, after.right];
+        let meeting = self.meeting.get_or_insert(Meeting {
+            start: impact.time,
+            end: impact.time,
+            pair: impact.pair,
+            loss: 0.0,
+            allowed: 0.0,
+        });
+        meeting.end = impact.time;
+        meeting.loss += loss;
+        meeting.allowed +=
+            ROUNDING * impulse.abs() * speeds.iter().map(|speed| speed.abs()).sum::<f64>();
+    }
+}

@@ -1,0 +1,74 @@
+use std::ops::AddAssign;
+
+/// The terms of an energy balance \[J\], of one structure or of a row, at an instant.
+///
+/// Kinetic + strain + damping + hysteretic + impact + contact = initial + input. Each is computed on its own from the
+/// motion and its forces; none is what the others leave.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Terms {
+    /// Kinetic and strain energy where the motion began, ≥ 0.
+    pub initial: f64,
+    /// Work of the shaking, ∫ −m·`a_g`·u̇ dt (relative to the ground); of either sign.
+    pub input: f64,
+    /// Kinetic energy ½mu̇², of the velocity relative to the ground, ≥ 0.
+    pub kinetic: f64,
+    /// Energy stored in the columns, `f_s`²/2k, ≥ 0.
+    pub strain: f64,
+    /// Energy that viscous damping took, ∫ c·u̇² dt.
+    pub damping: f64,
+    /// Energy that yielding took, ∫ `f_s` d`u_p`, ≥ 0.
+    pub hysteretic: f64,
+    /// Energy that impulsive impacts took. Of a structure: what it gave, negative where it was pushed on.
+    pub impact: f64,
+    /// Energy that compliant contact took, ∫ F·δ̇ dt; while a pair touches, what is stored there is part of it. Of a
+    /// structure: what it gave, negative where it was pushed on.
+    pub contact: f64,
+}
+
+impl Terms {
+    /// What the balance leaves over \[J\]: 0 for an exact motion.
+    pub fn balance(&self) -> f64 {
+        let held = self.kinetic + self.strain;
+        let spent = self.damping + self.hysteretic + self.impact + self.contact;
+        held + spent - self.input - self.initial
+    }
+
+    /// Initial energy plus the magnitudes of the other terms \[J\].
+    pub fn magnitude(&self) -> f64 {
+        self.all().iter().map(|term| term.abs()).sum()
+    }
+
+    /// Largest difference of a term from the same term of `other` \[J\].
+    pub fn distance(&self, other: &Self) -> f64 {
+        let differences = self.all().into_iter().zip(other.all());
+        differences
+            .map(|(one, another)| (one - another).abs())
+            .fold(0.0, f64::max)
+    }
+
+    fn all(&self) -> [f64; 8] {
+        [
+            self.initial,
+            self.input,
+            self.kinetic,
+            self.strain,
+            self.damping,
+            self.hysteretic,
+            self.impact,
+            self.contact,
+        ]
+    }
+}
+
+impl AddAssign for Terms {
+    fn add_assign(&mut self, other: Self) {
+        self.initial += other.initial;
+        self.input += other.input;
+        self.kinetic += other.kinetic;
+        self.strain += other.strain;
+        self.damping += other.damping;
+        self.hysteretic += other.hysteretic;
+        self.impact += other.impact;
+        self.contact += other.contact;
+    }
+}

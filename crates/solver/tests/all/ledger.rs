@@ -1,0 +1,186 @@
+//! The ledger: every method balances its own energy and momentum, and what is wrong is found.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    CentralDifference, ElastoPlastic, Integrator, LedgerError, Newmark, Node, PiecewiseLinear, Row,
+    Start,
+};
+use proptest::prelude::*;
+
+use crate::common::{
+    AVERAGE, CENTRAL, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book, clock, elastic,
+    free, ground, pairs, yielding,
+};
+
+const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
+
+/// The methods with settings that weigh the ends of a step unevenly.
+fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
+    let central = |start| Integrator::CentralDifference(CentralDifference { start });
+    let damped = Newmark {
+        beta: 0.3025,
+        gamma: 0.6,
+    };
+    METHODS.into_iter().chain([
+        ("first load used", central(Start::FirstLoadUsed)),
+        ("first load skipped", central(Start::FirstLoadSkipped)),
+        ("Newmark, γ = 0.6", Integrator::Newmark(damped)),
+    ])
+}
+
+/// Rows of one to three structures, in motion from the start, and one beside a wall.
+pub(crate) fn rows<Column: PiecewiseLinear>(
+    structure: impl Fn((f64, f64, f64)) -> Node<Column>,
+    law: ContactLaw,
+) -> Vec<Row<Column>> {
+    let moving = |properties, velocity| Node {
+        initial_velocity: velocity,
+        initial_displacement: -0.001,
+        ..structure(properties)
+    };
+    let (weak, middle, stiff) = (moving(WEAK, 0.2), moving(MIDDLE, -0.1), moving(STIFF, 0.05));
+    let wall = Node::wall(weak.column);
+    [
+        vec![weak],
+        vec![weak, stiff],
+        vec![weak, middle, stiff],
+        vec![wall, weak, middle],
+    ]
+    .into_iter()
+    .map(|nodes| {
+        let n = nodes.len();
+        Row::new(nodes, pairs(n, 0.02, law)).expect("the row is valid")
+    })
+    .collect()
+}
+
+fn check_identity<Column: PiecewiseLinear>(row: &Row<Column>, what: &str) {
+    let samples: Vec<f64> = ground().iter().map(|sample| sample + 0.7).collect();
+    for (name, method) in methods() {
+        for time_step in [0.01, 0.002, 0.000_3] {
+            let ledger = book(row, method, &samples, clock(time_step, 3.0));
+            let what = format!("{what}, {name}, {time_step}");
+            assert!(ledger.identity() < 1e-12, "{what}: {:e}", ledger.identity());
+            assert!(ledger.momentum() < 1e-12, "{what}: {:e}", ledger.momentum());
+            assert!(ledger.scale() > 0.0, "{what}: something must move");
+            let touched = (0..row.pairs().len()).any(|pair| ledger.of_pair(pair).impulse > 0.0);
+            assert!(touched || row.pairs().is_empty(), "{what}: no contact");
+        }
+    }
+}
+
+#[test]
+fn limit_every_method_balances_its_own_energy() {
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        for row in rows(elastic, law) {
+            check_identity(&row, "elastic");
+        }
+        for row in rows(yielding, law) {
+            check_identity(&row, "yielding");
+        }
+    }
+}
+
+#[test]
+fn limit_a_yield_force_never_reached_books_the_same() {
+    let samples = ground();
+    let rich = |properties| {
+        let node = yielding(properties);
+        Node {
+            column: ElastoPlastic {
+                yield_force: f64::INFINITY,
+                ..node.column
+            },
+            ..node
+        }
+    };
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let between = pairs(2, 0.02, law);
+        let lean = Row::new(vec![elastic(WEAK), elastic(STIFF)], between.clone()).unwrap();
+        let rich = Row::new(vec![rich(WEAK), rich(STIFF)], between).unwrap();
+        for (name, method) in METHODS {
+            let lean = book(&lean, method, &samples, clock(0.002, 5.0));
+            let rich = book(&rich, method, &samples, clock(0.002, 5.0));
+            assert_eq!(lean.terms(), rich.terms(), "{name}");
+            assert_eq!(lean.of_pair(0), rich.of_pair(0), "{name}");
+        }
+    }
+}
+
+#[test]
+fn limit_nothing_that_moves_is_nothing_to_book() {
+    let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
+    let ledger = book(&row, CENTRAL, &[0.0], clock(0.01, 1.0));
+    assert_eq!(
+        (ledger.scale(), ledger.identity(), ledger.residual()),
+        (0.0, 0.0, 0.0)
+    );
+    assert!(ledger.error(&ledger) == 0.0, "no distance from itself");
+}
+
+#[test]
+fn issue_the_published_rule_creates_energy_between_elastic_neighbours() {
+    // The rule's impulse follows from the velocities of the node before: where they fell since, more than an elastic
+    // impact gives comes back.
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 1.0 });
+    let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.02, law)).unwrap();
+    let samples = ground();
+    let published = book(&row, CENTRAL, &samples, clock(0.01, 10.0)).verdict();
+    assert!(
+        matches!(published, Err(LedgerError::GainAtImpact { pair: 0, .. })),
+        "{published:?}"
+    );
+    let jump = book(&row, AVERAGE, &samples, clock(0.01, 10.0)).verdict();
+    assert!(jump.is_ok(), "{jump:?}");
+}
+
+#[test]
+fn extreme_a_step_far_too_long_for_the_contact_is_found() {
+    // In one step the structure flies half a metre into its neighbour and is thrown back with far more energy.
+    let row = Row::new(
+        vec![free(75e3, 1.0), free(75e3, -1.0)],
+        pairs(2, 0.1, VISCOELASTIC),
+    )
+    .unwrap();
+    let verdict = book(&row, CENTRAL, &[0.0], clock(0.1, 1.0)).verdict();
+    assert!(
+        matches!(verdict, Err(LedgerError::GainInContact { pair: 0, .. })),
+        "{verdict:?}"
+    );
+}
+
+proptest! {
+    #[test]
+    fn limit_random_rows_balance(
+        structures in prop::collection::vec((1e4..1e7_f64, 0.1..2.0_f64, 0.0..0.2_f64, 0.02..2.0_f64), 1..5),
+        gap in 0.0..0.05_f64,
+        restitution in 0.0..=1.0_f64,
+        compliant in any::<bool>(),
+        method in 0..3_usize,
+    ) {
+        let law = if compliant {
+            VISCOELASTIC
+        } else {
+            ContactLaw::Stereomechanical(Stereomechanical { restitution })
+        };
+        let node = |&(mass, period, ratio, yields): &(f64, f64, f64, f64)| {
+            let frequency = 2.0 * std::f64::consts::PI / period;
+            let column = ElastoPlastic { stiffness: mass * frequency * frequency, yield_force: yields * mass };
+            Node::structure(mass, 2.0 * ratio * mass * frequency, column)
+        };
+        let nodes: Vec<_> = structures.iter().map(node).collect();
+        let between = pairs(nodes.len(), gap, law);
+        let row = Row::new(nodes, between).expect("the row is valid");
+        let samples = ground();
+        let ledger = book(&row, METHODS[method].1, &samples, clock(0.001, 4.0));
+        prop_assert!(ledger.identity() < 1e-12, "{:e}", ledger.identity());
+        prop_assert!(ledger.momentum() < 1e-12, "{:e}", ledger.momentum());
+        let terms = ledger.terms();
+        for term in [terms.kinetic, terms.strain, terms.damping, terms.hysteretic] {
+            prop_assert!(term >= 0.0, "{terms:?}");
+        }
+        // The published rule may create energy, velocity jumps may not.
+        let verdict = ledger.verdict();
+        prop_assert!(verdict.is_ok() || (method == 0 && !compliant), "{verdict:?}");
+    }
+}

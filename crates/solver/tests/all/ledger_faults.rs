@@ -1,0 +1,172 @@
+//! The ledger finds what a method reports wrongly: each fault is put into a good run, and each must show.
+
+use std::fmt::Write;
+
+use insta::assert_snapshot;
+use pounding_solver::{
+    Excitation, Impact, Integrator, Ledger, LedgerError, Path, Recorder, Row, Span,
+};
+
+use crate::common::{
+    AVERAGE, CENTRAL, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
+};
+
+/// Passes a run on to a ledger with a fault put in.
+struct Faulty<'a, S, I> {
+    ledger: Ledger<'a>,
+    span: S,
+    /// False drops the impact.
+    impact: I,
+}
+
+impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S, I> {
+    const READS_WEIGHED: bool = true;
+
+    fn span(&mut self, span: &Span<'_>) {
+        let mut span = *span;
+        (self.span)(&mut span);
+        self.ledger.span(&span);
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        let mut impact = *impact;
+        if (self.impact)(&mut impact) {
+            self.ledger.impact(&impact);
+        }
+    }
+}
+
+/// What the ledger says of a run with a fault: own balances and physical one, and its verdict.
+fn found(
+    method: Integrator,
+    span: impl Fn(&mut Span<'_>),
+    impact: impl Fn(&mut Impact) -> bool,
+) -> ([f64; 3], Result<(), LedgerError>) {
+    let samples = ground();
+    let law = if method == AVERAGE {
+        STEREOMECHANICAL
+    } else {
+        VISCOELASTIC
+    };
+    let row = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law))
+        .expect("the row is valid");
+    let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
+    let mut faulty = Faulty {
+        ledger: Ledger::new(&row, excitation),
+        span,
+        impact,
+    };
+    method
+        .run(&row, excitation, clock(0.001, 5.0), &mut faulty)
+        .expect("the run ends");
+    let ledger = faulty.ledger;
+    (
+        [ledger.identity(), ledger.momentum(), ledger.residual()],
+        ledger.verdict().map(|_| ()),
+    )
+}
+
+fn keep(_: &mut Impact) -> bool {
+    true
+}
+
+/// Changes one of the impulses that the method weighed.
+fn weigh(change: impl Fn(&mut pounding_solver::Weighed)) -> impl Fn(&mut Span<'_>) {
+    move |span| {
+        if let Path::Cubic(weighed) = &mut span.path {
+            change(weighed);
+        }
+    }
+}
+
+#[test]
+fn limit_a_good_run_shows_nothing() {
+    for method in [CENTRAL, AVERAGE] {
+        let ([identity, momentum, residual], verdict) = found(method, |_| (), keep);
+        assert!(
+            identity < 1e-12 && momentum < 1e-12,
+            "{identity:e}, {momentum:e}"
+        );
+        assert!(
+            residual < 1e-4 && verdict.is_ok(),
+            "{residual:e}, {verdict:?}"
+        );
+    }
+}
+
+#[test]
+fn limit_a_wrong_impulse_shows_in_the_methods_own_balance() {
+    let shows = |what: &str, ([identity, momentum, _], _): ([f64; 3], Result<(), LedgerError>)| {
+        assert!(identity > 1e-7, "{what}: energy {identity:e}");
+        assert!(momentum > 1e-7, "{what}: momentum {momentum:e}");
+    };
+    let restoring = weigh(|weighed| weighed.restoring *= 1.000_01);
+    shows("restoring", found(CENTRAL, restoring, keep));
+    let damping = weigh(|weighed| weighed.damping *= 1.000_01);
+    shows("damping", found(CENTRAL, damping, keep));
+    let input = weigh(|weighed| weighed.ground_velocity *= 1.000_01);
+    shows("input", found(CENTRAL, input, keep));
+    let contact = |span: &mut Span<'_>| span.impulse_from_left *= 1.1;
+    shows("contact", found(CENTRAL, contact, keep));
+    let velocity = |span: &mut Span<'_>| span.end.velocity *= 1.000_01;
+    shows("velocity", found(CENTRAL, velocity, keep));
+    let late = |impact: &mut Impact| {
+        impact.impulse *= 1.01;
+        true
+    };
+    shows("impulse of impacts", found(AVERAGE, |_| (), late));
+    shows("a lost impact", found(AVERAGE, |_| (), |_| false));
+}
+
+#[test]
+fn limit_a_wrong_energy_shows_in_the_physical_balance() {
+    let shift = |span: &mut Span<'_>| span.end.restoring_force *= 1.001;
+    let ([identity, _, residual], _) = found(CENTRAL, shift, keep);
+    assert!(identity < 1e-12, "the impulses are right: {identity:e}");
+    assert!(residual > 1e-4, "the energies are not: {residual:e}");
+}
+
+#[test]
+fn limit_broken_laws_of_contact_are_named() {
+    let mut messages = String::new();
+    let mut tell = |(_, verdict): ([f64; 3], Result<(), LedgerError>)| {
+        let outcome = verdict.map_or_else(|error| error.to_string(), |()| "nothing found".into());
+        writeln!(messages, "{outcome}").expect("a string takes all");
+    };
+    let pull = |span: &mut Span<'_>| {
+        if span.end.force_from_left > 0.0 {
+            span.end.force_from_left = -1.0;
+        }
+    };
+    tell(found(CENTRAL, pull, keep));
+    let one_sided = |span: &mut Span<'_>| span.impulse_from_left *= 1.000_1;
+    tell(found(CENTRAL, one_sided, keep));
+    // The weak structure leaves to the left.
+    let returned = |span: &mut Span<'_>| {
+        if span.end.velocity < 0.0 {
+            span.impulse_from_right *= 1e3;
+        }
+    };
+    tell(found(CENTRAL, returned, keep));
+    // Flow without a change of force, against it.
+    let backwards = |span: &mut Span<'_>| {
+        if span.end.restoring_force.abs() >= 70e3 && span.structure == 0 {
+            span.end.restoring_force = -span.end.restoring_force;
+            span.start.restoring_force = span.end.restoring_force;
+        }
+    };
+    tell(found(CENTRAL, backwards, keep));
+    let pulling = |impact: &mut Impact| {
+        impact.impulse = -impact.impulse;
+        true
+    };
+    tell(found(AVERAGE, |_| (), pulling));
+    let parting = |impact: &mut Impact| {
+        let approach = impact.before.left - impact.before.right;
+        impact.before.left -= approach;
+        impact.after.left -= approach;
+        true
+    };
+    tell(found(AVERAGE, |_| (), parting));
+    assert_snapshot!(messages);
+}
