@@ -49,6 +49,16 @@ impl<'a> Excitation<'a> {
         Ok(Self { time_step, samples })
     }
 
+    /// Time between two samples \[s\], > 0.
+    pub fn time_step(&self) -> f64 {
+        self.time_step
+    }
+
+    /// Ground accelerations at t = 0, Δt, 2Δt, … \[m/s²\].
+    pub fn samples(&self) -> &'a [f64] {
+        self.samples
+    }
+
     /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it.
     pub(crate) fn segment(&self, time: f64) -> Segment {
         #[expect(

@@ -23,6 +23,7 @@ mod plot;
 mod prepared;
 mod reproduce;
 mod scene;
+pub mod second_route;
 mod study;
 mod tables;
 mod trade;

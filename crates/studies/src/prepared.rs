@@ -5,10 +5,11 @@ use std::path::Path;
 use pounding_motion::Record;
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Histories,
-    Integrator, ModelError, Newmark, Node, Pair, Peaks, PiecewiseLinear, Recorder, Row, RunError,
-    TransferredMomentum, Work,
+    Integrator, Ledger, ModelError, Newmark, Node, Pair, Peaks, PiecewiseLinear, Recorder, Row,
+    RunError, TransferredMomentum, Work,
 };
 
+use crate::second_route::{self, Fineness, Response, SecondRouteError};
 use crate::{Method, RecordUse, Scene, SceneError, Structure, StudyError, check};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
@@ -122,11 +123,32 @@ impl Prepared {
         }
     }
 
+    /// Runs the scene, whatever its method, by the second route.
+    ///
+    /// # Errors
+    /// [`SecondRouteError`] when the run ends early.
+    pub fn second_route(&self, fineness: Fineness) -> Result<Response, SecondRouteError> {
+        let excitation = self.excitation();
+        let duration = self.clock.time(self.clock.n_steps);
+        match &self.model {
+            Model::Elastic(row) => second_route::run(row, excitation, duration, fineness),
+            Model::ElastoPlastic(row) => second_route::run(row, excitation, duration, fineness),
+        }
+    }
+
     /// The pairs that can touch, from left to right.
     pub(crate) fn pairs(&self) -> &[Pair] {
         match &self.model {
             Model::Elastic(row) => row.pairs(),
             Model::ElastoPlastic(row) => row.pairs(),
+        }
+    }
+
+    /// An empty ledger for a run of the scene.
+    pub(crate) fn ledger(&self) -> Ledger<'_> {
+        match &self.model {
+            Model::Elastic(row) => Ledger::new(row, self.excitation()),
+            Model::ElastoPlastic(row) => Ledger::new(row, self.excitation()),
         }
     }
 
@@ -137,8 +159,7 @@ impl Prepared {
         clock: Clock,
         recorder: &mut R,
     ) -> Result<Work, RunError> {
-        let excitation = Excitation::new(self.record.time_step(), self.record.samples())
-            .expect("a record has samples and a time step > 0");
+        let excitation = self.excitation();
         match &self.model {
             Model::Elastic(row) => integrator.run(row, excitation, clock, recorder),
             Model::ElastoPlastic(row) => integrator.run(row, excitation, clock, recorder),
@@ -149,6 +170,11 @@ impl Prepared {
     fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
         self.run_by(&self.integrator, self.clock, recorder)
             .map_err(|error| self.ended(error))
+    }
+
+    fn excitation(&self) -> Excitation<'_> {
+        Excitation::new(self.record.time_step(), self.record.samples())
+            .expect("a record has samples and a time step > 0")
     }
 
     /// Says in the words of the scene why a run ended early.

@@ -3,7 +3,7 @@
 use super::contenders::CONTENDERS;
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::Quantity;
-use super::table::setting;
+use super::table::{agreed, setting};
 use crate::tables::to_csv;
 
 /// Errors asked for \[–\], with their names in per cent.
@@ -33,6 +33,7 @@ pub(super) fn table(races: &[Race]) -> String {
         "scene",
         "quantity",
         "allowed_error_percent",
+        "agreed_digits",
         "cheapest_method",
         "cheapest_setting",
         "cheapest_work",
@@ -50,24 +51,27 @@ pub(super) fn table(races: &[Race]) -> String {
                 continue;
             }
             for (allowed, percent) in ALLOWED {
-                let holds = |measured: &Measured| {
-                    measured
-                        .error(quantity)
-                        .is_some_and(|error| error <= allowed)
-                };
-                rows.push(row(race, [quantity.key(), percent], holds));
+                let within = |error: f64| error <= allowed;
+                let agreed = agreed(race.digits(quantity));
+                let asked = [quantity.key().into(), percent.into(), agreed];
+                rows.push(row(race, asked, |measured| {
+                    measured.error(quantity).is_some_and(within)
+                }));
             }
         }
         if race.truth.n_collisions > 0 {
-            rows.push(row(race, ["number_of_collisions", "0"], |measured| {
-                measured.same_count
-            }));
+            let asked = [
+                "number_of_collisions".into(),
+                "0".into(),
+                race.agreed_count().into(),
+            ];
+            rows.push(row(race, asked, |measured| measured.same_count));
         }
     }
     to_csv(&header, &rows)
 }
 
-fn row(race: &Race, asked: [&str; 2], holds: impl Fn(&Measured) -> bool) -> Vec<String> {
+fn row(race: &Race, asked: [String; 3], holds: impl Fn(&Measured) -> bool) -> Vec<String> {
     let found: Vec<_> = CONTENDERS
         .iter()
         .map(|contender| Some((contender, cheapest(race.of(contender.key)?, &holds))))
@@ -77,7 +81,8 @@ fn row(race: &Race, asked: [&str; 2], holds: impl Fn(&Measured) -> bool) -> Vec<
         .flatten()
         .filter_map(|(contender, found)| Some((contender, (*found)?)))
         .min_by_key(|(_, (_, cost))| *cost);
-    let mut row = vec![race.scene.clone(), asked[0].into(), asked[1].into()];
+    let mut row = vec![race.scene.clone()];
+    row.extend(asked);
     row.extend(match best {
         Some((contender, (rung, cost))) => [
             contender.key.into(),

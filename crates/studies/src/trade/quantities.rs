@@ -1,6 +1,8 @@
 //! What is compared: six quantities and a count.
 
-use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
+use pounding_solver::{Collision, Collisions, Ledger, Peaks, TransferredMomentum};
+
+use crate::second_route::Response;
 
 /// A quantity in which methods are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,40 +72,79 @@ pub(crate) struct Quantities {
     pub(crate) n_collisions: usize,
 }
 
+/// What a collision gives.
+struct Met {
+    start: f64,
+    impulse: f64,
+    /// Peak force, or the impulse of an impact.
+    peak: f64,
+}
+
+/// What a structure gives.
+struct Moved {
+    momentum: f64,
+    displacement: f64,
+    shear: f64,
+}
+
 /// What a run must record.
-pub(crate) type Recorded = (Peaks, Collisions, TransferredMomentum);
+pub(crate) type Recorded<'a> = (Peaks, Collisions, TransferredMomentum, Ledger<'a>);
 
 impl Quantities {
     /// The quantities of a run of so many structures.
-    pub(crate) fn of((peaks, collisions, momentum): &Recorded, n_structures: usize) -> Self {
-        let all = collisions.all();
-        let first = all.first();
-        let contact = |collision: &Collision| collision.peak_force.unwrap_or(collision.impulse);
-        let structures = 0..n_structures;
-        let values = Quantity::ALL.map(|quantity| {
-            let structures = structures.clone();
-            match quantity {
-                Quantity::FirstTime => first.map(|first| first.start).into_iter().collect(),
-                Quantity::FirstImpulse => first.map(|first| first.impulse).into_iter().collect(),
-                Quantity::ContactPeak => all
-                    .iter()
-                    .map(contact)
-                    .reduce(f64::max)
-                    .into_iter()
-                    .collect(),
-                Quantity::Momentum if all.is_empty() => Vec::new(),
-                Quantity::Momentum => structures.map(|index| momentum.of(index)).collect(),
-                Quantity::Displacement => structures
-                    .map(|index| peaks.of(index).displacement.value.abs())
-                    .collect(),
-                Quantity::Shear => structures
-                    .map(|index| peaks.of(index).restoring_force.value.abs())
-                    .collect(),
+    pub(crate) fn of((peaks, collisions, momentum, _): &Recorded<'_>, n_structures: usize) -> Self {
+        let met = |collision: &Collision| Met {
+            start: collision.start,
+            impulse: collision.impulse,
+            peak: collision.peak_force.unwrap_or(collision.impulse),
+        };
+        let moved = |index| {
+            let peaks = peaks.of(index);
+            Moved {
+                momentum: momentum.of(index),
+                displacement: peaks.displacement.value.abs(),
+                shear: peaks.restoring_force.value.abs(),
             }
+        };
+        let met: Vec<_> = collisions.all().iter().map(met).collect();
+        Self::new(&met, &(0..n_structures).map(moved).collect::<Vec<_>>())
+    }
+
+    /// The quantities of the second route.
+    pub(crate) fn of_second_route(response: &Response) -> Self {
+        let met = response.collisions.iter().flatten().map(|collision| Met {
+            start: collision.start,
+            impulse: collision.impulse,
+            peak: collision.peak_force.unwrap_or(collision.impulse),
+        });
+        let moved = response.structures.iter().map(|structure| Moved {
+            momentum: structure.transferred_momentum,
+            displacement: structure.displacement.value.abs(),
+            shear: structure.restoring_force.value.abs(),
+        });
+        Self::new(&met.collect::<Vec<_>>(), &moved.collect::<Vec<_>>())
+    }
+
+    fn new(met: &[Met], moved: &[Moved]) -> Self {
+        let first = met
+            .iter()
+            .min_by(|one, other| one.start.total_cmp(&other.start));
+        let one = |value: Option<f64>| value.into_iter().collect();
+        let hit: &[Moved] = if met.is_empty() { &[] } else { moved };
+        let values = Quantity::ALL.map(|quantity| match quantity {
+            Quantity::FirstTime => one(first.map(|first| first.start)),
+            Quantity::FirstImpulse => one(first.map(|first| first.impulse)),
+            Quantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
+            Quantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
+            Quantity::Displacement => moved
+                .iter()
+                .map(|structure| structure.displacement)
+                .collect(),
+            Quantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
         });
         Self {
             values,
-            n_collisions: all.len(),
+            n_collisions: met.len(),
         }
     }
 

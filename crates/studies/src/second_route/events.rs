@@ -1,0 +1,148 @@
+//! Events: instants at which the equations of motion, or what is recorded of them, change.
+
+use super::model::{Law, TIME, velocity};
+use super::motion::Motion;
+use super::phases::{Columns, Contact};
+use super::variable::Variable;
+
+/// An event that the present phases allow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Event {
+    /// The segment of the record ends; an event only where the variable is not the time.
+    SegmentEnd,
+    /// A velocity changes its sign: peak of displacement, unloading.
+    Turn(usize),
+    /// Columns reach their yield force.
+    Yield(usize),
+    /// The net pounding force on a structure between two that touch it changes its sign.
+    Balance(usize),
+    /// The deformation rate of a pair changes its sign: largest or least distance or deformation.
+    Reversal(usize),
+    /// A pair touches.
+    Touch(usize),
+    /// A pair parts.
+    Part(usize),
+    /// The pounding force of a pair has a maximum or minimum on approach.
+    ForcePeak(usize),
+}
+
+/// Lists the events that the present phases allow while a step runs in a variable.
+pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>) {
+    events.clear();
+    let parting = match variable {
+        Variable::RootOfDeformation { pair, .. } => {
+            events.push(Event::SegmentEnd);
+            Some(pair)
+        }
+        Variable::Time | Variable::RootOfTime { .. } => None,
+    };
+    for (index, phase) in motion.phases.structures.iter().enumerate() {
+        if motion.model.structures[index].inverse_mass == 0.0 {
+            continue;
+        }
+        events.push(Event::Turn(index));
+        if matches!(phase.columns, Columns::Elastic { .. })
+            && motion.model.structures[index].yield_force.is_finite()
+        {
+            events.push(Event::Yield(index));
+        }
+        if phase.push.is_some() {
+            events.push(Event::Balance(index));
+        }
+    }
+    for (index, phase) in motion.phases.pairs.iter().enumerate() {
+        events.push(Event::Reversal(index));
+        match phase.contact {
+            // Deformation grows only while the rate is positive, and every change of its sign ends a step.
+            Contact::Apart if phase.direction > 0.0 => events.push(Event::Touch(index)),
+            Contact::Restitution if parting != Some(index) => events.push(Event::Part(index)),
+            Contact::Approach { .. } => events.push(Event::ForcePeak(index)),
+            Contact::Apart | Contact::Restitution => {}
+        }
+    }
+}
+
+impl Event {
+    /// Function that is negative once the event has happened.
+    ///
+    /// `scratch` takes a derivative of the unknowns.
+    pub(super) fn value(self, motion: &Motion, y: &[f64], scratch: &mut [f64]) -> f64 {
+        let Motion { model, phases, .. } = motion;
+        match self {
+            Self::SegmentEnd => motion.segment.length - y[TIME],
+            Self::Turn(structure) => {
+                phases.structures[structure].direction * y[velocity(structure)]
+            }
+            Self::Yield(structure) => {
+                let direction = phases.structures[structure].direction;
+                model.structures[structure].yield_force
+                    - direction * motion.restoring_force(structure, y)
+            }
+            Self::Balance(structure) => {
+                let push = phases.structures[structure].push;
+                push.map_or(0.0, |sign| sign * motion.push(structure, y))
+            }
+            Self::Reversal(pair) => phases.pairs[pair].direction * model.rate(pair, y),
+            Self::Touch(pair) => -model.deformation(pair, y),
+            Self::Part(pair) => model.deformation(pair, y),
+            Self::ForcePeak(pair) => {
+                let Contact::Approach { rising, .. } = phases.pairs[pair].contact else {
+                    return 0.0;
+                };
+                motion.slope((Variable::Time, 0.0), y, scratch);
+                rising * motion.force_rate(pair, y, scratch)
+            }
+        }
+    }
+
+    /// Whether its function is a velocity, so that two changes of sign in one step can be told from the middle.
+    pub(super) fn is_reversal(self) -> bool {
+        matches!(self, Self::Turn(_) | Self::Reversal(_))
+    }
+
+    /// Changes the phases by what the event means for them; touches of impulsive pairs are left to the impact.
+    pub(super) fn apply(self, motion: &mut Motion, y: &[f64]) {
+        let Motion { model, phases, .. } = motion;
+        match self {
+            Self::SegmentEnd => {}
+            Self::Turn(structure) => phases.turn(structure, model, y),
+            Self::Yield(structure) => {
+                let phase = &mut phases.structures[structure];
+                let force = phase.direction * model.structures[structure].yield_force;
+                phase.columns = Columns::Yielding { force };
+            }
+            Self::Balance(structure) => {
+                let push = &mut phases.structures[structure].push;
+                *push = push.map(|sign| -sign);
+            }
+            Self::Reversal(pair) => {
+                let phase = &mut phases.pairs[pair];
+                phase.direction = -phase.direction;
+                if phase.contact.touches() {
+                    phase.contact = if phase.direction < 0.0 {
+                        Contact::Restitution
+                    } else {
+                        Contact::Approach {
+                            touch: None,
+                            rising: 1.0,
+                        }
+                    };
+                }
+            }
+            Self::Touch(pair) => {
+                if matches!(model.pairs[pair].law, Law::Compliant { .. }) {
+                    phases.pairs[pair].contact = Contact::Approach {
+                        touch: Some(y[TIME]),
+                        rising: 1.0,
+                    };
+                }
+            }
+            Self::Part(pair) => phases.pairs[pair].contact = Contact::Apart,
+            Self::ForcePeak(pair) => {
+                if let Contact::Approach { rising, .. } = &mut phases.pairs[pair].contact {
+                    *rising = -*rising;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The row as plain numbers, and where each of them stands in the vector of unknowns.
+
+use pounding_contact::ContactLaw;
+use pounding_solver::{PiecewiseLinear, Row};
+
+/// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
+///
+/// After it follow displacement and velocity of each structure, then the impulse of the present collision of each
+/// pair.
+pub(super) const TIME: usize = 0;
+
+/// Index of a structure's displacement in the vector of unknowns.
+pub(super) fn displacement(structure: usize) -> usize {
+    1 + 2 * structure
+}
+
+/// Index of a structure's velocity in the vector of unknowns.
+pub(super) fn velocity(structure: usize) -> usize {
+    2 + 2 * structure
+}
+
+/// The row as plain numbers.
+#[derive(Debug, Clone)]
+pub(super) struct Model {
+    pub structures: Vec<Structure>,
+    pub pairs: Vec<Neighbours>,
+}
+
+/// A structure or, with inverse mass 0, a wall.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Structure {
+    pub inverse_mass: f64,
+    pub damping: f64,
+    pub stiffness: f64,
+    pub yield_force: f64,
+    pub initial_displacement: f64,
+    pub initial_velocity: f64,
+}
+
+/// Two neighbours.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Neighbours {
+    pub left: usize,
+    pub right: usize,
+    pub gap: f64,
+    pub reduced_mass: f64,
+    pub law: Law,
+}
+
+/// What happens while they touch.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Law {
+    /// A velocity jump.
+    Impulsive { restitution: f64 },
+    /// F = β̄ δ^1.5, on approach + c̄ δ̇ with c̄ = 2 ξ̄ √(β̄ m) δ^(1/4).
+    Compliant {
+        /// β̄ \[N/m^1.5\].
+        impact_stiffness: f64,
+        /// 2 ξ̄ √(β̄ m) \[N·s/m^1.25\].
+        damping_factor: f64,
+    },
+}
+
+impl Model {
+    pub(super) fn new<Column: PiecewiseLinear>(row: &Row<Column>) -> Self {
+        let structures: Vec<_> = row
+            .nodes()
+            .iter()
+            .map(|node| Structure {
+                inverse_mass: node.inverse_mass,
+                damping: node.damping,
+                stiffness: node.column.stiffness(),
+                yield_force: node.column.yield_force(),
+                initial_displacement: node.initial_displacement,
+                initial_velocity: node.initial_velocity,
+            })
+            .collect();
+        let neighbours = |pair: &pounding_solver::Pair| {
+            let inverse_mass = |index: usize| structures[index].inverse_mass;
+            let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
+            let law = match pair.law {
+                ContactLaw::Stereomechanical(law) => Law::Impulsive {
+                    restitution: law.restitution,
+                },
+                ContactLaw::NonlinearViscoelastic(law) => Law::Compliant {
+                    impact_stiffness: law.impact_stiffness,
+                    damping_factor: 2.0
+                        * law.impact_damping_ratio
+                        * (law.impact_stiffness * reduced_mass).sqrt(),
+                },
+            };
+            Neighbours {
+                left: pair.left,
+                right: pair.right,
+                gap: pair.gap,
+                reduced_mass,
+                law,
+            }
+        };
+        let pairs = row.pairs().iter().map(neighbours).collect();
+        Self { structures, pairs }
+    }
+
+    /// Number of unknowns.
+    pub(super) fn n_unknowns(&self) -> usize {
+        1 + 2 * self.structures.len() + self.pairs.len()
+    }
+
+    /// Index of the impulse of a pair's present collision in the vector of unknowns.
+    pub(super) fn impulse(&self, pair: usize) -> usize {
+        1 + 2 * self.structures.len() + pair
+    }
+
+    /// Deformation δ of a pair \[m\]; negative while it stands apart.
+    pub(super) fn deformation(&self, pair: usize, unknowns: &[f64]) -> f64 {
+        let Neighbours {
+            left, right, gap, ..
+        } = self.pairs[pair];
+        (unknowns[displacement(left)] - unknowns[displacement(right)]) - gap
+    }
+
+    /// Rate of deformation of a pair \[m/s\], positive while approaching.
+    pub(super) fn rate(&self, pair: usize, unknowns: &[f64]) -> f64 {
+        let Neighbours { left, right, .. } = self.pairs[pair];
+        unknowns[velocity(left)] - unknowns[velocity(right)]
+    }
+}

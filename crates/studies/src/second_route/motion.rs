@@ -1,0 +1,159 @@
+//! Equations of motion between two events.
+
+use super::model::{Law, Model, TIME, displacement, velocity};
+use super::phases::{Columns, Contact, Phases, sign};
+use super::variable::Variable;
+
+/// Everything the equations of motion depend on.
+#[derive(Debug, Clone)]
+pub(super) struct Motion {
+    pub model: Model,
+    pub phases: Phases,
+    pub segment: Segment,
+}
+
+/// A segment of the record.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Segment {
+    /// Its start \[s\].
+    pub start: f64,
+    /// Its length \[s\].
+    pub length: f64,
+    /// Ground acceleration at its start \[m/s²\].
+    pub ground_acceleration: f64,
+    /// Rate of the ground acceleration \[m/s³\].
+    pub ground_rate: f64,
+}
+
+impl Motion {
+    /// Derivative of the unknowns with respect to a variable, at a position of it.
+    pub(super) fn slope(&self, (variable, position): (Variable, f64), y: &[f64], dy: &mut [f64]) {
+        let Self {
+            model,
+            phases,
+            segment,
+        } = self;
+        for index in 0..model.structures.len() {
+            let speed = y[velocity(index)];
+            dy[displacement(index)] = speed;
+            dy[velocity(index)] =
+                -(self.restoring_force(index, y) + model.structures[index].damping * speed);
+        }
+        for (index, (pair, phase)) in model.pairs.iter().zip(&phases.pairs).enumerate() {
+            let mut force = 0.0;
+            if phase.contact.touches() {
+                let known = variable.deformation(index, position);
+                let deformation = known.unwrap_or_else(|| model.deformation(index, y));
+                force = self.pounding_force(index, deformation, model.rate(index, y));
+                dy[velocity(pair.left)] -= force;
+                dy[velocity(pair.right)] += force;
+            }
+            dy[model.impulse(index)] = force;
+        }
+        let ground = segment.ground_acceleration + segment.ground_rate * y[TIME];
+        for (index, structure) in model.structures.iter().enumerate() {
+            let slope = &mut dy[velocity(index)];
+            *slope = if structure.inverse_mass == 0.0 {
+                0.0
+            } else {
+                *slope * structure.inverse_mass - ground
+            };
+        }
+        dy[TIME] = 1.0;
+        if !matches!(variable, Variable::Time) {
+            let pace = variable.pace(position, |pair| model.rate(pair, y));
+            for slope in dy {
+                *slope *= pace;
+            }
+        }
+    }
+
+    /// Restoring force of a structure \[N\].
+    pub(super) fn restoring_force(&self, structure: usize, y: &[f64]) -> f64 {
+        match self.phases.structures[structure].columns {
+            Columns::Yielding { force } => force,
+            Columns::Elastic {
+                plastic_displacement,
+            } => {
+                let elastic = y[displacement(structure)] - plastic_displacement;
+                self.model.structures[structure].stiffness * elastic
+            }
+        }
+    }
+
+    /// Pounding force of a pair \[N\].
+    pub(super) fn pounding_force(&self, pair: usize, deformation: f64, rate: f64) -> f64 {
+        let Law::Compliant {
+            impact_stiffness,
+            damping_factor,
+        } = self.model.pairs[pair].law
+        else {
+            return 0.0;
+        };
+        // Trial steps may overshoot parting.
+        let root = deformation.max(0.0).sqrt();
+        let spring = impact_stiffness * root * root * root;
+        match self.phases.pairs[pair].contact {
+            Contact::Apart => 0.0,
+            Contact::Approach { .. } => spring + damping_factor * root.sqrt() * rate,
+            Contact::Restitution => spring,
+        }
+    }
+
+    /// Present pounding force of a pair \[N\].
+    pub(super) fn present_force(&self, pair: usize, y: &[f64]) -> f64 {
+        let model = &self.model;
+        self.pounding_force(pair, model.deformation(pair, y), model.rate(pair, y))
+    }
+
+    /// Net pounding force on a structure \[N\], positive to the right.
+    pub(super) fn push(&self, structure: usize, y: &[f64]) -> f64 {
+        let mut push = 0.0;
+        for (index, pair) in self.model.pairs.iter().enumerate() {
+            if pair.left == structure {
+                push -= self.present_force(index, y);
+            } else if pair.right == structure {
+                push += self.present_force(index, y);
+            }
+        }
+        push
+    }
+
+    /// Whether both neighbours of a structure touch it.
+    pub(super) fn is_between(&self, structure: usize) -> bool {
+        let pairs = self.model.pairs.iter().zip(&self.phases.pairs);
+        let touching = pairs.filter(|(pair, phase)| {
+            (pair.left == structure || pair.right == structure) && phase.contact.touches()
+        });
+        touching.count() == 2
+    }
+
+    /// Takes the sign of the net pounding force where both neighbours have begun to touch.
+    pub(super) fn settle(&mut self, y: &[f64]) {
+        for index in 0..self.model.structures.len() {
+            let known = self.phases.structures[index].push;
+            let between = self.is_between(index);
+            self.phases.structures[index].push =
+                between.then(|| known.unwrap_or_else(|| sign(self.push(index, y))));
+        }
+    }
+
+    /// Rate of a pair's pounding force on approach, times its deformation \[N·m/s\].
+    ///
+    /// `slope` is the derivative of the unknowns `y` with respect to time. The factor δ takes away the pole at first
+    /// touch.
+    pub(super) fn force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
+        let Law::Compliant {
+            impact_stiffness,
+            damping_factor,
+        } = self.model.pairs[pair].law
+        else {
+            return 0.0;
+        };
+        let deformation = self.model.deformation(pair, y).max(0.0);
+        let (rate, acceleration) = (self.model.rate(pair, y), self.model.rate(pair, slope));
+        let root = deformation.sqrt();
+        1.5 * impact_stiffness * root * deformation * rate
+            + damping_factor * root.sqrt() * (deformation * acceleration + 0.25 * rate * rate)
+    }
+}

@@ -1,0 +1,175 @@
+//! What the second route reports.
+
+use super::model::{Law, displacement, velocity};
+use super::motion::Motion;
+use super::state::State;
+
+/// What a run leaves behind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Response {
+    /// Collisions of each pair, in the order of time.
+    pub collisions: Vec<Vec<Collision>>,
+    /// What happened to each structure or wall, from left to right.
+    pub structures: Vec<StructureResponse>,
+    /// Steps that were kept, a count of work.
+    pub steps: u64,
+}
+
+/// One touching of a pair, from touch to parting; of an impulsive law, one impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Collision {
+    /// First touch, or the instant of the impact \[s\].
+    pub start: f64,
+    /// Parting or the end of the run, or the instant of the impact \[s\].
+    pub end: f64,
+    /// Impulse ∫F dt \[N·s\], ≥ 0.
+    pub impulse: f64,
+    /// Peak pounding force \[N\]; nothing for an impact.
+    pub peak_force: Option<f64>,
+}
+
+/// Value of largest magnitude and its first instant.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Peak {
+    /// The value, with its sign.
+    pub value: f64,
+    /// Its first instant \[s\].
+    pub time: f64,
+}
+
+/// What happened to one structure.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct StructureResponse {
+    /// ∫ |net pounding force| dt, or the sum over instants of |net impulse| \[N·s\].
+    pub transferred_momentum: f64,
+    /// Peak displacement \[m\].
+    pub displacement: Peak,
+    /// Peak restoring force \[N\].
+    pub restoring_force: Peak,
+    /// Displacement at the end of the run \[m\].
+    pub end_displacement: f64,
+    /// Velocity at the end of the run \[m/s\].
+    pub end_velocity: f64,
+}
+
+/// Keeps the response while it is found.
+#[derive(Debug, Clone)]
+pub(super) struct Record {
+    response: Response,
+}
+
+fn take(peak: &mut Peak, value: f64, time: f64) {
+    if value.abs() > peak.value.abs() {
+        *peak = Peak { value, time };
+    }
+}
+
+impl Record {
+    pub(super) fn new(motion: &Motion) -> Self {
+        let structures = vec![StructureResponse::default(); motion.model.structures.len()];
+        let response = Response {
+            collisions: vec![Vec::new(); motion.model.pairs.len()],
+            structures,
+            steps: 0,
+        };
+        Self { response }
+    }
+
+    /// Sees the state at the end of a step, in the phases of the step.
+    pub(super) fn observe(&mut self, motion: &Motion, y: &[f64], time: f64) {
+        for (index, structure) in self.response.structures.iter_mut().enumerate() {
+            let limit = motion.model.structures[index].yield_force;
+            let force = motion.restoring_force(index, y).clamp(-limit, limit);
+            take(&mut structure.displacement, y[displacement(index)], time);
+            take(&mut structure.restoring_force, force, time);
+        }
+        for (index, phase) in motion.phases.pairs.iter().enumerate() {
+            if phase.contact.touches()
+                && let Some(collision) = self.response.collisions[index].last_mut()
+            {
+                let force = motion.present_force(index, y);
+                collision.peak_force = collision.peak_force.map(|peak| peak.max(force));
+            }
+        }
+    }
+
+    /// Adds what pounding forces transferred within one step, during which no net force changed its sign.
+    pub(super) fn transfer(&mut self, motion: &Motion, from: &[f64], to: &[f64]) {
+        self.response.steps += 1;
+        for (structure, response) in self.response.structures.iter_mut().enumerate() {
+            let mut net = 0.0;
+            for (index, pair) in motion.model.pairs.iter().enumerate() {
+                let gained = || to[motion.model.impulse(index)] - from[motion.model.impulse(index)];
+                if pair.left == structure {
+                    net -= gained();
+                } else if pair.right == structure {
+                    net += gained();
+                }
+            }
+            response.transferred_momentum += net.abs();
+        }
+    }
+
+    /// A compliant pair touches.
+    pub(super) fn touch(&mut self, pair: usize, time: f64) {
+        self.response.collisions[pair].push(Collision {
+            start: time,
+            end: time,
+            impulse: 0.0,
+            peak_force: Some(0.0),
+        });
+    }
+
+    /// A compliant pair parts.
+    pub(super) fn part(&mut self, pair: usize, impulse: f64, time: f64) {
+        if let Some(collision) = self.response.collisions[pair].last_mut() {
+            collision.end = time;
+            collision.impulse = impulse;
+        }
+    }
+
+    /// The touch of a compliant pair was rounding: neighbours without a gap that start together.
+    pub(super) fn forget(&mut self, pair: usize) {
+        self.response.collisions[pair].pop();
+    }
+
+    /// Impulsive pairs collide at one instant, each with an impulse > 0.
+    pub(super) fn impacts(&mut self, motion: &Motion, impacts: &[(usize, f64)], time: f64) {
+        for &(pair, impulse) in impacts {
+            self.response.collisions[pair].push(Collision {
+                start: time,
+                end: time,
+                impulse,
+                peak_force: None,
+            });
+        }
+        for (structure, response) in self.response.structures.iter_mut().enumerate() {
+            let on_it = impacts.iter().map(|&(index, impulse)| {
+                let pair = motion.model.pairs[index];
+                if pair.left == structure {
+                    -impulse
+                } else if pair.right == structure {
+                    impulse
+                } else {
+                    0.0
+                }
+            });
+            response.transferred_momentum += on_it.sum::<f64>().abs();
+        }
+    }
+
+    /// Closes what goes on at the end of the run.
+    pub(super) fn finish(mut self, motion: &Motion, state: &State, time: f64) -> Response {
+        for (index, pair) in motion.model.pairs.iter().enumerate() {
+            let goes_on = motion.phases.pairs[index].contact.touches();
+            if goes_on && matches!(pair.law, Law::Compliant { .. }) {
+                self.part(index, state.high[motion.model.impulse(index)], time);
+            }
+        }
+        for (index, structure) in self.response.structures.iter_mut().enumerate() {
+            structure.end_displacement = state.high[displacement(index)];
+            structure.end_velocity = state.high[velocity(index)];
+        }
+        self.response
+    }
+}

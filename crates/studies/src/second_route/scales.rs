@@ -1,0 +1,63 @@
+//! How large each unknown is, for its error to be measured against.
+
+use super::model::{Model, TIME, displacement, velocity};
+
+/// Sizes of the unknowns.
+#[derive(Debug, Clone)]
+pub(super) struct Scales {
+    /// Largest magnitude so far of each displacement and velocity.
+    largest: Vec<f64>,
+    /// Size of each unknown.
+    sizes: Vec<f64>,
+    longest_step: f64,
+}
+
+impl Scales {
+    /// Before the start, for segments of `interval` \[s\] and steps of at most `longest_step` \[s\].
+    pub(super) fn new(n_unknowns: usize, interval: f64, longest_step: f64) -> Self {
+        let mut sizes = vec![0.0; n_unknowns];
+        sizes[TIME] = interval;
+        Self {
+            largest: vec![0.0; n_unknowns],
+            sizes,
+            longest_step,
+        }
+    }
+
+    /// Sizes of the unknowns.
+    pub(super) fn sizes(&self) -> &[f64] {
+        &self.sizes
+    }
+
+    /// Largest speed so far of the structures of a pair, summed \[m/s\].
+    pub(super) fn speed(&self, model: &Model, pair: usize) -> f64 {
+        let neighbours = model.pairs[pair];
+        self.largest[velocity(neighbours.left)] + self.largest[velocity(neighbours.right)]
+    }
+
+    /// Sees a state.
+    pub(super) fn enlarge(&mut self, model: &Model, y: &[f64]) {
+        for index in 0..model.structures.len() {
+            for unknown in [displacement(index), velocity(index)] {
+                self.largest[unknown] = self.largest[unknown].max(y[unknown].abs());
+                self.sizes[unknown] = self.largest[unknown];
+            }
+        }
+        for (index, pair) in model.pairs.iter().enumerate() {
+            let momentum = pair.reduced_mass * self.speed(model, index);
+            self.sizes[model.impulse(index)] = momentum;
+            // A structure that a first collision wakes has no size of its own yet; relative to itself, the error of
+            // what begins like a high power of the variable is the same in every step, however short.
+            for structure in [pair.left, pair.right] {
+                let gained = momentum * model.structures[structure].inverse_mass;
+                let size = &mut self.sizes[velocity(structure)];
+                *size = size.max(gained);
+            }
+        }
+        for index in 0..model.structures.len() {
+            let moved = self.sizes[velocity(index)] * self.longest_step;
+            let size = &mut self.sizes[displacement(index)];
+            *size = size.max(moved);
+        }
+    }
+}
