@@ -443,12 +443,18 @@ impl<R: Recorder> Run<'_, R> {
             Event::Reversal(pair) => {
                 let contact = &mut self.contacts[pair];
                 contact.rate = 0.0;
-                let approached = contact.link == Link::Touching(Phase::Approach);
-                contact.link = Link::Touching(if approached {
-                    Phase::Restitution
-                } else {
-                    Phase::Approach
-                });
+                match contact.link {
+                    Link::Touching(Phase::Approach) => {
+                        contact.link = Link::Touching(Phase::Restitution);
+                    }
+                    Link::Touching(Phase::Restitution) => {
+                        contact.link = Link::Touching(Phase::Approach);
+                    }
+                    // What was left of the deformation is below the tolerance: a new touch may begin.
+                    Link::Touching(Phase::Parting) | Link::Apart | Link::Resting => {
+                        (contact.link, contact.deformation) = (Link::Apart, 0.0);
+                    }
+                }
             }
             Event::Part(pair) => {
                 let contact = &mut self.contacts[pair];

@@ -57,8 +57,8 @@ struct Largest {
     momentum: f64,
 }
 
-/// Rounding that the velocities around an impact are forgiven, relative to them.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Rounding that the velocities around an impact are forgiven, relative to them: they carry that of the run before.
+const ROUNDING: f64 = 1e-12;
 
 impl<'a> Ledger<'a> {
     /// For a run of this row under this excitation.
