@@ -41,4 +41,4 @@ pub use reproduce::{Reproduction, Studies};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
 pub use study::{Output, Study, StudyFile, read_json};
 pub use tables::{Table, Value, digits};
-pub use trade::{Ladder, Trade};
+pub use trade::{Ladder, Timed, Trade};

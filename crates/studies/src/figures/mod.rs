@@ -61,7 +61,7 @@ fn label(structure: &Structure) -> String {
 }
 
 /// A name with its first letter large.
-fn capital(name: &str) -> String {
+pub(crate) fn capital(name: &str) -> String {
     let mut letters = name.chars();
     letters
         .next()

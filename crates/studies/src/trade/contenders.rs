@@ -4,6 +4,7 @@ use pounding_contact::ContactLaw;
 use pounding_solver::{CentralDifference, Exact, Integrator, Newmark, Start};
 
 use crate::Scene;
+use crate::plot::{Kind, Mark, Shade};
 
 /// A method with all its settings but one: its time step or its tolerance.
 #[derive(Debug, Clone, Copy)]
@@ -12,8 +13,8 @@ pub(crate) struct Contender {
     pub(crate) key: &'static str,
     /// Name in figures.
     pub(crate) label: &'static str,
-    /// Which line of a figure it is: of [`Curve::distinct`](crate::plot::Curve::distinct).
-    pub(crate) line: usize,
+    /// Its line in figures; nothing where it would hide another one.
+    pub(crate) line: Option<(Shade, Kind, Mark)>,
     /// What its ladder changes.
     pub(crate) knob: Knob,
     /// Where it differs from another contender.
@@ -47,7 +48,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
     Contender {
         key: RIVAL,
         label: "Central difference, as published",
-        line: 0,
+        line: Some((Shade::Blue, Kind::Line, Mark::Disc)),
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
         integrator: |_| {
@@ -59,7 +60,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
     Contender {
         key: "newmark_average_acceleration",
         label: "Newmark, average acceleration",
-        line: 1,
+        line: Some((Shade::Vermilion, Kind::Line, Mark::Square)),
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
         integrator: |_| Integrator::Newmark(Newmark::AVERAGE_ACCELERATION),
@@ -67,7 +68,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
     Contender {
         key: "newmark_linear_acceleration",
         label: "Newmark, linear acceleration",
-        line: 6,
+        line: None,
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
         integrator: |_| Integrator::Newmark(Newmark::LINEAR_ACCELERATION),
@@ -75,7 +76,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
     Contender {
         key: REFERENCE,
         label: "Exact",
-        line: 2,
+        line: Some((Shade::Ink, Kind::Line, Mark::Triangle)),
         knob: Knob::Tolerance,
         differs: Differs::Everywhere,
         integrator: |tolerance| {

@@ -1,6 +1,8 @@
 //! The runs.
 
-use pounding_solver::{Clock, Collisions, Ledger, Peaks, TransferredMomentum, Work};
+use pounding_solver::{
+    Clock, Collisions, Ledger, Peaks, Recorder, RunError, TransferredMomentum, Work,
+};
 use rayon::prelude::*;
 
 use super::Ladder;
@@ -72,6 +74,14 @@ impl Measured {
     /// Relative error of a quantity \[–\]; nothing where neither the run nor the truth has a collision.
     pub(crate) fn error(&self, quantity: Quantity) -> Option<f64> {
         self.errors[quantity as usize]
+    }
+
+    /// The largest relative error of some quantities \[–\].
+    pub(crate) fn worst(&self, quantities: &[Quantity]) -> f64 {
+        let errors = quantities
+            .iter()
+            .filter_map(|quantity| self.error(*quantity));
+        errors.fold(0.0, f64::max)
     }
 
     /// The work that methods are compared by.
@@ -186,11 +196,12 @@ pub(super) fn races(
 type Outcome<'a> = Result<(Quantities, Ledger<'a>, Work), String>;
 
 /// A run of one method on one scene, to be done.
-struct Run<'a> {
-    scene: &'a Scene,
-    prepared: &'a Prepared,
-    contender: &'static Contender,
-    setting: f64,
+#[derive(Debug)]
+pub(super) struct Run<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) prepared: &'a Prepared,
+    pub(super) contender: &'static Contender,
+    pub(super) setting: f64,
 }
 
 impl<'a> Run<'a> {
@@ -202,12 +213,13 @@ impl<'a> Run<'a> {
             TransferredMomentum::new(n),
             self.prepared.ledger(),
         );
-        let integrator = (self.contender.integrator)(self.setting);
-        let work = self
-            .prepared
-            .run_by(&integrator, self.clock(), &mut recorder)
-            .map_err(|error| error.to_string())?;
+        let work = self.run(&mut recorder).map_err(|error| error.to_string())?;
         Ok((Quantities::of(&recorder, n), recorder.3, work))
+    }
+
+    pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
+        let integrator = (self.contender.integrator)(self.setting);
+        self.prepared.run_by(&integrator, self.clock(), recorder)
     }
 
     fn clock(&self) -> Clock {

@@ -10,6 +10,7 @@ mod measure;
 mod pareto;
 mod quantities;
 mod table;
+mod timing;
 mod verdict;
 
 use std::collections::BTreeMap;
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use crate::{Completed, StudyError};
 
 use measure::Race;
+pub use timing::Timed;
 
 /// What a trade study changes from run to run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -54,9 +54,8 @@ impl Quantity {
     pub(crate) fn unit(self, compliant: bool) -> &'static str {
         match self {
             Self::FirstTime => "s",
-            Self::FirstImpulse | Self::Momentum => "N·s",
             Self::ContactPeak if compliant => "N",
-            Self::ContactPeak => "N·s",
+            Self::FirstImpulse | Self::Momentum | Self::ContactPeak => "N·s",
             Self::Displacement => "m",
             Self::Shear => "N",
         }
