@@ -13,7 +13,7 @@
 //! use pounding::contact::{ContactLaw, Stereomechanical};
 //! use pounding::motion::Record;
 //! use pounding::solver::{
-//!     CentralDifference, Clock, Collisions, Damping, Elastic, Excitation, Integrator, Node, Pair, Row, Start,
+//!     Clock, Collisions, Damping, Elastic, Excitation, Integrator, Newmark, Node, Pair, Row,
 //! };
 //!
 //! let structure = |mass: f64, stiffness: f64| {
@@ -30,7 +30,7 @@
 //! let record = Record::new(0.1, vec![-3.0, -3.0, -3.0, -3.0, 0.0], "a jerk")?;
 //! let excitation = Excitation::new(record.time_step(), record.samples())?;
 //!
-//! let method = Integrator::CentralDifference(CentralDifference { start: Start::Consistent });
+//! let method = Integrator::Newmark(Newmark::AVERAGE_ACCELERATION);
 //! let mut collisions = Collisions::new(row.nodes().len(), row.pairs());
 //! method.run(&row, excitation, Clock { time_step: 0.005, n_steps: 400 }, &mut collisions)?;
 //!

@@ -1,7 +1,7 @@
 //! What happened in a scene, as plain text of at most 80 columns, but for a long path.
 
 use pounding::motion::Record;
-use pounding::solver::{Collision, Peak, Start};
+use pounding::solver::{Collision, ImpactRule, Peak, Start, VerletImpacts};
 use pounding::studies::{Method, Outcome, Scene, Sdof, Structure, digits};
 
 /// Columns of a terminal.
@@ -14,10 +14,6 @@ const NONE: &str = "–";
 /// Summary of a run.
 pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
     let method = scene.method;
-    let settings = match method {
-        Method::CentralDifference { start, .. } => format!("start: {}", words(start)),
-        Method::Newmark { beta, gamma, .. } => format!("β = {}, γ = {}", short(beta), short(gamma)),
-    };
     let (dt, duration) = (digits(method.time_step()), digits(scene.duration_s));
     let work = outcome.work;
     [
@@ -26,8 +22,9 @@ pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
         paragraph(
             "Method",
             &format!(
-                "{}, {settings};\n{duration} s in steps of {dt} s",
-                method.name().replace('_', " ")
+                "{}{};\n{duration} s in steps of {dt} s",
+                method.name().replace('_', " "),
+                settings(&method)
             ),
         ),
         structures(scene, outcome),
@@ -41,6 +38,38 @@ pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
         ),
     ]
     .join("\n")
+}
+
+/// Settings of a method in words, each after a comma.
+fn settings(method: &Method) -> String {
+    match *method {
+        Method::CentralDifference {
+            start,
+            impacts,
+            contact_substeps,
+            ..
+        } => {
+            let impacts = match impacts {
+                ImpactRule::AsPublished => "",
+                ImpactRule::VelocityJump => ", impacts: velocity jump",
+            };
+            let substeps = match contact_substeps {
+                1 => String::new(),
+                n => format!(",\n{n} sub-steps while touching"),
+            };
+            format!(", start: {}{impacts}{substeps}", words(start))
+        }
+        Method::Newmark { beta, gamma, .. } => {
+            format!(", β = {}, γ = {}", short(beta), short(gamma))
+        }
+        Method::Hht { alpha, .. } => format!(", α = {}", short(alpha)),
+        Method::VelocityVerlet { impacts, .. } => match impacts {
+            VerletImpacts::VelocityJump => ", impacts: velocity jump".into(),
+            VerletImpacts::Located => ", impacts: located".into(),
+        },
+        Method::Rk4 { .. } => String::new(),
+        Method::MoreauJean { theta, .. } => format!(", θ = {}", short(theta)),
+    }
 }
 
 /// How a run of the central difference method begins, in words.

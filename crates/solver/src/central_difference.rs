@@ -1,24 +1,59 @@
-//! Central difference method, with contact as the paper applies it.
+//! Central difference method, with contact as the paper applies it or with impacts as velocity jumps.
 //!
 //! Source: the paper, equations (1)–(3); Chopra, *Dynamics of Structures*, 5.3. Written per unit of mass, so that a
 //! wall is a node of inverse mass 0, and for the increment of the displacement instead of the displacement: the same
 //! equation, but rounding then grows with the number of steps and not with its square (at Δt = 5e-7 s over 3 s it
 //! would spoil the fourth digit).
+//!
+//! Where the velocity jumps or the step changes its length, the increment is restarted as the textbook starts a run:
+//! it follows from the velocity and the acceleration at the node, Δt u̇ + Δt² ü/2. In the smooth case that is the same
+//! equation, so that a restart costs no accuracy.
 
-use pounding_contact::{ContactLaw, Overlap};
+mod contact;
+
 use serde::{Deserialize, Serialize};
 
+use crate::error::require;
+use crate::impacts::Impacts;
 use crate::span::Load;
-use crate::{
-    Clock, Excitation, Impact, Node, Recorder, RestoringForce, Row, RunError, Span, State,
-    Velocities, Work,
-};
+use crate::{Clock, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
-/// Settings of the central difference method.
+/// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CentralDifference {
     /// How the first step begins.
     pub start: Start,
+    /// How impulsive contact acts.
+    pub impacts: ImpactRule,
+    /// Steps into which a time step is divided for structures that touch, ≥ 1; 1 with [`ImpactRule::AsPublished`].
+    ///
+    /// A structure sub-steps from a node on at which it overlaps a neighbour, or would overlap one at the next node, to
+    /// that next node. Others keep the whole step.
+    pub contact_substeps: u32,
+}
+
+/// How impulsive contact acts in the central difference method.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ImpactRule {
+    /// The paper's rule: an overlap at a node, with approach by the velocity of the node before, adds a force
+    /// impulse/Δt to the equation of that node. It does not converge as Δt → 0.
+    #[default]
+    AsPublished,
+    /// An overlap at a node, with approach there, makes the velocities jump: the rule of every stepping method.
+    VelocityJump,
+}
+
+impl CentralDifference {
+    fn check(self) -> Result<(), RunError> {
+        let (most, allowed) = match self.impacts {
+            ImpactRule::AsPublished => (1, "1; more with the impacts velocity_jump"),
+            ImpactRule::VelocityJump => (u32::MAX, "1 or more"),
+        };
+        let valid = (1..=most).contains(&self.contact_substeps);
+        let found = self.contact_substeps.into();
+        require(valid, "contact_substeps", found, allowed)
+    }
 }
 
 /// The three ways to begin a central difference run; u₋₁ is the displacement one step before t = 0.
@@ -38,19 +73,40 @@ struct Body<Memory> {
     displacement: f64,
     /// Displacement minus that of the node before \[m\].
     increment: f64,
-    /// Central-difference velocity at the node before; what the paper's impact rule looks at.
+    /// Whether the node before lies a sub-step back.
+    fine: bool,
+    /// Central-difference velocity at the node before, half way through a jump of the published rule, which looks at
+    /// it; the equation's damping force is that of this velocity.
     velocity: f64,
     memory: Memory,
     /// Start of the span under way.
     start: State,
+    start_time: f64,
+    start_ground: f64,
+    /// Whether that start had an equation: node 0 has none when the first load is skipped.
+    solved: bool,
     force_from_left: f64,
     force_from_right: f64,
-    /// Net impulse of the impacts at this node \[N·s\].
+    /// Net impulse of the published rule at this node \[N·s\].
     impulse: f64,
+}
+
+impl<Memory> Body<Memory> {
+    /// Lets the next displacement follow from the state at this node, a step of this length ahead.
+    fn restart(&mut self, time_step: f64) {
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = self.start;
+        self.increment = time_step * (velocity + 0.5 * time_step * acceleration);
+        self.displacement = self.start.displacement + self.increment;
+    }
 }
 
 /// Constants of one structure's equation (3), divided by its mass.
 struct Coefficients {
+    time_step: f64,
     inverse_mass: f64,
     /// c/m.
     damping: f64,
@@ -67,6 +123,7 @@ impl Coefficients {
         let damping = node.inverse_mass * node.damping;
         let (inertia, half) = (1.0 / (dt * dt), 0.5 * damping / dt);
         Self {
+            time_step: dt,
             inverse_mass: node.inverse_mass,
             damping,
             solve: 1.0 / (inertia + half),
@@ -74,6 +131,34 @@ impl Coefficients {
             mobile: if node.is_wall() { 0.0 } else { 1.0 },
         }
     }
+}
+
+/// A node of the run, or of the sub-steps of those that touch.
+#[derive(Clone, Copy)]
+struct Instant {
+    ground: f64,
+    time: f64,
+    /// Time of the next node, for messages \[s\].
+    next: f64,
+    /// Whether only structures that sub-step have a node here.
+    fine: bool,
+}
+
+/// A run: its model and everything it needs, allocated once.
+struct Run<'a, Column: RestoringForce> {
+    row: &'a Row<Column>,
+    impacts: ImpactRule,
+    /// Whole step and sub-step \[s\].
+    steps: [f64; 2],
+    /// For each of them the coefficients of every structure.
+    coefficients: [Vec<Coefficients>; 2],
+    bodies: Vec<Body<Column::Memory>>,
+    /// Impulse of every pair by the published rule \[N·s\].
+    impulses: Vec<f64>,
+    /// States at a node with velocity jumps.
+    states: Vec<State>,
+    jumps: Impacts,
+    work: Work,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -84,67 +169,38 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     clock: Clock,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let dt = clock.time_step;
+    settings.check()?;
     let ground = excitation.sampled(clock);
-    let coefficients: Vec<_> = row
-        .nodes()
-        .iter()
-        .map(|node| Coefficients::new(node, dt))
-        .collect();
-    let mut bodies: Vec<_> = row
-        .nodes()
-        .iter()
-        .map(|node| begin(node, settings.start, ground[0], dt))
-        .collect();
-    let mut impulses = vec![0.0; row.pairs().len()];
-    let mut work = Work::default();
-    let first = usize::from(settings.start == Start::FirstLoadSkipped);
+    let mut run = Run::new(settings, row, ground[0], clock.time_step);
+    let first = match settings.start {
+        Start::Consistent | Start::FirstLoadUsed => 0,
+        Start::FirstLoadSkipped => 1,
+    };
     // Node n is reached by the step before the last; the last one gives it a velocity.
-    let mut before = 0.0;
-    for (step, &ground) in ground.iter().enumerate().skip(first) {
-        let hit = touch(row, &mut bodies, &mut impulses, dt, &mut work);
-        let nodes = row.nodes().iter().zip(&coefficients);
-        for (index, (body, (node, constants))) in bodies.iter_mut().zip(nodes).enumerate() {
-            let central = body.velocity;
-            let end = advance(body, constants, &node.column, ground, dt);
-            if !body.displacement.is_finite() {
-                return Err(RunError::Diverged {
-                    structure: index,
-                    time: clock.time(step + 1),
-                    time_step: dt,
-                });
+    for (step, &at) in ground.iter().enumerate().skip(first) {
+        let node = Instant {
+            ground: at,
+            time: clock.time(step),
+            next: clock.time(step + 1),
+            fine: false,
+        };
+        run.node(node, recorder)?;
+        run.work.steps += 1;
+        if settings.contact_substeps > 1 && step < clock.n_steps && run.refine() {
+            let rise = ground[step + 1] - at;
+            for part in 1..settings.contact_substeps {
+                let fraction = f64::from(part) / f64::from(settings.contact_substeps);
+                let between = Instant {
+                    ground: at + fraction * rise,
+                    time: node.time + fraction * clock.time_step,
+                    fine: true,
+                    ..node
+                };
+                run.node(between, recorder)?;
             }
-            if step > 0 {
-                let times = (clock.time(step - 1), clock.time(step));
-                let ends = [body.start, end];
-                // The equation's damping force is that of the central velocity, half way through a jump.
-                let loads = [
-                    Load::at(&ends[0], node.damping * central, before),
-                    Load::at(&ends[1], node.damping * body.velocity, ground),
-                ];
-                // The node before the first solved one has no equation.
-                let weights = [if step > first { 1.0 } else { 0.0 }, 1.0];
-                recorder.span(&Span::step::<R, _>(
-                    index,
-                    times,
-                    ends,
-                    (0.5 * dt, weights),
-                    loads,
-                ));
-            }
-            let jump = constants.inverse_mass * body.impulse;
-            body.start = end;
-            body.start.velocity += jump;
-            body.start.acceleration -= constants.damping * jump;
         }
-        if hit {
-            report(row, &bodies, &impulses, clock.time(step), recorder);
-        }
-        before = ground;
-        work.steps += 1;
-        work.force_evaluations += bodies.len() as u64;
     }
-    Ok(work)
+    Ok(run.work)
 }
 
 /// The body at its first node to be solved: node 0, or node 1 when the first load is skipped.
@@ -154,82 +210,107 @@ fn begin<Column: RestoringForce>(
     ground: f64,
     dt: f64,
 ) -> Body<Column::Memory> {
-    let (u, v) = (node.initial_displacement, node.initial_velocity);
-    let response = node.column.respond(u, Column::Memory::default());
-    let ground = if node.is_wall() { 0.0 } else { ground };
-    let acceleration = -ground - node.inverse_mass * (node.damping * v + response.force);
+    let (state, memory) = node.initial(ground);
+    let (u, v) = (state.displacement, state.velocity);
     let (displacement, increment) = match start {
-        Start::Consistent => (u, dt * (v - 0.5 * dt * acceleration)),
+        Start::Consistent => (u, dt * (v - 0.5 * dt * state.acceleration)),
         Start::FirstLoadUsed => (u, dt * v),
         Start::FirstLoadSkipped => (u + dt * v, dt * v),
     };
     Body {
         displacement,
         increment,
+        fine: false,
         velocity: v,
-        memory: response.memory,
-        start: State {
-            displacement: u,
-            velocity: v,
-            acceleration,
-            restoring_force: response.force,
-            ..State::default()
-        },
+        memory,
+        start: state,
+        start_time: 0.0,
+        start_ground: ground,
+        solved: false,
         force_from_left: 0.0,
         force_from_right: 0.0,
         impulse: 0.0,
     }
 }
 
-/// Contact at the current node, each pair alone; true when a pair received an impulse.
-///
-/// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
-/// earlier was negative. Impulsive laws follow the paper's rule: an overlap found now, the velocities of the node
-/// before, one impulse per step, no correction of the displacements. The rule does not converge as Δt → 0.
-fn touch<Column: RestoringForce, Memory>(
-    row: &Row<Column>,
-    bodies: &mut [Body<Memory>],
-    impulses: &mut [f64],
-    dt: f64,
-    work: &mut Work,
-) -> bool {
-    for body in bodies.iter_mut() {
-        (body.force_from_left, body.force_from_right, body.impulse) = (0.0, 0.0, 0.0);
-    }
-    let mut hit = false;
-    for (pair, impulse) in row.pairs().iter().zip(impulses) {
-        *impulse = 0.0;
-        let (left, right) = (&bodies[pair.left], &bodies[pair.right]);
-        let deformation = left.displacement - right.displacement - pair.gap;
-        if deformation > 0.0 {
-            work.touching_steps += 1;
-            let reduced_mass = row.reduced_mass(pair);
-            match pair.law {
-                ContactLaw::NonlinearViscoelastic(law) => {
-                    let rate = (left.increment - right.increment) / dt;
-                    let force = law
-                        .respond(&Overlap {
-                            deformation,
-                            rate,
-                            reduced_mass,
-                        })
-                        .force;
-                    bodies[pair.left].force_from_right = -force;
-                    bodies[pair.right].force_from_left = force;
-                }
-                ContactLaw::Stereomechanical(law) => {
-                    let rate = left.velocity - right.velocity;
-                    if rate > 0.0 {
-                        *impulse = law.impulse(rate, reduced_mass);
-                        bodies[pair.left].impulse -= *impulse;
-                        bodies[pair.right].impulse += *impulse;
-                        hit = true;
-                    }
-                }
-            }
+impl<'a, Column: RestoringForce> Run<'a, Column> {
+    fn new(settings: CentralDifference, row: &'a Row<Column>, ground: f64, dt: f64) -> Self {
+        let steps = [dt, dt / f64::from(settings.contact_substeps)];
+        let constants = |dt: f64| {
+            let nodes = row.nodes().iter();
+            nodes.map(|node| Coefficients::new(node, dt)).collect()
+        };
+        let nodes = row.nodes().iter();
+        let bodies: Vec<_> = nodes
+            .map(|node| begin(node, settings.start, ground, dt))
+            .collect();
+        Self {
+            row,
+            impacts: settings.impacts,
+            steps,
+            coefficients: steps.map(constants),
+            states: bodies.iter().map(|body| body.start).collect(),
+            bodies,
+            impulses: vec![0.0; row.pairs().len()],
+            jumps: Impacts::new(row),
+            work: Work::default(),
         }
     }
-    hit
+
+    /// One node: contact, the equation of every structure that has a node here, its span, impacts.
+    fn node<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
+        let hit = self.touch(node.fine);
+        self.advance(node, recorder)?;
+        if hit {
+            match self.impacts {
+                ImpactRule::AsPublished => self.report(node.time, recorder),
+                ImpactRule::VelocityJump => self.jump(node, recorder),
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves the equations of a node and reports the spans that end there.
+    fn advance<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
+        for (index, body) in self.bodies.iter_mut().enumerate() {
+            if node.fine && !body.fine {
+                continue;
+            }
+            let constants = &self.coefficients[usize::from(body.fine)][index];
+            let Node {
+                column, damping, ..
+            } = &self.row.nodes()[index];
+            let central = body.velocity;
+            let end = advance(body, constants, column, node.ground);
+            if !body.displacement.is_finite() {
+                return Err(RunError::Diverged {
+                    structure: index,
+                    time: node.next,
+                    time_step: self.steps[0],
+                });
+            }
+            if node.time > body.start_time {
+                let times = (body.start_time, node.time);
+                let ends = [body.start, end];
+                let loads = [
+                    Load::at(&ends[0], damping * central, body.start_ground),
+                    Load::at(&ends[1], damping * body.velocity, node.ground),
+                ];
+                let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
+                let weights = (0.5 * constants.time_step, weights);
+                recorder.span(&Span::step::<R, _>(index, times, ends, weights, loads));
+            }
+            let jump = constants.inverse_mass * body.impulse;
+            body.start = end;
+            body.start_time = node.time;
+            body.start_ground = node.ground;
+            body.solved = true;
+            body.start.velocity += jump;
+            body.start.acceleration -= constants.damping * jump;
+            self.work.force_evaluations += 1;
+        }
+        Ok(())
+    }
 }
 
 /// Solves equation (3) for the next displacement; returns the state at the current node, before its impacts.
@@ -239,8 +320,8 @@ fn advance<Column: RestoringForce>(
     constants: &Coefficients,
     column: &Column,
     ground: f64,
-    dt: f64,
 ) -> State {
+    let dt = constants.time_step;
     let response = column.respond(body.displacement, body.memory);
     let pounding_force = body.force_from_left + body.force_from_right;
     let smooth =
@@ -263,36 +344,4 @@ fn advance<Column: RestoringForce>(
     body.velocity = velocity;
     body.memory = response.memory;
     state
-}
-
-/// Reports the impacts of a node after its spans.
-fn report<Column: RestoringForce, Memory, R: Recorder>(
-    row: &Row<Column>,
-    bodies: &[Body<Memory>],
-    impulses: &[f64],
-    time: f64,
-    recorder: &mut R,
-) {
-    let before = |index: usize| {
-        bodies[index].start.velocity - row.nodes()[index].inverse_mass * bodies[index].impulse
-    };
-    for (index, (pair, &impulse)) in row.pairs().iter().zip(impulses).enumerate() {
-        if impulse > 0.0 {
-            recorder.impact(&Impact {
-                pair: index,
-                left: pair.left,
-                right: pair.right,
-                time,
-                impulse,
-                before: Velocities {
-                    left: before(pair.left),
-                    right: before(pair.right),
-                },
-                after: Velocities {
-                    left: bodies[pair.left].start.velocity,
-                    right: bodies[pair.right].start.velocity,
-                },
-            });
-        }
-    }
 }

@@ -81,6 +81,21 @@ pub enum RunError {
         /// The residual allowed.
         allowed: f64,
     },
+    /// The impulses of pairs that touch did not settle.
+    #[error(
+        "structures {first} to {last} at t = {time:.4} s: their impulses still change after {iterations} solutions of \
+         the step; use a smaller time step"
+    )]
+    ImpulsesNotFound {
+        /// Index of the leftmost structure that touches.
+        first: usize,
+        /// Index of the rightmost one.
+        last: usize,
+        /// End of the step \[s\].
+        time: f64,
+        /// Solutions tried.
+        iterations: u32,
+    },
     /// A run setting outside its valid range.
     #[error("{setting}: found {found}, allowed {allowed}")]
     Setting {
@@ -102,4 +117,22 @@ pub enum RunError {
         /// Events of the run so far.
         events: u64,
     },
+}
+
+/// Refuses a setting whose `found` value is not `valid`.
+pub(crate) fn require(
+    valid: bool,
+    setting: &'static str,
+    found: f64,
+    allowed: &'static str,
+) -> Result<(), RunError> {
+    if valid {
+        Ok(())
+    } else {
+        Err(RunError::Setting {
+            setting,
+            found,
+            allowed,
+        })
+    }
 }

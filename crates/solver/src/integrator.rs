@@ -1,6 +1,7 @@
 use crate::{
-    CentralDifference, Clock, Exact, Excitation, Newmark, PiecewiseLinear, Recorder, Row, RunError,
-    Work, central_difference, exact, newmark,
+    CentralDifference, Clock, Exact, Excitation, Hht, MoreauJean, Newmark, PiecewiseLinear,
+    Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht, moreau_jean,
+    newmark, rk4, verlet,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
@@ -10,6 +11,14 @@ pub enum Integrator {
     CentralDifference(CentralDifference),
     /// Newmark's method.
     Newmark(Newmark),
+    /// HHT-α method.
+    Hht(Hht),
+    /// Velocity Verlet method.
+    Verlet(Verlet),
+    /// Classical Runge–Kutta method.
+    Rk4(Rk4),
+    /// Moreau–Jean time stepping.
+    MoreauJean(MoreauJean),
     /// Event-driven integration with power series.
     Exact(Exact),
 }
@@ -38,6 +47,12 @@ impl Integrator {
                 central_difference::run(settings, row, excitation, clock, recorder)
             }
             Self::Newmark(settings) => newmark::run(settings, row, excitation, clock, recorder),
+            Self::Hht(settings) => hht::run(settings, row, excitation, clock, recorder),
+            Self::Verlet(settings) => verlet::run(settings, row, excitation, clock, recorder),
+            Self::Rk4(settings) => rk4::run(settings, row, excitation, clock, recorder),
+            Self::MoreauJean(settings) => {
+                moreau_jean::run(settings, row, excitation, clock, recorder)
+            }
             Self::Exact(settings) => exact::run(settings, row, excitation, clock, recorder),
         }
     }

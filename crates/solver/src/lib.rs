@@ -5,13 +5,17 @@
 //!
 //! ```
 //! use pounding_solver::{
-//!     CentralDifference, Clock, Elastic, Excitation, Integrator, Node, Peaks, Row, Start,
+//!     CentralDifference, Clock, Elastic, Excitation, ImpactRule, Integrator, Node, Peaks, Row, Start,
 //! };
 //!
 //! let row = Row::new(vec![Node::structure(75e3, 23e3, Elastic { stiffness: 2.056e6 })], vec![])?;
 //! let ground = [0.0, 1.0, -1.0, 0.0];
 //! let excitation = Excitation::new(0.1, &ground)?;
-//! let method = Integrator::CentralDifference(CentralDifference { start: Start::Consistent });
+//! let method = Integrator::CentralDifference(CentralDifference {
+//!     start: Start::Consistent,
+//!     impacts: ImpactRule::AsPublished,
+//!     contact_substeps: 1,
+//! });
 //! let mut peaks = Peaks::new(row.nodes().len());
 //! method.run(&row, excitation, Clock { time_step: 0.01, n_steps: 100 }, &mut peaks)?;
 //! assert!(peaks.of(0).displacement.value.abs() > 1e-4);
@@ -31,30 +35,40 @@ mod damping;
 mod error;
 mod exact;
 mod excitation;
+mod hht;
+mod impacts;
 mod integrator;
+mod moreau_jean;
 mod newmark;
 mod newton;
 mod quadrature;
 mod recorder;
 mod recorders;
+mod rk4;
 mod row;
 mod span;
+mod together;
+mod verlet;
 mod work;
 
-pub use central_difference::{CentralDifference, Start};
+pub use central_difference::{CentralDifference, ImpactRule, Start};
 pub use clock::Clock;
 pub use column::{Elastic, ElastoPlastic, PiecewiseLinear, Response, RestoringForce};
 pub use damping::Damping;
 pub use error::{ModelError, RunError};
 pub use exact::{Exact, SimultaneousImpacts};
 pub use excitation::Excitation;
+pub use hht::Hht;
 pub use integrator::Integrator;
+pub use moreau_jean::MoreauJean;
 pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Velocities};
 pub use recorders::{
     Collision, Collisions, Histories, History, Ledger, LedgerError, PairTerms, Peak, Peaks,
     StructurePeaks, Terms, TransferredMomentum,
 };
+pub use rk4::Rk4;
 pub use row::{Node, Pair, Row};
 pub use span::{Path, Series, Span, State, Weighed};
+pub use verlet::{Verlet, VerletImpacts};
 pub use work::Work;

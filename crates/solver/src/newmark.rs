@@ -5,12 +5,11 @@
 
 use pounding_contact::ContactLaw;
 
+use crate::error::require;
+use crate::impacts::Impacts;
 use crate::newton::{self, Failure, Slopes, Trial};
 use crate::span::Load;
-use crate::{
-    Clock, Excitation, Impact, Recorder, RestoringForce, Row, RunError, Span, State, Velocities,
-    Work,
-};
+use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
 ///
@@ -37,17 +36,6 @@ impl Newmark {
     };
 
     fn check(&self) -> Result<(), RunError> {
-        let require = |valid: bool, setting, found, allowed| {
-            if valid {
-                Ok(())
-            } else {
-                Err(RunError::Setting {
-                    setting,
-                    found,
-                    allowed,
-                })
-            }
-        };
         require(
             (0.0..=0.5).contains(&self.beta),
             "beta",
@@ -63,22 +51,21 @@ impl Newmark {
     }
 }
 
-/// Scratch of a run: everything a step needs, allocated once.
-struct Scratch<Memory> {
+/// Scratch of an implicit run: everything a step needs, allocated once.
+pub(crate) struct Scratch<Memory> {
     /// State at the start of the step, after impacts.
-    states: Vec<State>,
-    trials: Vec<Trial<Memory>>,
+    pub(crate) states: Vec<State>,
+    pub(crate) trials: Vec<Trial<Memory>>,
     /// Which pairs overlap during the step.
     touching: Vec<bool>,
-    /// Impulse of every pair at the end of the step \[N·s\].
-    impulses: Vec<f64>,
+    pub(crate) impacts: Impacts,
 }
 
 /// Integrates a row; the shared signature of all methods.
 ///
 /// Each structure finds its equilibrium alone; those that then overlap do it again together. A cluster grows while it
 /// overlaps further neighbours, and nothing outside a cluster changes its bits. Impulsive laws act at the end of the
-/// step in which an overlap with approach is found, as a jump of the velocities, each pair alone.
+/// step in which an overlap with approach is found, as a jump of the velocities.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Newmark,
     row: &Row<Column>,
@@ -92,12 +79,14 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let slopes = Slopes {
         displacement: settings.beta * dt * dt,
         velocity: settings.gamma * dt,
+        inertia: 1.0,
         time_step: dt,
     };
     let mut scratch = begin(row, ground[0]);
     let mut work = Work::default();
-    for step in 1..ground.len() {
-        let at_ends = [ground[step - 1], ground[step]];
+    // The trapezoidal rule where γ = 1/2.
+    let weights = (0.5 * dt, [2.0 - 2.0 * settings.gamma, 2.0 * settings.gamma]);
+    for (step, at_ends) in (1..).zip(ground.windows(2)) {
         for (state, trial) in scratch.states.iter().zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement
@@ -105,61 +94,49 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 state.velocity + dt * (1.0 - settings.gamma) * state.acceleration,
             );
         }
-        balance(
-            row,
-            &mut scratch,
-            (slopes, ground[step]),
-            clock.time(step),
-            &mut work,
-        )?;
-        commit(
-            row,
-            &mut scratch,
-            (clock, step),
-            (settings.gamma, at_ends),
-            recorder,
-        )?;
-        work.touching_steps += overlaps(row, &scratch.states);
-        jump(
-            row,
-            &mut scratch,
-            (ground[step], clock.time(step)),
-            recorder,
-        );
+        let time = clock.time(step);
+        balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
+        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
+            let damping = row.nodes()[structure].damping;
+            let load = |index: usize| {
+                let state: &State = &ends[index];
+                Load::at(state, damping * state.velocity, at_ends[index])
+            };
+            (weights, [load(0), load(1)])
+        })?;
+        work.touching_steps += row.n_overlaps(&scratch.states);
+        let instant = (at_ends[1], time);
+        scratch
+            .impacts
+            .after_step(row, &mut scratch.states, instant, recorder);
         work.steps += 1;
     }
     Ok(work)
 }
 
 /// State of every structure at t = 0, accelerations from equilibrium.
-fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Column::Memory> {
+pub(crate) fn begin<Column: RestoringForce>(
+    row: &Row<Column>,
+    ground: f64,
+) -> Scratch<Column::Memory> {
     let mut trials = vec![Trial::new(); row.nodes().len()];
     let state = |(node, trial): (&crate::Node<Column>, &mut Trial<Column::Memory>)| {
-        let (u, v) = (node.initial_displacement, node.initial_velocity);
-        let response = node.column.respond(u, Column::Memory::default());
-        trial.memory = response.memory;
-        let ground = if node.is_wall() { 0.0 } else { ground };
-        let acceleration = -ground - node.inverse_mass * (node.damping * v + response.force);
-        trial.acceleration = acceleration;
-        State {
-            displacement: u,
-            velocity: v,
-            acceleration,
-            restoring_force: response.force,
-            ..State::default()
-        }
+        let (state, memory) = node.initial(ground);
+        trial.memory = memory;
+        trial.acceleration = state.acceleration;
+        state
     };
     let states = row.nodes().iter().zip(&mut trials).map(state).collect();
     Scratch {
         states,
         trials,
         touching: vec![false; row.pairs().len()],
-        impulses: vec![0.0; row.pairs().len()],
+        impacts: Impacts::new(row),
     }
 }
 
 /// Equilibrium at the end of a step: every structure alone first, then the clusters that touch.
-fn balance<Column: RestoringForce>(
+pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
     (slopes, ground): (Slopes, f64),
@@ -237,134 +214,34 @@ fn mark_overlaps<Column: RestoringForce>(
     grown
 }
 
-/// Accepts the end of a step and reports its spans.
-fn commit<Column: RestoringForce, R: Recorder>(
-    row: &Row<Column>,
-    scratch: &mut Scratch<Column::Memory>,
+/// Accepts the end of a step and reports its spans; of each structure with these ends, what the method made of which
+/// loads.
+pub(crate) fn commit<Memory: Copy, R: Recorder, const N: usize>(
+    scratch: &mut Scratch<Memory>,
     (clock, step): (Clock, usize),
-    (gamma, ground): (f64, [f64; 2]),
     recorder: &mut R,
+    mut weighed: impl FnMut(usize, &[State; 2]) -> ((f64, [f64; N]), [Load; N]),
 ) -> Result<(), RunError> {
-    let (start_time, end_time) = (clock.time(step - 1), clock.time(step));
-    // The trapezoidal rule where γ = 1/2.
-    let weights = [2.0 - 2.0 * gamma, 2.0 * gamma];
+    let times = (clock.time(step - 1), clock.time(step));
     for (structure, (state, trial)) in scratch
         .states
         .iter_mut()
         .zip(&mut scratch.trials)
         .enumerate()
     {
-        let end = State {
-            displacement: trial.displacement,
-            velocity: trial.velocity,
-            acceleration: trial.acceleration,
-            restoring_force: trial.response.force,
-            force_from_left: trial.force_from_left,
-            force_from_right: trial.force_from_right,
-        };
+        let end = trial.state();
         if !end.displacement.is_finite() {
             return Err(RunError::Diverged {
                 structure,
-                time: end_time,
+                time: times.1,
                 time_step: clock.time_step,
             });
         }
-        let damping = row.nodes()[structure].damping;
         let ends = [*state, end];
-        let load = |index: usize| {
-            let state: &State = &ends[index];
-            Load::at(state, damping * state.velocity, ground[index])
-        };
-        recorder.span(&Span::step::<R, _>(
-            structure,
-            (start_time, end_time),
-            ends,
-            (0.5 * clock.time_step, weights),
-            [load(0), load(1)],
-        ));
+        let (weights, loads) = weighed(structure, &ends);
+        recorder.span(&Span::step::<R, N>(structure, times, ends, weights, loads));
         *state = end;
         trial.memory = trial.response.memory;
     }
     Ok(())
-}
-
-/// Number of pairs that overlap.
-fn overlaps<Column: RestoringForce>(row: &Row<Column>, states: &[State]) -> u64 {
-    let overlaps = |pair: &&crate::Pair| {
-        states[pair.left].displacement - states[pair.right].displacement - pair.gap > 0.0
-    };
-    row.pairs().iter().filter(overlaps).count() as u64
-}
-
-/// Impulsive contact at the end of a step: velocities jump, then accelerations follow from equilibrium.
-fn jump<Column: RestoringForce, R: Recorder>(
-    row: &Row<Column>,
-    scratch: &mut Scratch<Column::Memory>,
-    (ground, time): (f64, f64),
-    recorder: &mut R,
-) {
-    if !collide(row, scratch) {
-        return;
-    }
-    // Until the next step the trials keep the velocities before the jump.
-    let Scratch {
-        states,
-        trials,
-        impulses,
-        ..
-    } = scratch;
-    for (index, (pair, &impulse)) in row.pairs().iter().zip(&*impulses).enumerate() {
-        if impulse > 0.0 {
-            let (left, right) = (pair.left, pair.right);
-            recorder.impact(&Impact {
-                pair: index,
-                left,
-                right,
-                time,
-                impulse,
-                before: Velocities {
-                    left: trials[left].velocity,
-                    right: trials[right].velocity,
-                },
-                after: Velocities {
-                    left: states[left].velocity,
-                    right: states[right].velocity,
-                },
-            });
-        }
-    }
-    for ((node, state), trial) in row.nodes().iter().zip(states).zip(trials) {
-        let jumped = (state.velocity - trial.velocity).abs() > 0.0;
-        if jumped {
-            let ground = if node.is_wall() { 0.0 } else { ground };
-            let force =
-                state.pounding_force() - node.damping * state.velocity - state.restoring_force;
-            state.acceleration = node.inverse_mass * force - ground;
-        }
-    }
-}
-
-/// Gives every overlapping pair that approaches its impulse, each alone; true when there was one.
-fn collide<Column: RestoringForce>(
-    row: &Row<Column>,
-    scratch: &mut Scratch<Column::Memory>,
-) -> bool {
-    let mut hit = false;
-    for (pair, impulse) in row.pairs().iter().zip(&mut scratch.impulses) {
-        *impulse = 0.0;
-        let law = match pair.law {
-            ContactLaw::Stereomechanical(law) => law,
-            // Compliant contact took part in the equilibrium.
-            ContactLaw::NonlinearViscoelastic(_) => continue,
-        };
-        let (left, right) = (&scratch.trials[pair.left], &scratch.trials[pair.right]);
-        let rate = left.velocity - right.velocity;
-        if left.displacement - right.displacement - pair.gap > 0.0 && rate > 0.0 {
-            *impulse = law.impulse(rate, row.reduced_mass(pair));
-            scratch.states[pair.left].velocity -= row.nodes()[pair.left].inverse_mass * *impulse;
-            scratch.states[pair.right].velocity += row.nodes()[pair.right].inverse_mass * *impulse;
-            hit = true;
-        }
-    }
-    hit
 }

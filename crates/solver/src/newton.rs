@@ -8,7 +8,7 @@
 
 use pounding_contact::{ContactLaw, Overlap};
 
-use crate::{Node, Pair, Response, RestoringForce, Row, Work};
+use crate::{Node, Pair, Response, RestoringForce, Row, State, Work};
 
 /// Largest residual of equilibrium accepted, relative to the sum of the magnitudes of its terms.
 ///
@@ -28,6 +28,9 @@ pub(crate) struct Trial<Memory> {
     pub(crate) acceleration: f64,
     /// Displacement and velocity at the end of the step for acceleration 0.
     pub(crate) predicted: (f64, f64),
+    /// What the start of the step adds to the equation, per unit of mass \[m/s²\]; 0 where equilibrium is asked for at
+    /// the end alone.
+    pub(crate) carried: f64,
     /// Displacement at the end of the step \[m\].
     pub(crate) displacement: f64,
     /// Velocity at the end of the step \[m/s\].
@@ -47,7 +50,8 @@ pub(crate) struct Trial<Memory> {
     rounding: f64,
     /// The correction under way.
     correction: f64,
-    diagonal: f64,
+    /// ∂residual/∂acceleration of the structure itself.
+    pub(crate) diagonal: f64,
     /// ∂residual/∂acceleration of the left neighbour.
     lower: f64,
     /// ∂residual/∂acceleration of the right neighbour.
@@ -59,6 +63,7 @@ impl<Memory: Copy + Default> Trial<Memory> {
         Self {
             acceleration: 0.0,
             predicted: (0.0, 0.0),
+            carried: 0.0,
             displacement: 0.0,
             velocity: 0.0,
             response: Response {
@@ -81,6 +86,18 @@ impl<Memory: Copy + Default> Trial<Memory> {
 }
 
 impl<Memory> Trial<Memory> {
+    /// The state at the end of the step.
+    pub(crate) fn state(&self) -> State {
+        State {
+            displacement: self.displacement,
+            velocity: self.velocity,
+            acceleration: self.acceleration,
+            restoring_force: self.response.force,
+            force_from_left: self.force_from_left,
+            force_from_right: self.force_from_right,
+        }
+    }
+
     /// Adds a pounding force (its magnitude) to the tangent and the bounds of a structure's equation.
     fn push(&mut self, inverse_mass: f64, force: f64, (tangent, rounding): (f64, f64)) {
         self.scale += inverse_mass * force;
@@ -96,6 +113,8 @@ pub(crate) struct Slopes {
     pub(crate) displacement: f64,
     /// ∂u̇/∂ü \[s\].
     pub(crate) velocity: f64,
+    /// Weight of the inertia where that of the other forces is 1 \[–\].
+    pub(crate) inertia: f64,
     /// Δt, for messages \[s\].
     pub(crate) time_step: f64,
 }
@@ -226,13 +245,15 @@ fn evaluate<Column: RestoringForce>(
     trial.response = node.column.respond(trial.displacement, trial.memory);
     let ground = if node.is_wall() { 0.0 } else { ground };
     let (damping, restoring) = (w * node.damping * trial.velocity, w * trial.response.force);
-    trial.residual = trial.acceleration + damping + restoring + ground;
-    trial.scale = trial.acceleration.abs() + damping.abs() + restoring.abs() + ground.abs();
+    let inertia = slopes.inertia * trial.acceleration;
+    trial.residual = inertia + damping + restoring + ground + trial.carried;
+    trial.scale = inertia.abs() + damping.abs() + restoring.abs() + ground.abs();
+    trial.scale += trial.carried.abs();
     trial.rounding = ROUNDING
         * w
         * (trial.response.tangent * trial.displacement.abs() + node.damping * trial.velocity.abs());
-    trial.diagonal =
-        1.0 + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
+    trial.diagonal = slopes.inertia
+        + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
     (trial.lower, trial.upper) = (0.0, 0.0);
     (trial.force_from_left, trial.force_from_right) = (0.0, 0.0);
 }

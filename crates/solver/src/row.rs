@@ -1,6 +1,6 @@
-use pounding_contact::{ContactLaw, reduced_mass};
+use pounding_contact::{ContactLaw, Overlap, reduced_mass};
 
-use crate::{ModelError, RestoringForce};
+use crate::{ModelError, RestoringForce, State};
 
 /// One structure of a row (SDOF), or a fixed wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,30 @@ impl<Column> Node<Column> {
     }
 }
 
+impl<Column: RestoringForce> Node<Column> {
+    /// Acceleration \[m/s²\] in equilibrium with the velocity and forces of a state; a wall has none.
+    pub(crate) fn acceleration(&self, state: &State, ground: f64) -> f64 {
+        let ground = if self.is_wall() { 0.0 } else { ground };
+        let force = state.pounding_force() - self.damping * state.velocity - state.restoring_force;
+        self.inverse_mass * force - ground
+    }
+
+    /// State at t = 0, in equilibrium, and what the columns then remember.
+    pub(crate) fn initial(&self, ground: f64) -> (State, Column::Memory) {
+        let response = self
+            .column
+            .respond(self.initial_displacement, Column::Memory::default());
+        let mut state = State {
+            displacement: self.initial_displacement,
+            velocity: self.initial_velocity,
+            restoring_force: response.force,
+            ..State::default()
+        };
+        state.acceleration = self.acceleration(&state, ground);
+        (state, response.memory)
+    }
+}
+
 /// Two neighbours that can touch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
@@ -66,6 +90,18 @@ pub struct Pair {
 pub struct Row<Column> {
     nodes: Vec<Node<Column>>,
     pairs: Vec<Pair>,
+}
+
+impl Pair {
+    /// Deformation δ \[m\] of the pair in these states of all structures; positive where it overlaps.
+    pub(crate) fn deformation(&self, states: &[State]) -> f64 {
+        states[self.left].displacement - states[self.right].displacement - self.gap
+    }
+
+    /// Its rate \[m/s\], positive while approaching.
+    pub(crate) fn rate(&self, states: &[State]) -> f64 {
+        states[self.left].velocity - states[self.right].velocity
+    }
 }
 
 impl<Column: RestoringForce> Row<Column> {
@@ -114,6 +150,37 @@ impl<Column: RestoringForce> Row<Column> {
     /// The pairs that can touch, from left to right.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
+    }
+
+    /// Number of pairs that overlap.
+    pub(crate) fn n_overlaps(&self, states: &[State]) -> u64 {
+        let overlaps = |pair: &&Pair| pair.deformation(states) > 0.0;
+        self.pairs.iter().filter(overlaps).count() as u64
+    }
+
+    /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
+    pub(crate) fn push(&self, states: &mut [State]) {
+        for state in states.iter_mut() {
+            (state.force_from_left, state.force_from_right) = (0.0, 0.0);
+        }
+        for pair in &self.pairs {
+            let deformation = pair.deformation(states);
+            if deformation > 0.0 {
+                let law = match pair.law {
+                    ContactLaw::NonlinearViscoelastic(law) => law,
+                    // Impulsive contact acts between steps.
+                    ContactLaw::Stereomechanical(_) => continue,
+                };
+                let overlap = Overlap {
+                    deformation,
+                    rate: pair.rate(states),
+                    reduced_mass: self.reduced_mass(pair),
+                };
+                let force = law.respond(&overlap).force;
+                states[pair.left].force_from_right = -force;
+                states[pair.right].force_from_left = force;
+            }
+        }
     }
 
     /// Reduced mass of a pair \[kg\].

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use pounding_motion::Record;
 use pounding_solver::{
-    CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Histories,
-    Integrator, Ledger, ModelError, Newmark, Node, Pair, Peaks, PiecewiseLinear, Recorder, Row,
-    RunError, TransferredMomentum, Work,
+    CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hht, Histories,
+    Integrator, Ledger, ModelError, MoreauJean, Newmark, Node, Pair, Peaks, PiecewiseLinear,
+    Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
 };
 
 use crate::second_route::{self, Fineness, Response, SecondRouteError};
@@ -195,7 +195,8 @@ impl Prepared {
                 return StudyError::Scene { scene, source };
             }
             RunError::Diverged { structure, .. } => structure..structure + 1,
-            RunError::NotConverged { first, last, .. } => first..last + 1,
+            RunError::NotConverged { first, last, .. }
+            | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
         let name = |index: usize| (index, self.structures[index].clone());
@@ -232,10 +233,21 @@ fn load(
 
 fn method(scene: &Scene) -> (Integrator, Clock) {
     let integrator = match scene.method {
-        Method::CentralDifference { start, .. } => {
-            Integrator::CentralDifference(CentralDifference { start })
-        }
+        Method::CentralDifference {
+            start,
+            impacts,
+            contact_substeps,
+            ..
+        } => Integrator::CentralDifference(CentralDifference {
+            start,
+            impacts,
+            contact_substeps,
+        }),
         Method::Newmark { beta, gamma, .. } => Integrator::Newmark(Newmark { beta, gamma }),
+        Method::Hht { alpha, .. } => Integrator::Hht(Hht { alpha }),
+        Method::VelocityVerlet { impacts, .. } => Integrator::Verlet(Verlet { impacts }),
+        Method::Rk4 { .. } => Integrator::Rk4(Rk4),
+        Method::MoreauJean { theta, .. } => Integrator::MoreauJean(MoreauJean { theta }),
     };
     let time_step = scene.method.time_step();
     #[expect(

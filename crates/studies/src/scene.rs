@@ -1,7 +1,7 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{Damping as SolverDamping, Start};
+use pounding_solver::{Damping as SolverDamping, ImpactRule, Rk4, Start, VerletImpacts};
 use serde::{Deserialize, Serialize};
 
 /// One row of structures under one record, with the method that integrates it.
@@ -28,24 +28,16 @@ pub struct Scene {
 impl Scene {
     /// Structure and time step \[s\] from which on the method is unstable for it; nothing for a method without limit.
     ///
-    /// T/π of the shortest natural period for the central difference method, T/(2π√(γ/2 − β)) for Newmark's with
-    /// β < γ/2. Contact can ask for less.
+    /// T/π = 2/ω for the central difference and the Verlet method, T/(2π√(γ/2 − β)) for Newmark's with β < γ/2,
+    /// whatever the damping; the Runge–Kutta method's depends on it. Contact can ask for less.
     pub(crate) fn critical_time_step(&self) -> Option<(usize, f64)> {
-        let factor = match self.method {
-            Method::CentralDifference { .. } => 1.0,
-            Method::Newmark { beta, gamma, .. } if beta < 0.5 * gamma => {
-                0.5 / (0.5 * gamma - beta).sqrt()
-            }
-            Method::Newmark { .. } => return None,
-        };
         let limits = self.structures.iter().enumerate();
         limits
             .filter_map(|(index, structure)| match structure {
-                Structure::Sdof(structure) => Some((index, structure.period())),
+                Structure::Sdof(structure) => Some((index, self.method.limit(structure)?)),
                 Structure::Wall => None,
             })
             .min_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(index, period)| (index, factor * period / std::f64::consts::PI))
     }
 }
 
@@ -183,6 +175,12 @@ pub enum Method {
         time_step_s: f64,
         /// How the first step begins.
         start: Start,
+        /// How impulsive contact acts.
+        #[serde(default, skip_serializing_if = "is_default")]
+        impacts: ImpactRule,
+        /// Steps into which a time step is divided for structures that touch, ≥ 1.
+        #[serde(default = "one_step", skip_serializing_if = "is_one_step")]
+        contact_substeps: u32,
     },
     /// Newmark's method.
     Newmark {
@@ -193,6 +191,49 @@ pub enum Method {
         /// γ \[–\]: 1/2 for order two.
         gamma: f64,
     },
+    /// HHT-α method.
+    Hht {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// α \[–\], −1/3 (most damping of what the step cannot follow) to 0 (none).
+        alpha: f64,
+    },
+    /// Velocity Verlet method.
+    VelocityVerlet {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// When impulsive contact acts.
+        #[serde(default, skip_serializing_if = "is_default")]
+        impacts: VerletImpacts,
+    },
+    /// Classical Runge–Kutta method.
+    Rk4 {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+    },
+    /// Moreau–Jean time stepping.
+    MoreauJean {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// θ \[–\], 1/2 (order two while nothing touches) to 1.
+        theta: f64,
+    },
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+fn one_step() -> u32 {
+    1
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_one_step(n: &u32) -> bool {
+    *n == one_step()
 }
 
 impl Method {
@@ -201,15 +242,39 @@ impl Method {
         match self {
             Self::CentralDifference { .. } => "central_difference",
             Self::Newmark { .. } => "newmark",
+            Self::Hht { .. } => "hht",
+            Self::VelocityVerlet { .. } => "velocity_verlet",
+            Self::Rk4 { .. } => "rk4",
+            Self::MoreauJean { .. } => "moreau_jean",
         }
     }
 
     /// Time step \[s\].
     pub fn time_step(&self) -> f64 {
         match *self {
-            Self::CentralDifference { time_step_s, .. } | Self::Newmark { time_step_s, .. } => {
-                time_step_s
-            }
+            Self::CentralDifference { time_step_s, .. }
+            | Self::Newmark { time_step_s, .. }
+            | Self::Hht { time_step_s, .. }
+            | Self::VelocityVerlet { time_step_s, .. }
+            | Self::Rk4 { time_step_s }
+            | Self::MoreauJean { time_step_s, .. } => time_step_s,
         }
+    }
+
+    /// Time step \[s\] from which on the method is unstable for a structure that stands alone, if there is one.
+    fn limit(&self, structure: &Sdof) -> Option<f64> {
+        let factor = match *self {
+            Self::CentralDifference { .. } | Self::VelocityVerlet { .. } => 1.0,
+            Self::Newmark { beta, gamma, .. } if beta < 0.5 * gamma => {
+                0.5 / (0.5 * gamma - beta).sqrt()
+            }
+            Self::Newmark { .. } | Self::Hht { .. } | Self::MoreauJean { .. } => return None,
+            Self::Rk4 { .. } => {
+                let omega = 2.0 * std::f64::consts::PI / structure.period();
+                let limit = Rk4::critical_time_step(omega, structure.damping_ratio());
+                return Some(limit);
+            }
+        };
+        Some(factor * structure.period() / std::f64::consts::PI)
     }
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
+use pounding_solver::Rk4;
 use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
 use serde_json::{Value, json};
 
@@ -143,14 +144,26 @@ fn extreme_scene_that_diverges_is_named() {
 
 #[test]
 fn extreme_time_step_at_the_limit() {
-    // T/π = 2/ω of the stiff structure; linear acceleration T√3/π; average acceleration none.
+    // T/π = 2/ω of the stiff structure; linear acceleration T√3/π; average acceleration and its relatives none. The
+    // Runge–Kutta method's, near 2√2/ω, depends on the damping.
     let limit = 2.0 * (3e6_f64 / 1.316e9).sqrt();
+    let damping = (0.5712 * 3e6 + 0.001_447 * 1.316e9) / (2.0 * (3e6_f64 * 1.316e9).sqrt());
     let newmark = |beta: f64| json!({"newmark": {"time_step_s": 0, "beta": beta, "gamma": 0.5}});
     let central = json!({"central_difference": {"time_step_s": 0, "start": "consistent"}});
     for (method, limit) in [
         (central, Some(limit)),
         (newmark(1.0 / 6.0), Some(3.0_f64.sqrt() * limit)),
         (newmark(0.25), None),
+        (json!({"velocity_verlet": {"time_step_s": 0}}), Some(limit)),
+        (
+            json!({"rk4": {"time_step_s": 0}}),
+            Some(Rk4::critical_time_step(2.0 / limit, damping)),
+        ),
+        (json!({"hht": {"time_step_s": 0, "alpha": -0.3}}), None),
+        (
+            json!({"moreau_jean": {"time_step_s": 0, "theta": 0.5}}),
+            None,
+        ),
     ] {
         let run = |time_step: f64| {
             let mut study = study("figure-1");

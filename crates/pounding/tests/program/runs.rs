@@ -89,6 +89,41 @@ fn reference_free_impact() {
 }
 
 #[test]
+fn reference_every_method_runs_and_is_named() {
+    let mut scene = good_scene();
+    scene["structures"] = json!([free("one", 1000.0, 2.0), free("other", 3000.0, 0.0)]);
+    scene["contacts"] =
+        json!([{"gap_m": 0.125, "law": {"stereomechanical": {"restitution": 0.5}}}]);
+    scene["duration_s"] = json!(0.5);
+    let mut named = Vec::new();
+    for method in [
+        json!({"central_difference": {"time_step_s": 0.01, "start": "consistent", "impacts": "velocity_jump"}}),
+        json!({"central_difference": {
+            "time_step_s": 0.01, "start": "first_load_skipped", "impacts": "velocity_jump", "contact_substeps": 8
+        }}),
+        json!({"newmark": {"time_step_s": 0.01, "beta": 0.25, "gamma": 0.5}}),
+        json!({"hht": {"time_step_s": 0.01, "alpha": -0.125}}),
+        json!({"velocity_verlet": {"time_step_s": 0.01}}),
+        json!({"velocity_verlet": {"time_step_s": 0.01, "impacts": "located"}}),
+        json!({"rk4": {"time_step_s": 0.01}}),
+        json!({"moreau_jean": {"time_step_s": 0.01, "theta": 0.5}}),
+    ] {
+        scene["method"] = method;
+        let ended = run("every_method", &scene.to_string(), Some(&quiet(10)));
+        let stdout = printed(&ended);
+        // The impulse of the free impact above; only when it acts differs.
+        let pair = line(stdout, "one – other");
+        assert_eq!((pair[1], pair[3]), ("1", "2.250"), "{stdout}");
+        let paragraph = stdout
+            .lines()
+            .skip_while(|line| !line.starts_with("Method"));
+        let paragraph: Vec<_> = paragraph.take_while(|line| !line.is_empty()).collect();
+        named.push(format!("{}; impact at {} s", paragraph.join("\n"), pair[2]));
+    }
+    assert_snapshot!(named.join("\n"));
+}
+
+#[test]
 fn reference_let_go_from_a_displacement() {
     let mut scene = good_scene();
     let structure = |name: &str, yield_force: Value| {

@@ -81,7 +81,7 @@ fn extreme_method_unknown() {
     let message = refused("unknown_method", |scene| {
         scene["method"] = json!({"runge_kutta": {"time_step_s": 0.01}});
     });
-    assert_snapshot!(message, @"error: scene.json: method: unknown variant `runge_kutta`, expected `central_difference` or `newmark` at line 15 column 17");
+    assert_snapshot!(message, @"error: scene.json: method: unknown variant `runge_kutta`, expected one of `central_difference`, `newmark`, `hht`, `velocity_verlet`, `rk4`, `moreau_jean` at line 15 column 17");
 }
 
 #[test]
@@ -208,6 +208,25 @@ fn extreme_impact_stiffness_zero() {
 fn extreme_gap_negative() {
     let message = refused("gap", |scene| scene["contacts"][0]["gap_m"] = json!(-0.03));
     assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].gap_m: found -0.03, allowed a finite number >= 0"#);
+}
+
+#[test]
+fn extreme_settings_of_methods_out_of_range() {
+    let refused = |method: Value| {
+        refused("method_settings", |scene| {
+            scene["method"] = method.clone();
+        })
+    };
+    let divided = json!({"central_difference": {
+        "time_step_s": 0.01, "start": "consistent", "contact_substeps": 4
+    }});
+    assert_snapshot!(refused(divided), @r#"error: scene.json: scene "two structures": method.central_difference.contact_substeps: found 4, allowed 1; more with the impacts velocity_jump"#);
+    let hht = json!({"hht": {"time_step_s": 0.01, "alpha": 0.1}});
+    assert_snapshot!(refused(hht), @r#"error: scene.json: scene "two structures": method.hht.alpha: found 0.1, allowed -1/3 to 0"#);
+    let moreau_jean = json!({"moreau_jean": {"time_step_s": 0.01, "theta": 0.4}});
+    assert_snapshot!(refused(moreau_jean), @r#"error: scene.json: scene "two structures": method.moreau_jean.theta: found 0.4, allowed 0.5 to 1"#);
+    let verlet = json!({"velocity_verlet": {"time_step_s": 0.01, "impacts": "as_published"}});
+    assert_snapshot!(refused(verlet), @"error: scene.json: method.velocity_verlet.impacts: unknown variant `as_published`, expected `velocity_jump` or `located` at line 16 column 31");
 }
 
 #[test]

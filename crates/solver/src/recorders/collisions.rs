@@ -54,9 +54,13 @@ impl Recorder for Collisions {
             return;
         };
         let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
-        if start == 0.0 && end == 0.0 {
+        if start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0 {
             self.open[pair] = None;
             return;
+        }
+        if start == 0.0 && end > 0.0 {
+            // It parted in the span before, and touches again.
+            self.open[pair] = None;
         }
         let index = *self.open[pair].get_or_insert_with(|| {
             let first = match span.path {
@@ -78,11 +82,13 @@ impl Recorder for Collisions {
         if end > 0.0 || matches!(span.path, Path::Series(_)) {
             collision.end = span.end_time;
         }
-        if end > 0.0 {
-            collision.peak_force = collision.peak_force.map(|peak| peak.max(end));
+        // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.
+        let known = if start == 0.0 && end == 0.0 {
+            -span.impulse_from_right / span.duration()
         } else {
-            self.open[pair] = None;
-        }
+            end
+        };
+        collision.peak_force = collision.peak_force.map(|peak| peak.max(known));
     }
 
     fn impact(&mut self, impact: &Impact) {

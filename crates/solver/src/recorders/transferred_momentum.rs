@@ -3,7 +3,7 @@ use crate::{Impact, Path, Recorder, Span};
 /// Records the transferred momentum of every structure: H = ∫ |net pounding force| dt \[N·s\].
 ///
 /// Forces from both sides at one instant cancel before the magnitude is taken, so a structure hit from left and right
-/// at once gets little. Forces are integrated by the trapezoidal rule; impacts of one instant are summed first.
+/// at once gets little. Impulses over a span are the method's own; impacts of one instant are summed first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TransferredMomentum {
     structures: Vec<Sum>,
@@ -46,12 +46,15 @@ impl Recorder for TransferredMomentum {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
         self.structures[span.structure].closed += match span.path {
-            Path::Cubic(_) => {
+            // All that is known of a step in which the net force changes its sign are its ends.
+            Path::Cubic(_) if span.start.pounding_force() * span.end.pounding_force() < 0.0 => {
                 let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
                 0.5 * span.duration() * ends
             }
-            // Such a span ends where the net force changes its sign.
-            Path::Series(_) => (span.impulse_from_left + span.impulse_from_right).abs(),
+            // A series ends where the net force changes its sign.
+            Path::Cubic(_) | Path::Series(_) => {
+                (span.impulse_from_left + span.impulse_from_right).abs()
+            }
         };
     }
 

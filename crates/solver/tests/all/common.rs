@@ -2,8 +2,9 @@
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Histories, Integrator, Ledger,
-    Newmark, Node, Pair, PiecewiseLinear, Row, Start, Work,
+    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Hht, Histories, ImpactRule,
+    Integrator, Ledger, MoreauJean, Newmark, Node, Pair, PiecewiseLinear, Rk4, Row, Start, Verlet,
+    VerletImpacts, Work,
 };
 
 pub(crate) const WEAK: (f64, f64, f64) = (75e3, 2.056e6, 70e3);
@@ -17,16 +18,51 @@ pub(crate) const VISCOELASTIC: ContactLaw =
         impact_damping_ratio: 0.35,
     });
 
-pub(crate) const CENTRAL: Integrator = Integrator::CentralDifference(CentralDifference {
-    start: Start::Consistent,
-});
+/// The central difference method with the textbook's start.
+pub(crate) const fn central(impacts: ImpactRule, contact_substeps: u32) -> Integrator {
+    Integrator::CentralDifference(CentralDifference {
+        start: Start::Consistent,
+        impacts,
+        contact_substeps,
+    })
+}
+
+pub(crate) const CENTRAL: Integrator = central(ImpactRule::AsPublished, 1);
+pub(crate) const JUMPING: Integrator = central(ImpactRule::VelocityJump, 1);
+pub(crate) const SUBSTEPPED: Integrator = central(ImpactRule::VelocityJump, 4);
 pub(crate) const AVERAGE: Integrator = Integrator::Newmark(Newmark::AVERAGE_ACCELERATION);
 pub(crate) const LINEAR: Integrator = Integrator::Newmark(Newmark::LINEAR_ACCELERATION);
-pub(crate) const METHODS: [(&str, Integrator); 3] = [
+pub(crate) const HHT: Integrator = Integrator::Hht(Hht { alpha: -0.1 });
+pub(crate) const MOREAU_JEAN: Integrator = moreau_jean(0.5);
+pub(crate) const VERLET: Integrator = Integrator::Verlet(Verlet {
+    impacts: VerletImpacts::VelocityJump,
+});
+pub(crate) const LOCATED: Integrator = Integrator::Verlet(Verlet {
+    impacts: VerletImpacts::Located,
+});
+pub(crate) const RK4: Integrator = Integrator::Rk4(Rk4);
+pub(crate) const METHODS: [(&str, Integrator); 10] = [
     ("central difference", CENTRAL),
     ("Newmark 1/4", AVERAGE),
     ("Newmark 1/6", LINEAR),
+    ("CD, jumps", JUMPING),
+    ("CD, sub-steps", SUBSTEPPED),
+    ("HHT -0.1", HHT),
+    ("Moreau-Jean 1/2", MOREAU_JEAN),
+    ("Verlet", VERLET),
+    ("Verlet, located", LOCATED),
+    ("RK4", RK4),
 ];
+
+/// Methods of order one where nothing touches.
+pub(crate) const FIRST_ORDER: [(&str, Integrator); 2] = [
+    ("Moreau-Jean 3/4", moreau_jean(0.75)),
+    ("Moreau-Jean 1", moreau_jean(1.0)),
+];
+
+pub(crate) const fn moreau_jean(theta: f64) -> Integrator {
+    Integrator::MoreauJean(MoreauJean { theta })
+}
 
 pub(crate) fn elastic((mass, stiffness, _): (f64, f64, f64)) -> Node<Elastic> {
     Node::structure(

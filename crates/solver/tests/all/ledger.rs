@@ -2,28 +2,46 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, ElastoPlastic, Integrator, LedgerError, Newmark, Node, PiecewiseLinear, Row,
-    Start,
+    CentralDifference, ElastoPlastic, Hht, ImpactRule, Integrator, LedgerError, Newmark, Node,
+    PiecewiseLinear, Row, Start,
 };
 use proptest::prelude::*;
 
 use crate::common::{
     AVERAGE, CENTRAL, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book, clock, elastic,
-    free, ground, pairs, yielding,
+    free, ground, moreau_jean, pairs, yielding,
 };
 
 const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
 
 /// The methods with settings that weigh the ends of a step unevenly.
 fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
-    let central = |start| Integrator::CentralDifference(CentralDifference { start });
+    let start = |start, impacts| {
+        Integrator::CentralDifference(CentralDifference {
+            start,
+            impacts,
+            contact_substeps: 1,
+        })
+    };
     let damped = Newmark {
         beta: 0.3025,
         gamma: 0.6,
     };
     METHODS.into_iter().chain([
-        ("first load used", central(Start::FirstLoadUsed)),
-        ("first load skipped", central(Start::FirstLoadSkipped)),
+        (
+            "first load used",
+            start(Start::FirstLoadUsed, ImpactRule::AsPublished),
+        ),
+        (
+            "first load skipped",
+            start(Start::FirstLoadSkipped, ImpactRule::AsPublished),
+        ),
+        (
+            "first load skipped, jumps",
+            start(Start::FirstLoadSkipped, ImpactRule::VelocityJump),
+        ),
+        ("HHT -1/3", Integrator::Hht(Hht { alpha: -1.0 / 3.0 })),
+        ("Moreau-Jean 3/4", moreau_jean(0.75)),
         ("Newmark, γ = 0.6", Integrator::Newmark(damped)),
     ])
 }
@@ -156,7 +174,7 @@ proptest! {
         gap in 0.0..0.05_f64,
         restitution in 0.0..=1.0_f64,
         compliant in any::<bool>(),
-        method in 0..3_usize,
+        method in 0..METHODS.len(),
     ) {
         let law = if compliant {
             VISCOELASTIC

@@ -1,10 +1,10 @@
 //! The lean model equals the rich one, bit for bit, where both apply.
 
 use crate::common::{
-    METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs,
-    yielding,
+    AVERAGE, CENTRAL, HHT, JUMPING, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED,
+    VERLET, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
 };
-use pounding_solver::{ElastoPlastic, Histories, Node, Row, State};
+use pounding_solver::{ElastoPlastic, Hht, Histories, Integrator, Node, Row, State};
 
 /// Every state of every structure.
 fn bits(histories: &Histories, n: usize) -> Vec<Vec<State>> {
@@ -98,12 +98,26 @@ fn limit_a_mirrored_row_under_mirrored_shaking_mirrors() {
                         .zip(right)
                         .map(|(left, right)| (left.displacement + right.displacement).abs())
                         .fold(0.0, f64::max);
-                    // Elimination from left to right is not symmetric where three structures touch at once.
-                    let eliminates = n == 3 && law == VISCOELASTIC && name != "central difference";
-                    let allowed = if eliminates { 1e-12 } else { 0.0 };
+                    // Elimination from left to right is not symmetric, and where Newton stops within its tolerance of
+                    // 1e-12 of the forces (300 m/s² in contact) then differs; ten seconds multiply that.
+                    let allowed = match method {
+                        Integrator::MoreauJean(_) if law == VISCOELASTIC => 1e-11,
+                        Integrator::Newmark(_) | Integrator::Hht(_)
+                            if n == 3 && law == VISCOELASTIC =>
+                        {
+                            1e-12
+                        }
+                        Integrator::CentralDifference(_)
+                        | Integrator::Newmark(_)
+                        | Integrator::Hht(_)
+                        | Integrator::Verlet(_)
+                        | Integrator::Rk4(_)
+                        | Integrator::MoreauJean(_)
+                        | Integrator::Exact(_) => 0.0,
+                    };
                     assert!(
                         apart <= allowed,
-                        "{name}, structure {index} of {n}: {apart:e}"
+                        "{name}, {law:?}, structure {index} of {n}: {apart:e}"
                     );
                 }
             }
@@ -122,21 +136,24 @@ fn limit_a_wall_is_a_neighbour_of_infinite_mass() {
         });
         let [wall, heavy] = [wall, heavy]
             .map(|right| Row::new(vec![yielding(WEAK), right], pairs(2, 0.02, law)).unwrap());
-        let run = |row| histories(row, crate::common::AVERAGE, &ground(), clock(0.002, 10.0));
-        let ((wall, work), (heavy, _)) = (run(&wall), run(&heavy));
-        assert!(work.touching_steps > 0, "the structure must reach the wall");
-        assert!(
-            wall.of(1)
-                .states
-                .iter()
-                .all(|state| state.displacement == 0.0),
-            "a wall stands still"
-        );
-        for (a, b) in wall.of(0).states.iter().zip(&heavy.of(0).states) {
+        // Only methods without a critical time step can follow so stiff a neighbour.
+        for method in [AVERAGE, HHT, MOREAU_JEAN] {
+            let run = |row| histories(row, method, &ground(), clock(0.002, 10.0));
+            let ((wall, work), (heavy, _)) = (run(&wall), run(&heavy));
+            assert!(work.touching_steps > 0, "the structure must reach the wall");
             assert!(
-                (a.displacement - b.displacement).abs() < 1e-9,
-                "{a:?} against {b:?}"
+                wall.of(1)
+                    .states
+                    .iter()
+                    .all(|state| state.displacement == 0.0),
+                "a wall stands still"
             );
+            for (a, b) in wall.of(0).states.iter().zip(&heavy.of(0).states) {
+                assert!(
+                    (a.displacement - b.displacement).abs() < 1e-9,
+                    "{method:?}: {a:?} against {b:?}"
+                );
+            }
         }
     }
 }
@@ -153,11 +170,11 @@ fn limit_identical_structures_never_touch() {
 #[test]
 fn limit_histories_do_not_depend_on_their_interval() {
     let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
-    let (nodes, _) = histories(&row, crate::common::CENTRAL, &ground(), clock(0.01, 4.0));
+    let (nodes, _) = histories(&row, CENTRAL, &ground(), clock(0.01, 4.0));
     let mut sparse = Histories::new(1, 0.04, 4.0);
     let samples = ground();
     let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
-    crate::common::CENTRAL
+    CENTRAL
         .run(&row, excitation, clock(0.01, 4.0), &mut sparse)
         .unwrap();
     assert_eq!(sparse.of(0).states.len(), 101);
@@ -169,4 +186,86 @@ fn limit_histories_do_not_depend_on_their_interval() {
             .eq(nodes.of(0).states.iter().step_by(4)),
         "every fourth node"
     );
+}
+
+/// Largest difference of displacements.
+fn apart(left: &Histories, right: &Histories, n: usize) -> f64 {
+    let of = |index| left.of(index).states.iter().zip(&right.of(index).states);
+    (0..n)
+        .flat_map(of)
+        .map(|(left, right)| (left.displacement - right.displacement).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn limit_hht_without_its_damping_equals_average_acceleration() {
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let row = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law)).unwrap();
+        let undamped = Integrator::Hht(Hht { alpha: 0.0 });
+        let run = |method| histories(&row, method, &ground(), clock(0.005, 10.0));
+        let ((hht, work), (newmark, _)) = (run(undamped), run(AVERAGE));
+        assert!(work.touching_steps > 0, "the row must collide");
+        assert_eq!(bits(&hht, 2), bits(&newmark, 2));
+    }
+}
+
+#[test]
+fn limit_one_motion_by_two_formulas() {
+    // Where nothing is hit, velocity Verlet is the central difference method, and Moreau–Jean stepping with θ = 1/2
+    // average acceleration; only rounding differs.
+    let alone = Row::new(vec![yielding(WEAK), yielding(STIFF)], vec![]).unwrap();
+    let stereomechanical = pairs(2, 0.02, STEREOMECHANICAL);
+    let viscoelastic = pairs(2, 0.02, VISCOELASTIC);
+    let row = |pairs| Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs).unwrap();
+    for (row, left, right) in [
+        (&alone, VERLET, CENTRAL),
+        (&row(stereomechanical), VERLET, JUMPING),
+        (&alone, MOREAU_JEAN, AVERAGE),
+        (&row(viscoelastic), MOREAU_JEAN, AVERAGE),
+    ] {
+        let run = |method| histories(row, method, &ground(), clock(0.005, 10.0)).0;
+        let apart = apart(&run(left), &run(right), 2);
+        assert!(apart < 1e-10, "{left:?} and {right:?}: {apart:e}");
+    }
+}
+
+#[test]
+fn limit_sub_steps_change_nothing_while_nothing_touches() {
+    let row = |gap| {
+        let nodes = vec![yielding(WEAK), yielding(STIFF)];
+        Row::new(nodes, pairs(2, gap, VISCOELASTIC)).unwrap()
+    };
+    let run = |method, gap| histories(&row(gap), method, &ground(), clock(0.005, 10.0));
+    assert_eq!(
+        bits(&run(SUBSTEPPED, 10.0).0, 2),
+        bits(&run(CENTRAL, 10.0).0, 2)
+    );
+    // The rule for impacts means nothing to compliant pairs.
+    let ((jumping, work), (published, _)) = (run(JUMPING, 0.02), run(CENTRAL, 0.02));
+    assert!(work.touching_steps > 0, "the row must collide");
+    assert_eq!(bits(&jumping, 2), bits(&published, 2));
+}
+
+#[test]
+fn limit_sub_steps_all_the_time_are_a_smaller_step() {
+    // Pressed together from the start, the pair sub-steps throughout: the motion is that of the smaller step.
+    let pressed = |velocity, node: Node<ElastoPlastic>| Node {
+        initial_velocity: velocity,
+        ..node
+    };
+    let nodes = vec![pressed(0.1, yielding(WEAK)), pressed(-0.1, yielding(STIFF))];
+    let row = Row::new(nodes, pairs(2, 0.0, VISCOELASTIC)).unwrap();
+    let run = |method: Integrator, dt| {
+        let samples = [-1.0; 10];
+        let mut histories = Histories::new(2, 0.004, 0.016);
+        let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
+        let work = method
+            .run(&row, excitation, clock(dt, 0.016), &mut histories)
+            .unwrap();
+        (histories, work)
+    };
+    let ((coarse, work), (fine, _)) = (run(SUBSTEPPED, 0.004), run(JUMPING, 0.001));
+    assert_eq!(work.force_evaluations, 2 * 17, "every step is divided");
+    let apart = apart(&coarse, &fine, 2);
+    assert!(apart < 1e-14, "{apart:e}");
 }

@@ -5,6 +5,7 @@ mod audit;
 mod chopra;
 mod common;
 mod exact;
+mod impacts;
 mod ledger;
 mod ledger_energies;
 mod ledger_faults;

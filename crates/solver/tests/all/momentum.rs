@@ -1,6 +1,6 @@
 //! Laws of mechanics in free collisions: momentum, restitution, impulses.
 
-use crate::common::{METHODS, STEREOMECHANICAL, VISCOELASTIC, clock, pairs};
+use crate::common::{CENTRAL, METHODS, STEREOMECHANICAL, VISCOELASTIC, clock, pairs};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Collisions, Elastic, Excitation, Histories, Integrator, Node, Row, TransferredMomentum,
@@ -56,20 +56,22 @@ fn collide(row: &Row<Elastic>, method: Integrator, time_step: f64) -> ([f64; 2],
 }
 
 #[test]
-fn reference_the_law_of_impact_is_delivered_by_newmark() {
-    for restitution in [0.0, 0.3, 0.65, 1.0] {
-        let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
-        let row = free_pair([75e3, 3e6], 0.5, law);
-        let ([left, right], impulse, _) = collide(&row, crate::common::AVERAGE, 0.001);
-        assert!(
-            ((right - left) / 0.5 - restitution).abs() < 1e-12,
-            "e = {restitution}: {left} {right}"
-        );
-        let expected = (1.0 + restitution) * 75e3 * 3e6 / 3.075e6 * 0.5;
-        assert!(
-            (impulse / expected - 1.0).abs() < 1e-12,
-            "e = {restitution}: {impulse}"
-        );
+fn reference_the_law_of_impact_is_delivered() {
+    for (name, method) in METHODS.into_iter().filter(|(_, method)| *method != CENTRAL) {
+        for restitution in [0.0, 0.3, 0.65, 1.0] {
+            let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
+            let row = free_pair([75e3, 3e6], 0.5, law);
+            let ([left, right], impulse, _) = collide(&row, method, 0.001);
+            assert!(
+                ((right - left) / 0.5 - restitution).abs() < 1e-12,
+                "{name}, e = {restitution}: {left} {right}"
+            );
+            let expected = (1.0 + restitution) * 75e3 * 3e6 / 3.075e6 * 0.5;
+            assert!(
+                (impulse / expected - 1.0).abs() < 1e-12,
+                "{name}, e = {restitution}: {impulse}"
+            );
+        }
     }
 }
 
@@ -101,7 +103,7 @@ fn issue_the_published_rule_hits_twice() {
     let row = free_pair([1.0, 1.0], 1.0, STEREOMECHANICAL);
     let mut collisions = Collisions::new(2, row.pairs());
     let excitation = Excitation::new(1.0, &[0.0]).unwrap();
-    crate::common::CENTRAL
+    CENTRAL
         .run(&row, excitation, clock(0.009_5, 0.2), &mut collisions)
         .unwrap();
     let impulses: Vec<f64> = collisions
@@ -124,7 +126,7 @@ proptest! {
         speed in 0.05..2.0_f64,
         restitution in 0.0..=1.0_f64,
         compliant in any::<bool>(),
-        method in 0..3_usize,
+        method in 0..METHODS.len(),
     ) {
         let law = if compliant {
             VISCOELASTIC

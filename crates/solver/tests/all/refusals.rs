@@ -3,10 +3,14 @@
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Excitation, Integrator, ModelError, Newmark, Node, Pair, Row, RunError,
+    Clock, Elastic, Excitation, Hht, ImpactRule, Integrator, ModelError, Newmark, Node, Pair, Rk4,
+    Row, RunError,
 };
 
-use crate::common::{AVERAGE, CENTRAL, METHODS, STEREOMECHANICAL, WEAK, elastic, ground, pairs};
+use crate::common::{
+    AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, RK4, STEREOMECHANICAL, VERLET, WEAK, central,
+    elastic, ground, moreau_jean, pairs,
+};
 
 fn row(nodes: Vec<Node<Elastic>>, pairs: Vec<Pair>) -> ModelError {
     Row::new(nodes, pairs).expect_err("the row must be refused")
@@ -94,28 +98,51 @@ fn extreme_settings_out_of_range() {
         )
         .to_string(),
     );
+    for method in [
+        central(ImpactRule::VelocityJump, 0),
+        central(ImpactRule::AsPublished, 2),
+        Integrator::Hht(Hht { alpha: -0.34 }),
+        Integrator::Hht(Hht { alpha: 0.01 }),
+        moreau_jean(0.49),
+        moreau_jean(f64::NAN),
+    ] {
+        messages.push(run(&row, method, clock).to_string());
+    }
     assert_snapshot!(messages.join("\n"));
 }
 
 #[test]
 fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
-    // Critical time step of the central difference method: T/π = 2/ω, whatever the damping.
+    // Critical time step of the central difference and the Verlet method: T/π = 2/ω, whatever the damping.
     let (mass, stiffness, _) = WEAK;
-    let critical = 2.0 * (mass / stiffness).sqrt();
-    let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
-    let clock = |factor: f64| Clock {
-        time_step: factor * critical,
+    let omega = (stiffness / mass).sqrt();
+    let node = elastic(WEAK);
+    let row = Row::new(vec![node], vec![]).unwrap();
+    let clock = |time_step: f64| Clock {
+        time_step,
         n_steps: 100_000,
     };
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).unwrap();
-    let work = CENTRAL.run(&row, excitation, clock(0.999), &mut ());
-    assert!(work.is_ok(), "just below the limit: {work:?}");
-    assert_snapshot!(run(&row, CENTRAL, clock(1.01)));
-    assert!(
-        AVERAGE.run(&row, excitation, clock(50.0), &mut ()).is_ok(),
-        "average acceleration has no limit"
-    );
+    let ratio = node.damping / (2.0 * mass * omega);
+    for (name, method, critical) in [
+        ("central difference", CENTRAL, 2.0 / omega),
+        ("Verlet", VERLET, 2.0 / omega),
+        ("RK4", RK4, Rk4::critical_time_step(omega, ratio)),
+    ] {
+        let work = method.run(&row, excitation, clock(0.999 * critical), &mut ());
+        assert!(work.is_ok(), "{name}, just below the limit: {work:?}");
+        let error = run(&row, method, clock(1.01 * critical));
+        assert!(
+            matches!(error, RunError::Diverged { .. }),
+            "{name}: {error}"
+        );
+    }
+    assert_snapshot!(run(&row, CENTRAL, clock(1.01 * 2.0 / omega)));
+    for method in [AVERAGE, HHT, MOREAU_JEAN] {
+        let work = method.run(&row, excitation, clock(100.0 / omega), &mut ());
+        assert!(work.is_ok(), "no limit: {method:?}, {work:?}");
+    }
 }
 
 #[test]

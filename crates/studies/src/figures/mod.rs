@@ -82,7 +82,7 @@ fn points(outcome: &Outcome, index: usize, quantity: impl Fn(&State) -> f64) -> 
 }
 
 /// Whether any contact of the scene is impulsive.
-fn is_impulsive(scene: &Scene) -> bool {
+pub(crate) fn is_impulsive(scene: &Scene) -> bool {
     use pounding_contact::ContactLaw;
     scene
         .contacts

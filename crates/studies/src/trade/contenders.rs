@@ -1,9 +1,13 @@
 //! The methods that compete: to add one is a line.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{CentralDifference, Exact, Integrator, Newmark, Start};
+use pounding_solver::{
+    CentralDifference, Exact, Hht, ImpactRule, Integrator, MoreauJean, Newmark, Rk4, Start, Verlet,
+    VerletImpacts,
+};
 
 use crate::Scene;
+use crate::figures::is_impulsive;
 use crate::plot::{Kind, Mark, Shade};
 
 /// A method with all its settings but one: its time step or its tolerance.
@@ -13,7 +17,7 @@ pub(crate) struct Contender {
     pub(crate) key: &'static str,
     /// Name in figures.
     pub(crate) label: &'static str,
-    /// Its line in figures; nothing where it would hide another one.
+    /// Its line in figures; nothing where it would lie on that of another one.
     pub(crate) line: Option<(Shade, Kind, Mark)>,
     /// What its ladder changes.
     pub(crate) knob: Knob,
@@ -36,26 +40,58 @@ pub(crate) enum Knob {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Differs {
     Everywhere,
+    /// Where structures can touch.
+    InContact,
+    /// Where contact is impulsive; elsewhere Moreau–Jean time stepping with θ = 1/2 is Newmark's average acceleration.
+    InImpacts,
 }
 
 /// The method whose results the others are measured by, at its finest.
 pub(crate) const REFERENCE: &str = "exact";
 /// The stepping method that the exact one is held against.
-pub(crate) const RIVAL: &str = "central_difference_as_published";
+pub(crate) const RIVAL: &str = "central_difference_velocity_jump";
 
 /// Every contender, in the order of tables and legends.
 pub(crate) const CONTENDERS: &[Contender] = &[
     Contender {
-        key: RIVAL,
+        key: "central_difference_as_published",
         label: "Central difference, as published",
         line: Some((Shade::Blue, Kind::Line, Mark::Disc)),
         knob: Knob::TimeStep,
+        differs: Differs::InImpacts,
+        integrator: |_| central_difference(ImpactRule::AsPublished, 1),
+    },
+    Contender {
+        key: RIVAL,
+        label: "Central difference",
+        line: Some((Shade::Blue, Kind::Dashed, Mark::Ring)),
+        knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| {
-            Integrator::CentralDifference(CentralDifference {
-                start: Start::Consistent,
-            })
-        },
+        integrator: |_| central_difference(ImpactRule::VelocityJump, 1),
+    },
+    Contender {
+        key: "central_difference_10_contact_substeps",
+        label: "Central difference, 10 sub-steps in contact",
+        line: Some((Shade::Amber, Kind::Line, Mark::Diamond)),
+        knob: Knob::TimeStep,
+        differs: Differs::InContact,
+        integrator: |_| central_difference(ImpactRule::VelocityJump, 10),
+    },
+    Contender {
+        key: "velocity_verlet",
+        label: "Velocity Verlet",
+        line: Some((Shade::Green, Kind::Line, Mark::Diamond)),
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        integrator: |_| verlet(VerletImpacts::VelocityJump),
+    },
+    Contender {
+        key: "velocity_verlet_located",
+        label: "Velocity Verlet, impacts located",
+        line: Some((Shade::Green, Kind::Dashed, Mark::HollowDiamond)),
+        knob: Knob::TimeStep,
+        differs: Differs::InImpacts,
+        integrator: |_| verlet(VerletImpacts::Located),
     },
     Contender {
         key: "newmark_average_acceleration",
@@ -74,25 +110,65 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         integrator: |_| Integrator::Newmark(Newmark::LINEAR_ACCELERATION),
     },
     Contender {
+        key: "hht",
+        label: "HHT, α = −0.1",
+        line: None,
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        integrator: |_| Integrator::Hht(Hht { alpha: -0.1 }),
+    },
+    Contender {
+        key: "moreau_jean",
+        label: "Moreau–Jean, θ = 1/2",
+        line: Some((Shade::Grey, Kind::Line, Mark::Cross)),
+        knob: Knob::TimeStep,
+        differs: Differs::InImpacts,
+        integrator: |_| Integrator::MoreauJean(MoreauJean { theta: 0.5 }),
+    },
+    Contender {
+        key: "rk4",
+        label: "Runge–Kutta 4",
+        line: Some((Shade::Rose, Kind::Line, Mark::Inverted)),
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        integrator: |_| Integrator::Rk4(Rk4),
+    },
+    Contender {
         key: REFERENCE,
         label: "Exact",
         line: Some((Shade::Ink, Kind::Line, Mark::Triangle)),
         knob: Knob::Tolerance,
         differs: Differs::Everywhere,
-        integrator: |tolerance| {
-            Integrator::Exact(Exact {
-                tolerance,
-                ..Exact::default()
-            })
-        },
+        integrator: exact,
     },
 ];
 
+fn central_difference(impacts: ImpactRule, contact_substeps: u32) -> Integrator {
+    Integrator::CentralDifference(CentralDifference {
+        start: Start::Consistent,
+        impacts,
+        contact_substeps,
+    })
+}
+
+fn verlet(impacts: VerletImpacts) -> Integrator {
+    Integrator::Verlet(Verlet { impacts })
+}
+
+fn exact(tolerance: f64) -> Integrator {
+    Integrator::Exact(Exact {
+        tolerance,
+        ..Exact::default()
+    })
+}
+
 impl Contender {
     /// Whether the method is run on a scene.
-    pub(crate) fn enters(&self, _scene: &Scene) -> bool {
+    pub(crate) fn enters(&self, scene: &Scene) -> bool {
         match self.differs {
             Differs::Everywhere => true,
+            Differs::InContact => scene.contacts.is_some(),
+            Differs::InImpacts => is_impulsive(scene),
         }
     }
 }

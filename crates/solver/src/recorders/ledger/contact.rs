@@ -28,7 +28,8 @@ struct Side {
     /// End of the last span, and the displacement there.
     time: f64,
     displacement: f64,
-    touching: bool,
+    /// Whether it was pushed in that span.
+    pushed_last: bool,
     /// Impulse of compliant contact on this structure \[N·s\].
     impulse: f64,
     /// Sum of the magnitudes of those impulses \[N·s\].
@@ -41,6 +42,8 @@ struct Side {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Touching {
     start: f64,
+    /// End of the last span with a push \[s\].
+    end: f64,
     n_spans: u32,
     /// Energy taken from the structures, and given back \[J\].
     taken: f64,
@@ -133,8 +136,9 @@ impl Contact {
     ) -> Result<(), LedgerError> {
         let side = &mut self.sides[index];
         (side.time, side.displacement) = (push.times.1, push.displacement);
-        side.touching = push.forces.1 != 0.0;
-        if push.impulse != 0.0 || push.forces != (0.0, 0.0) {
+        // Some methods push once more after parting, others between the ends of a span only.
+        side.pushed_last = push.impulse != 0.0 || push.forces != (0.0, 0.0);
+        if side.pushed_last {
             side.impulse += if index == 0 {
                 -push.impulse
             } else {
@@ -143,13 +147,15 @@ impl Contact {
             side.pushed += push.impulse.abs();
             side.work += push.work;
             self.loss -= push.work;
-            self.collision.get_or_insert(Touching {
+            let collision = self.collision.get_or_insert(Touching {
                 start: push.times.0,
+                end: push.times.1,
                 n_spans: 0,
                 taken: 0.0,
                 given: 0.0,
                 exchanged: 0.0,
             });
+            collision.end = push.times.1;
             pulls(pair, push)?;
         }
         self.separate(push.exact);
@@ -170,17 +176,20 @@ impl Contact {
         for side in &mut self.sides {
             side.work = 0.0;
         }
-        let taken = -(works[0] + works[1]);
-        collision.n_spans += 1;
-        collision.taken += taken.max(0.0);
-        collision.given += (-taken).max(0.0);
-        collision.exchanged += works[0].abs() + works[1].abs();
-        if self.sides.iter().any(|side| side.touching) {
+        let pushed = self.sides.iter().any(|side| side.pushed_last);
+        if pushed || works != [0.0, 0.0] {
+            let taken = -(works[0] + works[1]);
+            collision.n_spans += 1;
+            collision.taken += taken.max(0.0);
+            collision.given += (-taken).max(0.0);
+            collision.exchanged += works[0].abs() + works[1].abs();
+        }
+        if pushed {
             return Ok(());
         }
         let ended = *collision;
         self.collision = None;
-        ended.judge(pair, self.sides[1].time)
+        ended.judge(pair)
     }
 
     /// Both structures must have got opposite impulses.
@@ -204,7 +213,7 @@ impl Touching {
     ///
     /// A stepping method knows its ends to a step only: what one of n steps can spoil, the nth part of the energy, is
     /// allowed.
-    fn judge(&self, pair: usize, end: f64) -> Result<(), LedgerError> {
+    fn judge(&self, pair: usize) -> Result<(), LedgerError> {
         let found = self.given - self.taken;
         let allowed = self.taken / f64::from(self.n_spans) + ROUNDING * self.exchanged;
         if found <= allowed {
@@ -213,7 +222,7 @@ impl Touching {
             Err(LedgerError::GainInContact {
                 pair,
                 start: self.start,
-                end,
+                end: self.end,
                 found,
                 allowed,
             })

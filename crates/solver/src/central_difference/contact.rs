@@ -1,0 +1,142 @@
+//! Contact in the central difference method: pounding forces at a node, impacts, and who sub-steps.
+
+use pounding_contact::{ContactLaw, Overlap};
+
+use super::{ImpactRule, Instant, Run};
+use crate::{Impact, Recorder, RestoringForce, Velocities};
+
+impl<Column: RestoringForce> Run<'_, Column> {
+    /// Contact at a node, each pair alone; true when an impulsive pair is hit, or is closed and may jump.
+    ///
+    /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
+    /// earlier was negative. The published rule for impulsive laws: an overlap found now, the velocities of the node
+    /// before, one impulse per step, no correction of the displacements. It does not converge as Δt → 0.
+    pub(super) fn touch(&mut self, fine: bool) -> bool {
+        let bodies = &mut self.bodies;
+        for body in bodies.iter_mut().filter(|body| body.fine || !fine) {
+            (body.force_from_left, body.force_from_right, body.impulse) = (0.0, 0.0, 0.0);
+        }
+        let mut hit = false;
+        for (index, pair) in self.row.pairs().iter().enumerate() {
+            self.impulses[index] = 0.0;
+            self.jumps.touching[index] = false;
+            let (left, right) = (&bodies[pair.left], &bodies[pair.right]);
+            let deformation = left.displacement - right.displacement - pair.gap;
+            // Structures of which one does not sub-step meet at whole nodes only.
+            if deformation < 0.0 || (fine && !(left.fine && right.fine)) {
+                continue;
+            }
+            let overlaps = deformation > 0.0;
+            self.work.touching_steps += u64::from(overlaps);
+            let reduced_mass = self.row.reduced_mass(pair);
+            match pair.law {
+                ContactLaw::NonlinearViscoelastic(law) if overlaps => {
+                    let [left_step, right_step] =
+                        [left, right].map(|body| self.steps[usize::from(body.fine)]);
+                    let rate = if left.fine == right.fine {
+                        (left.increment - right.increment) / left_step
+                    } else {
+                        left.increment / left_step - right.increment / right_step
+                    };
+                    let overlap = Overlap {
+                        deformation,
+                        rate,
+                        reduced_mass,
+                    };
+                    let force = law.respond(&overlap).force;
+                    bodies[pair.left].force_from_right = -force;
+                    bodies[pair.right].force_from_left = force;
+                }
+                ContactLaw::NonlinearViscoelastic(_) => {}
+                ContactLaw::Stereomechanical(law) => match self.impacts {
+                    ImpactRule::AsPublished => {
+                        let rate = left.velocity - right.velocity;
+                        if overlaps && rate > 0.0 {
+                            let impulse = law.impulse(rate, reduced_mass);
+                            self.impulses[index] = impulse;
+                            bodies[pair.left].impulse -= impulse;
+                            bodies[pair.right].impulse += impulse;
+                            hit = true;
+                        }
+                    }
+                    ImpactRule::VelocityJump => {
+                        self.jumps.touching[index] = true;
+                        hit = true;
+                    }
+                },
+            }
+        }
+        hit
+    }
+
+    /// Lets the velocities of a node jump; the increments of those that do are restarted.
+    pub(super) fn jump<R: Recorder>(&mut self, node: Instant, recorder: &mut R) {
+        for (state, body) in self.states.iter_mut().zip(&self.bodies) {
+            *state = body.start;
+        }
+        let instant = (node.ground, node.time);
+        self.jumps
+            .jump(self.row, &mut self.states, instant, recorder);
+        for (state, body) in self.states.iter().zip(&mut self.bodies) {
+            let jumped = (state.velocity - body.start.velocity).abs() > 0.0;
+            if jumped {
+                body.start = *state;
+                body.velocity = state.velocity;
+                body.restart(self.steps[usize::from(body.fine)]);
+            }
+        }
+    }
+
+    /// Chooses the structures that sub-step from this node on; true when there are any.
+    pub(super) fn refine(&mut self) -> bool {
+        for body in &mut self.bodies {
+            if std::mem::take(&mut body.fine) {
+                body.restart(self.steps[0]);
+            }
+        }
+        let mut any = false;
+        for pair in self.row.pairs() {
+            let (left, right) = (&self.bodies[pair.left], &self.bodies[pair.right]);
+            let now = left.start.displacement - right.start.displacement - pair.gap;
+            let next = left.displacement - right.displacement - pair.gap;
+            if now > 0.0 || next > 0.0 {
+                self.bodies[pair.left].fine = true;
+                self.bodies[pair.right].fine = true;
+                any = true;
+            }
+        }
+        for body in self.bodies.iter_mut().filter(|body| body.fine) {
+            body.restart(self.steps[1]);
+        }
+        any
+    }
+
+    /// Reports the impacts of the published rule at a node, after its spans.
+    pub(super) fn report<R: Recorder>(&self, time: f64, recorder: &mut R) {
+        let bodies = &self.bodies;
+        let before = |index: usize| {
+            bodies[index].start.velocity
+                - self.row.nodes()[index].inverse_mass * bodies[index].impulse
+        };
+        let pairs = self.row.pairs().iter();
+        for (index, (pair, &impulse)) in pairs.zip(&self.impulses).enumerate() {
+            if impulse > 0.0 {
+                recorder.impact(&Impact {
+                    pair: index,
+                    left: pair.left,
+                    right: pair.right,
+                    time,
+                    impulse,
+                    before: Velocities {
+                        left: before(pair.left),
+                        right: before(pair.right),
+                    },
+                    after: Velocities {
+                        left: bodies[pair.left].start.velocity,
+                        right: bodies[pair.right].start.velocity,
+                    },
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! HHT-α method (Hilber, Hughes and Taylor) with Newton iterations and a consistent tangent.
+//!
+//! Source: H. M. Hilber, T. J. R. Hughes & R. L. Taylor, *Earthquake Engng Struct. Dyn.* 5 (1977) 283. Newmark's
+//! formulas with β = (1−α)²/4 and γ = 1/2 − α, and an equation that weighs all forces but inertia over both ends of the
+//! step: m ü⁺ + (1+α) r⁺ − α r = 0, r = c u̇ + `f_s` + m `a_g` − F. Pounding forces of compliant pairs are among
+//! them.
+//!
+//! Its accelerations so are not in equilibrium with the other forces at a node. Where the velocity jumps, the
+//! acceleration restarts from equilibrium, as at t = 0.
+
+use crate::error::require;
+use crate::newmark::{balance, begin, commit};
+use crate::newton::Slopes;
+use crate::span::Load;
+use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, State, Work};
+
+/// Settings of the HHT-α method: it damps what the time step cannot follow. Order 2, no critical time step.
+///
+/// Impulsive laws act after a step, as a jump of the velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hht {
+    /// α \[–\], −1/3 (most damping) ..= 0 (none: Newmark's average acceleration).
+    pub alpha: f64,
+}
+
+impl Hht {
+    fn check(self) -> Result<(), RunError> {
+        let valid = (-1.0 / 3.0..=0.0).contains(&self.alpha);
+        require(valid, "alpha", self.alpha, "-1/3 to 0")
+    }
+}
+
+/// Integrates a row; the shared signature of all methods. Clusters form as in Newmark's method.
+pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+    settings: Hht,
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    clock: Clock,
+    recorder: &mut R,
+) -> Result<Work, RunError> {
+    settings.check()?;
+    let (dt, alpha) = (clock.time_step, settings.alpha);
+    let beta = 0.25 * (1.0 - alpha) * (1.0 - alpha);
+    let gamma = 0.5 - alpha;
+    let ground = excitation.sampled(clock);
+    // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.
+    let slopes = Slopes {
+        displacement: beta * dt * dt,
+        velocity: gamma * dt,
+        inertia: 1.0 / (1.0 + alpha),
+        time_step: dt,
+    };
+    let mut scratch = begin(row, ground[0]);
+    // What acted a step ago, where the acceleration carries it.
+    let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
+    let mut work = Work::default();
+    for (step, at_ends) in (1..).zip(ground.windows(2)) {
+        let nodes = row.nodes().iter().zip(&scratch.states);
+        for ((node, state), trial) in nodes.zip(&mut scratch.trials) {
+            trial.predicted = (
+                state.displacement + dt * (state.velocity + dt * (0.5 - beta) * state.acceleration),
+                state.velocity + dt * (1.0 - gamma) * state.acceleration,
+            );
+            trial.carried = alpha * slopes.inertia * node.acceleration(state, at_ends[0]);
+        }
+        let time = clock.time(step);
+        balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
+        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
+            let damping = row.nodes()[structure].damping;
+            let load = |index: usize| {
+                let state: &State = &ends[index];
+                Load::at(state, damping * state.velocity, at_ends[index])
+            };
+            let (start, end) = (load(0), load(1));
+            // m ü at the start is (1+α) times its own load less α times the one before, or its own where it restarted.
+            let before = earlier[structure].replace(start);
+            let carried = if before.is_some() { -alpha } else { 0.0 };
+            let weights = [
+                (1.0 - gamma) * carried,
+                (1.0 - gamma) * (1.0 - carried) - gamma * alpha,
+                gamma * (1.0 + alpha),
+            ];
+            ((dt, weights), [before.unwrap_or(start), start, end])
+        })?;
+        work.touching_steps += row.n_overlaps(&scratch.states);
+        let (states, instant) = (&mut scratch.states, (at_ends[1], time));
+        if scratch.impacts.after_step(row, states, instant, recorder) {
+            for ((state, trial), earlier) in states.iter().zip(&scratch.trials).zip(&mut earlier) {
+                let jumped = (state.velocity - trial.velocity).abs() > 0.0;
+                if jumped {
+                    *earlier = None;
+                }
+            }
+        }
+        work.steps += 1;
+    }
+    Ok(work)
+}

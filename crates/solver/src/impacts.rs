@@ -1,0 +1,207 @@
+//! Impulsive contact as a jump of the velocities after a step: one rule for every stepping method.
+//!
+//! Every impulsive pair whose gap is closed and that approaches parts at e times its approach. One pair alone gets
+//! P = (1+e) m δ̇, m the reduced mass (the paper, equation (4)). Several at once are solved together, in rounds:
+//! 0 ≤ u⁺ + e u⁻ ⟂ P ≥ 0 over the touching pairs that do not separate, u the relative velocity (negative while
+//! approaching), repeated while a touching pair still approaches. A round changes the kinetic energy by
+//! ½ Σ P (1−e) u⁻ ≤ 0.
+//!
+//! Pairs one by one, each from the velocities before, would not create energy either (their impulses' product enters
+//! it with a minus sign), but would destroy it: a mass hit at once from both sides, e = 1, is not turned round, and its
+//! neighbours go on approaching.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+
+use crate::together::Together;
+use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
+
+/// Rounds after which the rest is plastic: what still touches and approaches then stays together.
+const MAX_ROUNDS: u32 = 50;
+/// An approach left by rounding, relative to the velocities.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Scratch of the rule, allocated once per run.
+pub(crate) struct Impacts {
+    /// Impulsive pairs that touch at this instant.
+    pub(crate) touching: Vec<bool>,
+    /// Impulse of every pair \[N·s\], all rounds.
+    impulses: Vec<f64>,
+    /// Velocity of every structure before the instant.
+    before: Vec<f64>,
+    /// Relative velocity each pair has to lose in this round.
+    demand: Vec<f64>,
+    /// Net impulse on every structure in this round.
+    net: Vec<f64>,
+    inverse_masses: Vec<f64>,
+    together: Together,
+}
+
+/// The impulsive law of a pair, if it has one.
+pub(crate) fn impulsive(pair: &Pair) -> Option<Stereomechanical> {
+    match pair.law {
+        ContactLaw::Stereomechanical(law) => Some(law),
+        ContactLaw::NonlinearViscoelastic(_) => None,
+    }
+}
+
+impl Impacts {
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
+        let (n, n_pairs) = (row.nodes().len(), row.pairs().len());
+        Self {
+            touching: vec![false; n_pairs],
+            impulses: vec![0.0; n_pairs],
+            before: vec![0.0; n],
+            demand: vec![0.0; n_pairs],
+            net: vec![0.0; n],
+            inverse_masses: row.nodes().iter().map(|node| node.inverse_mass).collect(),
+            together: Together::new(n_pairs),
+        }
+    }
+
+    /// Lets the impulsive pairs whose gap is closed jump; true when one did.
+    pub(crate) fn after_step<Column: RestoringForce, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        states: &mut [State],
+        instant: (f64, f64),
+        recorder: &mut R,
+    ) -> bool {
+        let mut touches = false;
+        for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
+            *touching = pair.deformation(states) >= 0.0 && impulsive(pair).is_some();
+            touches |= *touching;
+        }
+        touches && self.jump(row, states, instant, recorder)
+    }
+
+    /// Lets the pairs marked as touching jump: velocities, then accelerations from equilibrium; true when one did.
+    ///
+    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported.
+    pub(crate) fn jump<Column: RestoringForce, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        states: &mut [State],
+        instant: (f64, f64),
+        recorder: &mut R,
+    ) -> bool {
+        self.impulses.fill(0.0);
+        self.remember(states);
+        let mut round = 0;
+        while round <= MAX_ROUNDS && self.demand(row.pairs(), states, round) {
+            let found = self
+                .together
+                .solve(row.pairs(), &self.inverse_masses, &self.demand);
+            for (sum, impulse) in self.impulses.iter_mut().zip(found) {
+                *sum += impulse;
+            }
+            strike(row, found, (&mut self.net, states));
+            round += 1;
+        }
+        if round > 0 {
+            self.settle(row, states, instant, recorder);
+        }
+        round > 0
+    }
+
+    /// Adds impulses of all pairs that were found with the step to the velocities; precondition as for a jump.
+    pub(crate) fn impose<Column: RestoringForce, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        (states, impulses): (&mut [State], &[f64]),
+        instant: (f64, f64),
+        recorder: &mut R,
+    ) {
+        self.impulses.copy_from_slice(impulses);
+        self.remember(states);
+        strike(row, impulses, (&mut self.net, states));
+        self.settle(row, states, instant, recorder);
+    }
+
+    fn remember(&mut self, states: &[State]) {
+        for (before, state) in self.before.iter_mut().zip(states) {
+            *before = state.velocity;
+        }
+    }
+
+    /// What each pair has to lose in this round; true when a touching pair approaches.
+    fn demand(&mut self, pairs: &[Pair], states: &[State], round: u32) -> bool {
+        let mut approaches = false;
+        for (index, (pair, demand)) in pairs.iter().zip(&mut self.demand).enumerate() {
+            *demand = f64::NEG_INFINITY;
+            let Some(law) = impulsive(pair).filter(|_| self.touching[index]) else {
+                continue;
+            };
+            let rate = pair.rate(states);
+            // The first round meets real approaches; later ones also meet what rounding made of those.
+            let left_over = if round == 0 {
+                0.0
+            } else {
+                ROUNDING * (self.before[pair.left].abs() + self.before[pair.right].abs())
+            };
+            approaches |= rate > left_over;
+            if round == MAX_ROUNDS {
+                *demand = rate;
+            } else if rate >= 0.0 {
+                *demand = (1.0 + law.restitution) * rate;
+            }
+        }
+        approaches
+    }
+
+    /// Reports the impacts of an instant; accelerations follow the new velocities.
+    fn settle<Column: RestoringForce, R: Recorder>(
+        &self,
+        row: &Row<Column>,
+        states: &mut [State],
+        (ground, time): (f64, f64),
+        recorder: &mut R,
+    ) {
+        self.report(row.pairs(), states, time, recorder);
+        for ((node, state), before) in row.nodes().iter().zip(states).zip(&self.before) {
+            let jumped = (state.velocity - before).abs() > 0.0;
+            if jumped {
+                state.acceleration = node.acceleration(state, ground);
+            }
+        }
+    }
+
+    fn report<R: Recorder>(&self, pairs: &[Pair], states: &[State], time: f64, recorder: &mut R) {
+        for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
+            if impulse > 0.0 {
+                let (left, right) = (pair.left, pair.right);
+                recorder.impact(&Impact {
+                    pair: index,
+                    left,
+                    right,
+                    time,
+                    impulse,
+                    before: Velocities {
+                        left: self.before[left],
+                        right: self.before[right],
+                    },
+                    after: Velocities {
+                        left: states[left].velocity,
+                        right: states[right].velocity,
+                    },
+                });
+            }
+        }
+    }
+}
+
+/// Changes the velocities by the impulses of all pairs; `net` is scratch.
+fn strike<Column: RestoringForce>(
+    row: &Row<Column>,
+    impulses: &[f64],
+    (net, states): (&mut [f64], &mut [State]),
+) {
+    net.fill(0.0);
+    for (pair, impulse) in row.pairs().iter().zip(impulses) {
+        // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
+        net[pair.left] -= impulse;
+        net[pair.right] += impulse;
+    }
+    for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {
+        state.velocity += node.inverse_mass * *net;
+    }
+}

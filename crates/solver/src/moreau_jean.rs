@@ -1,0 +1,286 @@
+//! Moreau–Jean time stepping: a θ-method on velocities with the law of impact at the level of velocities.
+//!
+//! Source: J. J. Moreau, in *Nonsmooth Mechanics and Applications* (1988) 1; M. Jean, *Comput. Methods Appl. Mech.
+//! Engng* 177 (1999) 235; V. Acary & B. Brogliato, *Numerical Methods for Nonsmooth Dynamical Systems* (2008), ch. 10.
+//!
+//! Over a step h: m(u̇⁺ − u̇) = h (θ r⁺ + (1−θ) r) + P and u⁺ = u + h (θ u̇⁺ + (1−θ) u̇), r all smooth forces. A pair takes
+//! part where its gap, predicted half a step ahead, is closed; then 0 ≤ v⁺ + e v ⟂ P ≥ 0, v its relative velocity
+//! (negative while approaching) at both ends of the step. All pairs are solved together with the step.
+//!
+//! Two departures, so that no impact creates energy. A pair that separates at the start of the step, or would at its end
+//! without impulses, waits for the next step. And where the smooth forces slow the approach down within the step, what
+//! they leave of it is turned round, not the v of the start.
+//!
+//! Smooth forces are implicit, compliant pairs among them; columns that yield and pairs of both kinds side by side are
+//! met by repeating the solution with the tangents of the last one.
+//!
+//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give.
+
+use crate::error::require;
+use crate::impacts::impulsive;
+use crate::newmark::{Scratch, balance, begin, commit};
+use crate::newton::Slopes;
+use crate::span::Load;
+use crate::together::Together;
+use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
+
+/// Settings of Moreau–Jean time stepping. No critical time step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MoreauJean {
+    /// θ \[–\], 1/2 (order 2 while nothing touches, no damping of its own) ..= 1 (order 1, most damping).
+    pub theta: f64,
+}
+
+/// Change of an impulse, relative to what the pair has to lose, below which it is accepted.
+const TOLERANCE: f64 = 1e-12;
+/// What rounding leaves of a relative velocity, relative to the velocities.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Solutions after which a step is given up.
+const MAX_ITERATIONS: u32 = 50;
+
+impl MoreauJean {
+    fn check(self) -> Result<(), RunError> {
+        let valid = (0.5..=1.0).contains(&self.theta);
+        require(valid, "theta", self.theta, "0.5 to 1")
+    }
+}
+
+/// What the impulses of a step need.
+struct Contacts {
+    /// Pairs that take part in this step.
+    closed: Vec<bool>,
+    /// Impulse of every pair \[N·s\].
+    impulses: Vec<f64>,
+    /// Net impulse on every structure \[N·s\].
+    net: Vec<f64>,
+    /// Velocity a unit impulse gives to each structure, its smooth forces included \[1/kg\].
+    mobilities: Vec<f64>,
+    /// Relative velocity at which each pair is to separate at least \[m/s\].
+    bounce: Vec<f64>,
+    /// Relative velocity each pair has to lose \[m/s\].
+    demand: Vec<f64>,
+    together: Together,
+}
+
+/// Integrates a row; the shared signature of all methods. Clusters of compliant pairs form as in Newmark's method.
+pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+    settings: MoreauJean,
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    clock: Clock,
+    recorder: &mut R,
+) -> Result<Work, RunError> {
+    settings.check()?;
+    let (dt, theta) = (clock.time_step, settings.theta);
+    let ground = excitation.sampled(clock);
+    let slopes = Slopes {
+        displacement: theta * theta * dt * dt,
+        velocity: theta * dt,
+        inertia: 1.0,
+        time_step: dt,
+    };
+    let mut scratch = begin(row, ground[0]);
+    let mut contacts = Contacts::new(row.nodes().len(), row.pairs().len());
+    let mut work = Work::default();
+    for (step, at_ends) in (1..).zip(ground.windows(2)) {
+        let instant = (at_ends[1], clock.time(step));
+        contacts.solve(row, &mut scratch, (slopes, instant), &mut work)?;
+        contacts.release(row, &mut scratch, at_ends[1]);
+        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
+            let node = &row.nodes()[structure];
+            // The smooth forces at the end are those of the velocity after the impulses.
+            let jump = node.inverse_mass * contacts.net[structure];
+            let load = |index: usize, jump: f64| {
+                let state: &State = &ends[index];
+                Load::at(
+                    state,
+                    node.damping * (state.velocity + jump),
+                    at_ends[index],
+                )
+            };
+            ((dt, [1.0 - theta, theta]), [load(0, 0.0), load(1, jump)])
+        })?;
+        work.touching_steps += contacts.n_touching(row, &scratch);
+        if contacts.impulses.iter().any(|impulse| *impulse > 0.0) {
+            let Scratch {
+                states, impacts, ..
+            } = &mut scratch;
+            impacts.impose(row, (states, &contacts.impulses), instant, recorder);
+        }
+        work.steps += 1;
+    }
+    Ok(work)
+}
+
+impl Contacts {
+    fn new(n_structures: usize, n_pairs: usize) -> Self {
+        Self {
+            closed: vec![false; n_pairs],
+            impulses: vec![0.0; n_pairs],
+            net: vec![0.0; n_structures],
+            mobilities: vec![0.0; n_structures],
+            bounce: vec![0.0; n_pairs],
+            demand: vec![0.0; n_pairs],
+            together: Together::new(n_pairs),
+        }
+    }
+
+    /// Chooses the pairs that take part in the step ahead.
+    fn choose<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &Scratch<Column::Memory>,
+        dt: f64,
+    ) {
+        self.impulses.fill(0.0);
+        for (pair, closed) in row.pairs().iter().zip(&mut self.closed) {
+            let rate = pair.rate(&scratch.states);
+            let ahead = pair.deformation(&scratch.states) + 0.5 * dt * rate;
+            *closed = impulsive(pair).is_some() && rate >= 0.0 && ahead >= 0.0;
+        }
+    }
+
+    /// Solves a step: smooth forces with the impulses found so far, impulses with those forces, until neither changes.
+    fn solve<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        (slopes, (ground, time)): (Slopes, (f64, f64)),
+        work: &mut Work,
+    ) -> Result<(), RunError> {
+        self.choose(row, scratch, slopes.time_step);
+        for iterations in 0..=MAX_ITERATIONS {
+            self.predict(row, scratch, slopes);
+            balance(row, scratch, (slopes, ground), time, work)?;
+            if iterations == 0 {
+                self.approach(row, scratch);
+            }
+            if !self.correct(row, scratch) {
+                return Ok(());
+            }
+        }
+        Err(self.failure(row, time))
+    }
+
+    /// Of the pairs chosen, leaves those that still approach at the end of the step without impulses.
+    fn approach<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &Scratch<Column::Memory>,
+    ) {
+        for (index, pair) in row.pairs().iter().enumerate() {
+            if let Some(law) = impulsive(pair).filter(|_| self.closed[index]) {
+                let left = scratch.trials[pair.left].velocity - scratch.trials[pair.right].velocity;
+                self.closed[index] = left >= 0.0;
+                self.bounce[index] = law.restitution * left.min(pair.rate(&scratch.states));
+            }
+        }
+    }
+
+    /// Displacements and velocities at the end of the step without its smooth forces there, but with the impulses.
+    fn predict<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        slopes: Slopes,
+    ) {
+        self.net.fill(0.0);
+        for (pair, impulse) in row.pairs().iter().zip(&self.impulses) {
+            self.net[pair.left] -= impulse;
+            self.net[pair.right] += impulse;
+        }
+        let dt = slopes.time_step;
+        let bodies = scratch.states.iter().zip(&mut scratch.trials);
+        for ((state, trial), (node, net)) in bodies.zip(row.nodes().iter().zip(&self.net)) {
+            let change = (dt - slopes.velocity) * state.acceleration + node.inverse_mass * net;
+            trial.predicted = (
+                state.displacement + dt * state.velocity + slopes.velocity * change,
+                state.velocity + change,
+            );
+            // Always from the same guess: a structure that was not hit then gets the same bits again.
+            trial.acceleration = state.acceleration;
+        }
+    }
+
+    /// Changes the impulses by what the last solution still lacks; true when one changed.
+    fn correct<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &Scratch<Column::Memory>,
+    ) -> bool {
+        if !self.closed.contains(&true) {
+            return false;
+        }
+        let Scratch { states, trials, .. } = scratch;
+        for ((mobility, node), trial) in self.mobilities.iter_mut().zip(row.nodes()).zip(trials) {
+            *mobility = node.inverse_mass / trial.diagonal;
+        }
+        let taken = |index: usize| self.mobilities[index] * self.net[index];
+        for (index, pair) in row.pairs().iter().enumerate() {
+            self.demand[index] = if self.closed[index] {
+                let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+                // Without the impulses found so far, which are to be replaced.
+                rate + self.bounce[index] + (taken(pair.right) - taken(pair.left))
+            } else {
+                f64::NEG_INFINITY
+            };
+        }
+        let found = self
+            .together
+            .solve(row.pairs(), &self.mobilities, &self.demand);
+        let mut changed = false;
+        for (index, pair) in row.pairs().iter().enumerate() {
+            let mobility = self.mobilities[pair.left] + self.mobilities[pair.right];
+            let change = mobility * (found[index] - self.impulses[index]);
+            let [left, right] = [pair.left, pair.right].map(|node| states[node].velocity.abs());
+            let allowed = TOLERANCE * self.demand[index].abs() + ROUNDING * (left + right);
+            if self.closed[index] && change.abs() > allowed {
+                self.impulses[index] = found[index];
+                changed = true;
+            }
+        }
+        changed
+    }
+
+    /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
+    fn release<Column: RestoringForce>(
+        &self,
+        row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        ground: f64,
+    ) {
+        let bodies = row.nodes().iter().zip(&mut scratch.trials);
+        for ((node, trial), net) in bodies.zip(&self.net).filter(|(_, net)| net.abs() > 0.0) {
+            trial.velocity -= node.inverse_mass * net;
+            trial.acceleration = node.acceleration(&trial.state(), ground);
+        }
+    }
+
+    /// Number of pairs that overlap or took part.
+    fn n_touching<Column: RestoringForce>(
+        &self,
+        row: &Row<Column>,
+        scratch: &Scratch<Column::Memory>,
+    ) -> u64 {
+        let pairs = row.pairs().iter().zip(&self.closed);
+        let touches =
+            |(pair, closed): (&Pair, &bool)| *closed || pair.deformation(&scratch.states) > 0.0;
+        pairs.filter(|pair| touches(*pair)).count() as u64
+    }
+
+    /// Why a step is given up: its impulses still change.
+    fn failure<Column: RestoringForce>(&self, row: &Row<Column>, time: f64) -> RunError {
+        let closed = |(pair, closed): (&Pair, &bool)| closed.then_some((pair.left, pair.right));
+        let mut pairs = row.pairs().iter().zip(&self.closed).filter_map(closed);
+        let (first, mut last) = pairs.next().expect("impulses of closed pairs only change");
+        for (_, right) in pairs {
+            last = right;
+        }
+        RunError::ImpulsesNotFound {
+            first,
+            last,
+            time,
+            iterations: MAX_ITERATIONS,
+        }
+    }
+}
