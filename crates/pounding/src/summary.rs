@@ -1,7 +1,7 @@
 //! What happened in a scene, as plain text of at most 80 columns, but for a long path.
 
 use pounding::motion::Record;
-use pounding::solver::{Collision, ImpactRule, Peak, Start, VerletImpacts};
+use pounding::solver::{Collision, ImpactRule, Peak, SimultaneousImpacts, Start, VerletImpacts};
 use pounding::studies::{Method, Outcome, Scene, Sdof, Structure, digits};
 
 /// Columns of a terminal.
@@ -14,7 +14,10 @@ const NONE: &str = "–";
 /// Summary of a run.
 pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
     let method = scene.method;
-    let (dt, duration) = (digits(method.time_step()), digits(scene.duration_s));
+    let duration = digits(scene.duration_s);
+    let steps = method
+        .time_step()
+        .map_or(String::new(), |dt| format!(" in steps of {} s", digits(dt)));
     let work = outcome.work;
     [
         paragraph("Scene", &scene.name),
@@ -22,7 +25,7 @@ pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
         paragraph(
             "Method",
             &format!(
-                "{}{};\n{duration} s in steps of {dt} s",
+                "{}{};\n{duration} s{steps}",
                 method.name().replace('_', " "),
                 settings(&method)
             ),
@@ -31,10 +34,20 @@ pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
         pairs(scene, outcome),
         paragraph(
             "Work",
-            &format!(
-                "{} steps, {} force evaluations,\n{} Newton iterations, {} steps in contact",
-                work.steps, work.force_evaluations, work.newton_iterations, work.touching_steps
-            ),
+            &match method {
+                Method::Exact { .. } => {
+                    format!("{} pieces of motion, {} events", work.segments, work.events)
+                }
+                Method::CentralDifference { .. }
+                | Method::Newmark { .. }
+                | Method::Hht { .. }
+                | Method::VelocityVerlet { .. }
+                | Method::Rk4 { .. }
+                | Method::MoreauJean { .. } => format!(
+                    "{} steps, {} force evaluations,\n{} Newton iterations, {} steps in contact",
+                    work.steps, work.force_evaluations, work.newton_iterations, work.touching_steps
+                ),
+            },
         ),
     ]
     .join("\n")
@@ -69,6 +82,16 @@ fn settings(method: &Method) -> String {
         },
         Method::Rk4 { .. } => String::new(),
         Method::MoreauJean { theta, .. } => format!(", θ = {}", short(theta)),
+        Method::Exact {
+            tolerance,
+            simultaneous_impacts,
+        } => {
+            let together = match simultaneous_impacts {
+                SimultaneousImpacts::Together => "",
+                SimultaneousImpacts::Sequential => ", simultaneous impacts: sequential",
+            };
+            format!(", tolerance {tolerance:e}{together}")
+        }
     }
 }
 

@@ -50,7 +50,10 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
 }
 
 fn check_method(scene: &Scene) -> Result<(), SceneError> {
-    let dt = scene.method.time_step();
+    let Some(dt) = scene.method.time_step() else {
+        let duration = scene.duration_s;
+        return require(duration > 0.0, "duration_s".into(), duration, POSITIVE);
+    };
     let place = format!("method.{}.time_step_s", scene.method.name());
     require(dt > 0.0, place, dt, POSITIVE)?;
     let steps = scene.duration_s / dt;

@@ -20,6 +20,17 @@ impl Completed {
     /// [`StudyError`] of the first scene that cannot be prepared or run.
     pub fn run(file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
         use rayon::prelude::*;
+        let stepless = |scene: &&Scene| scene.method.time_step().is_none();
+        if let Some(scene) = file.study.scenes.iter().find(stepless)
+            && file.study.output.shows_steps()
+        {
+            return Err(StudyError::Study {
+                path: file.path.clone(),
+                place: "scenes.method",
+                found: format!("\"{}\" without a time step", scene.name),
+                allowed: "methods with a time step, of which this output shows something",
+            });
+        }
         let prepared = file
             .study
             .scenes
@@ -33,7 +44,10 @@ impl Completed {
             .par_iter()
             .zip(&file.study.scenes)
             .map(|(prepared, scene)| {
-                let outcome = prepared.run(keeps_histories.then(|| scene.method.time_step()));
+                let outcome = prepared.run(keeps_histories.then(|| {
+                    let of_record = prepared.record().time_step();
+                    scene.method.time_step().unwrap_or(of_record)
+                }));
                 done();
                 outcome.map_err(|error| error.in_file(&file.path))
             })
@@ -93,6 +107,25 @@ impl Output {
             | Self::FirstCollisionFigure
             | Self::ShearForceFigure { .. } => true,
             Self::StructuresTable
+            | Self::Trade(_)
+            | Self::FirstCollisionTable
+            | Self::TransferredMomentumTable
+            | Self::TextTable { .. }
+            | Self::RecordFigure
+            | Self::LayoutFigure => false,
+        }
+    }
+
+    /// Whether the output shows what a method did in a step, such as the force of an impact as impulse over time step.
+    fn shows_steps(&self) -> bool {
+        match self {
+            Self::Claims
+            | Self::PoundingForcesTable { .. }
+            | Self::PoundingFigure
+            | Self::FirstCollisionFigure => true,
+            Self::DisplacementFigure
+            | Self::ShearForceFigure { .. }
+            | Self::StructuresTable
             | Self::Trade(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable

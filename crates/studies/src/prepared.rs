@@ -4,9 +4,9 @@ use std::path::Path;
 
 use pounding_motion::Record;
 use pounding_solver::{
-    CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hht, Histories,
-    Integrator, Ledger, ModelError, MoreauJean, Newmark, Node, Pair, Peaks, PiecewiseLinear,
-    Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
+    CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Exact, Excitation, Hht,
+    Histories, Integrator, Ledger, ModelError, MoreauJean, Newmark, Node, Pair, Peaks,
+    PiecewiseLinear, Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
 };
 
 use crate::second_route::{self, Fineness, Response, SecondRouteError};
@@ -248,8 +248,16 @@ fn method(scene: &Scene) -> (Integrator, Clock) {
         Method::VelocityVerlet { impacts, .. } => Integrator::Verlet(Verlet { impacts }),
         Method::Rk4 { .. } => Integrator::Rk4(Rk4),
         Method::MoreauJean { theta, .. } => Integrator::MoreauJean(MoreauJean { theta }),
+        Method::Exact {
+            tolerance,
+            simultaneous_impacts,
+        } => Integrator::Exact(Exact {
+            tolerance,
+            simultaneous_impacts,
+        }),
     };
-    let time_step = scene.method.time_step();
+    // The exact method asks for the end only.
+    let time_step = scene.method.time_step().unwrap_or(scene.duration_s);
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -1,7 +1,9 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{Damping as SolverDamping, ImpactRule, Rk4, Start, VerletImpacts};
+use pounding_solver::{
+    Damping as SolverDamping, Exact, ImpactRule, Rk4, SimultaneousImpacts, Start, VerletImpacts,
+};
 use serde::{Deserialize, Serialize};
 
 /// One row of structures under one record, with the method that integrates it.
@@ -218,6 +220,27 @@ pub enum Method {
         /// θ \[–\], 1/2 (order two while nothing touches) to 1.
         theta: f64,
     },
+    /// Event-driven integration with power series; it has no time step.
+    Exact {
+        /// Relative size of what a piece in compliant contact leaves out \[–\], 1e-16 to 1e-3.
+        #[serde(default = "finest", skip_serializing_if = "is_finest")]
+        tolerance: f64,
+        /// What happens when several pairs touch at the same instant.
+        #[serde(default, skip_serializing_if = "is_default")]
+        simultaneous_impacts: SimultaneousImpacts,
+    },
+}
+
+fn finest() -> f64 {
+    Exact::default().tolerance
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_finest(tolerance: &f64) -> bool {
+    *tolerance <= finest()
 }
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
@@ -246,19 +269,27 @@ impl Method {
             Self::VelocityVerlet { .. } => "velocity_verlet",
             Self::Rk4 { .. } => "rk4",
             Self::MoreauJean { .. } => "moreau_jean",
+            Self::Exact { .. } => "exact",
         }
     }
 
-    /// Time step \[s\].
-    pub fn time_step(&self) -> f64 {
+    /// Time step \[s\]; nothing for the exact method.
+    pub fn time_step(&self) -> Option<f64> {
         match *self {
             Self::CentralDifference { time_step_s, .. }
             | Self::Newmark { time_step_s, .. }
             | Self::Hht { time_step_s, .. }
             | Self::VelocityVerlet { time_step_s, .. }
             | Self::Rk4 { time_step_s }
-            | Self::MoreauJean { time_step_s, .. } => time_step_s,
+            | Self::MoreauJean { time_step_s, .. } => Some(time_step_s),
+            Self::Exact { .. } => None,
         }
+    }
+
+    /// Time step \[s\] where a study shows something per step: it [asks](crate::Output) for methods that have one.
+    pub(crate) fn step(&self) -> f64 {
+        self.time_step()
+            .expect("a study that shows steps was refused scenes without them")
     }
 
     /// Time step \[s\] from which on the method is unstable for a structure that stands alone, if there is one.
@@ -268,7 +299,10 @@ impl Method {
             Self::Newmark { beta, gamma, .. } if beta < 0.5 * gamma => {
                 0.5 / (0.5 * gamma - beta).sqrt()
             }
-            Self::Newmark { .. } | Self::Hht { .. } | Self::MoreauJean { .. } => return None,
+            Self::Newmark { .. }
+            | Self::Hht { .. }
+            | Self::MoreauJean { .. }
+            | Self::Exact { .. } => return None,
             Self::Rk4 { .. } => {
                 let omega = 2.0 * std::f64::consts::PI / structure.period();
                 let limit = Rk4::critical_time_step(omega, structure.damping_ratio());

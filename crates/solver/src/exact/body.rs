@@ -7,31 +7,10 @@ use pounding_contact::ContactLaw;
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{Branch, Member};
-use crate::exact::roots::{CAPACITY, first_rise};
 use crate::exact::series;
+use crate::exact::watch::{Event, Watch, reach};
 use crate::span::{Power, Series, value};
 use crate::{Path, Recorder, RunError, Span, State};
-
-/// What ends a piece, besides samples of the record and the reach of the series.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Event {
-    /// The velocity of a node is zero: a peak, and the end of yielding.
-    Turn(usize),
-    /// A node begins to yield.
-    Yield(usize, Branch),
-    /// The net pounding force on a node changes its sign.
-    Balance(usize),
-    /// The net pounding force on a node has an extremum.
-    Extremum(usize),
-    /// The pounding force of a pair has an extremum.
-    Peak(usize),
-    /// The contact force of a pair at rest fades.
-    Fade(usize),
-    /// The rate of deformation of a pair changes its sign.
-    Reversal(usize),
-    /// A pair parts.
-    Part(usize),
-}
 
 /// Structures that move together, and the piece of their motion under way.
 #[derive(Debug, Clone)]
@@ -125,7 +104,7 @@ impl<R: Recorder> Run<'_, R> {
             return Ok(());
         }
         self.find_partings(first, last);
-        let (power, len) = self.expand((first, last), time);
+        let (power, len) = self.expand_turning((first, last), time);
         self.clean((first, last), time, power);
         let within = self.pairs_within(first, last);
         for node in first..=last {
@@ -175,6 +154,20 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
+    /// Expands a body; once more where its first velocities show that columns unload.
+    fn expand_turning(&mut self, (first, last): (usize, usize), time: f64) -> (Power, usize) {
+        let expanded = self.expand((first, last), time);
+        let mut turned = false;
+        for member in &mut self.members[first..=last] {
+            turned |= member.turns_back();
+        }
+        if turned {
+            self.expand((first, last), time)
+        } else {
+            expanded
+        }
+    }
+
     /// Restitution whose remaining impulse is below the tolerance is over.
     fn find_partings(&mut self, first: usize, last: usize) {
         let within = self.pairs_within(first, last);
@@ -212,7 +205,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// First of the structures that share this one's velocity because they rest against each other.
-    fn leader(&self, node: usize) -> usize {
+    pub(super) fn leader(&self, node: usize) -> usize {
         let rests = |left: usize| {
             self.pair_right_of[left].is_some_and(|pair| self.contacts[pair].link == Link::Resting)
         };
@@ -224,76 +217,12 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// The pairs on the left and right of a node that carry a force.
-    fn forces_on(&self, node: usize) -> (Option<usize>, Option<usize>) {
+    pub(super) fn forces_on(&self, node: usize) -> (Option<usize>, Option<usize>) {
         let joined = |pair: &usize| self.contacts[*pair].link != Link::Apart;
         let left = node
             .checked_sub(1)
             .and_then(|left| self.pair_right_of[left]);
         (left.filter(joined), self.pair_right_of[node].filter(joined))
-    }
-
-    /// Finds the first event of a piece.
-    fn watch(
-        &self,
-        watch: &mut Watch,
-        (first, last): (usize, usize),
-        (power, len): (Power, usize),
-    ) {
-        for node in first..=last {
-            let member = &self.members[node];
-            if member.is_wall() {
-                continue;
-            }
-            if self.leader(node) == node {
-                watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
-            }
-            if member.branch == Branch::Elastic && member.yield_force.is_finite() {
-                let excess = |sign: f64| {
-                    move |n: usize| {
-                        let limit = if n == 0 { member.yield_force } else { 0.0 };
-                        sign * member.restoring_force(n) - limit
-                    }
-                };
-                watch.rise(len, excess(1.0), Event::Yield(node, Branch::Right));
-                watch.rise(len, excess(-1.0), Event::Yield(node, Branch::Left));
-            }
-            if let (Some(left), Some(right)) = self.forces_on(node) {
-                let net = |n: usize| self.contacts[left].force[n] - self.contacts[right].force[n];
-                watch.change_of(len, member.balanced, net, Event::Balance(node));
-                let slope = |n: usize| (n + 1) as f64 * net(n + 1);
-                watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
-            }
-        }
-        for (pair, left) in self.pairs_within(first, last).zip(first..) {
-            self.watch_pair(watch, (pair, left), (power, len));
-        }
-    }
-
-    fn watch_pair(
-        &self,
-        watch: &mut Watch,
-        (pair, left): (usize, usize),
-        (power, len): (Power, usize),
-    ) {
-        let contact = &self.contacts[pair];
-        let sides = &self.members[left..left + 2];
-        let slope = |n: usize| (n + 1) as f64 * contact.force[n + 1];
-        watch.change_of(len - 1, contact.peaked, slope, Event::Peak(pair));
-        match contact.link {
-            Link::Apart => {}
-            Link::Resting => watch.rise(len, |n| -contact.force[n], Event::Fade(pair)),
-            Link::Touching(Phase::Approach) => {
-                watch.rise(len, |n| -contact.rate(sides, n), Event::Reversal(pair));
-            }
-            Link::Touching(Phase::Restitution | Phase::Parting) => {
-                watch.rise(len, |n| contact.rate(sides, n), Event::Reversal(pair));
-                watch.rise(
-                    len,
-                    |n| -contact.deformation(sides, power, n),
-                    Event::Part(pair),
-                );
-            }
-        }
     }
 
     /// Ends the piece of a body now: reports its spans and brings its state here.
@@ -465,35 +394,6 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Length up to which the series of a touching pair have converged to the tolerance.
-fn reach(
-    contact: &Contact,
-    sides: &[Member],
-    (power, len): (Power, usize),
-    (length, tolerance): (f64, f64),
-) -> f64 {
-    if !matches!(contact.link, Link::Touching(_)) {
-        return length;
-    }
-    let mut x = length;
-    loop {
-        let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
-        for n in 0..len {
-            let term = weight * contact.rate(sides, n).abs();
-            sum += term;
-            if n + len / 4 >= len {
-                tail += term;
-            }
-            weight *= x;
-        }
-        // The shortest piece that time can tell apart ends the search.
-        if tail <= tolerance * sum || power.time(x) < 1e-18 {
-            return x;
-        }
-        x *= 0.85;
-    }
-}
-
 /// ∫ F dt from the start of a piece to x.
 fn integral(force: &[f64], power: Power, x: f64) -> f64 {
     let p = power.order();
@@ -502,75 +402,4 @@ fn integral(force: &[f64], power: Power, x: f64) -> f64 {
         sum = sum * x + p as f64 * coefficient / (n + p) as f64;
     }
     sum * power.time(x)
-}
-
-/// The search for the first event of a piece.
-struct Watch {
-    start: f64,
-    power: Power,
-    /// Every search covers all of it, so that an event does not depend on the order of the searches.
-    reach: f64,
-    /// The first event so far, or the reach.
-    length: f64,
-    /// What happens there.
-    events: Vec<Event>,
-}
-
-impl Watch {
-    /// A rise of the polynomial with these coefficients through zero.
-    fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
-        let mut polynomial = [0.0; CAPACITY];
-        for (n, place) in polynomial[..len].iter_mut().enumerate() {
-            *place = coefficient(n);
-        }
-        if let Some(x) = first_rise(&polynomial[..len], self.reach) {
-            self.take(x, event);
-        }
-    }
-
-    /// A change of sign; a zero `known` to be at the start is none.
-    fn change_of(
-        &mut self,
-        len: usize,
-        known: bool,
-        coefficient: impl Fn(usize) -> f64,
-        event: Event,
-    ) {
-        let mut polynomial = [0.0; CAPACITY];
-        for (n, place) in polynomial[..len].iter_mut().enumerate() {
-            *place = coefficient(n);
-        }
-        let polynomial = &mut polynomial[..len];
-        if known {
-            polynomial[0] = 0.0;
-        }
-        let begins_at_zero = polynomial.first() == Some(&0.0);
-        while let Some(leading) = polynomial.iter().position(|c| *c != 0.0) {
-            let sign = -polynomial[leading].signum();
-            for coefficient in polynomial.iter_mut() {
-                *coefficient *= sign;
-            }
-            let Some(x) = first_rise(polynomial, self.reach) else {
-                return;
-            };
-            let at_start = self.start + self.power.time(x) <= self.start;
-            if !(begins_at_zero && at_start) {
-                self.take(x, event);
-                return;
-            }
-            // The same zero again: what separates the two is rounding.
-            polynomial[leading] = 0.0;
-        }
-    }
-
-    fn take(&mut self, x: f64, event: Event) {
-        if x > self.length {
-            return;
-        }
-        if x < self.length {
-            self.events.clear();
-        }
-        self.length = x;
-        self.events.push(event);
-    }
 }

@@ -136,8 +136,23 @@ impl Contact {
             (Link::Touching(Phase::Restitution), ContactLaw::NonlinearViscoelastic(law)) => {
                 self.spring(&law, sides, power, n)
             }
+            (Link::Touching(Phase::Parting), ContactLaw::NonlinearViscoelastic(law)) => {
+                self.remainder(&law, power, n)
+            }
             _ => 0.0,
         };
+    }
+
+    /// What is left of the force when a pair parts falls to zero in a line; its impulse is below the tolerance.
+    fn remainder(&self, law: &NonlinearViscoelastic, power: Power, n: usize) -> f64 {
+        let force = law.impact_stiffness * self.deformation * self.deformation.sqrt();
+        if n == 0 {
+            force
+        } else if n == power.order() {
+            force * (self.rate / self.deformation)
+        } else {
+            0.0
+        }
     }
 
     /// The power of x with which the deformation begins; nothing as long as it is not known.

@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link};
+use crate::exact::noise::noise;
 use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
-use crate::exact::settle::noise;
 use crate::span::{Power, value};
 
 /// A deformation below this part of the displacements is carried; above, their difference is as good.
@@ -190,9 +190,15 @@ impl Contact {
         }
     }
 
+    /// Rate of deformation at the touch ahead, also where time cannot tell it apart from now.
+    pub(super) fn rate_at_touch(&self) -> f64 {
+        self.at(self.meets).1
+    }
+
     /// The pair touches now.
-    pub(super) fn touch(&mut self, time: f64) {
+    pub(super) fn touch(&mut self, time: f64, rate: f64) {
         (self.deformation, self.time, self.meets) = (0.0, time, f64::INFINITY);
+        self.rate = rate;
         self.touching = true;
     }
 }

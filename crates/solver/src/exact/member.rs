@@ -1,7 +1,7 @@
 //! A structure between events: its state, its branch, and its motion as a power series.
 
+use crate::exact::noise::Terms;
 use crate::exact::roots::CAPACITY;
-use crate::exact::settle::Terms;
 use crate::{Node, PiecewiseLinear, State};
 
 /// The branch of a piecewise-linear restoring force.
@@ -92,6 +92,23 @@ impl Member {
             self.stiffness * self.inverse_mass,
         );
         0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
+    }
+
+    /// Ends yielding where the motion from a standstill leads back; true when it did.
+    pub(super) fn turns_back(&mut self) -> bool {
+        let leading = self
+            .velocity
+            .iter()
+            .find(|coefficient| **coefficient != 0.0);
+        let back = match (self.branch, leading) {
+            (Branch::Right, Some(leading)) => *leading < 0.0,
+            (Branch::Left, Some(leading)) => *leading > 0.0,
+            (Branch::Elastic, _) | (_, None) => false,
+        };
+        if back {
+            self.branch = Branch::Elastic;
+        }
+        back
     }
 
     /// Columns yield no longer once the structure turns.

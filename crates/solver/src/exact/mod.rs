@@ -16,9 +16,11 @@ mod contact;
 mod impacts;
 mod look_ahead;
 mod member;
+mod noise;
 mod roots;
 mod series;
 mod settle;
+mod watch;
 
 use crate::{Clock, Excitation, PiecewiseLinear, Recorder, Row, RunError, Work};
 
@@ -178,9 +180,10 @@ impl<R: Recorder> Run<'_, R> {
         for pair in 0..self.contacts.len() {
             if self.contacts[pair].meets <= time {
                 let left = self.lefts[pair];
+                let rate = self.contacts[pair].rate_at_touch();
                 self.land(self.body_of[left], time);
                 self.land(self.body_of[left + 1], time);
-                self.contacts[pair].touch(time);
+                self.contacts[pair].touch(time, rate);
             }
         }
         self.land_touching(time);

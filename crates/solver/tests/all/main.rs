@@ -5,6 +5,7 @@ mod audit;
 mod chopra;
 mod common;
 mod exact;
+mod exact_laws;
 mod impacts;
 mod ledger;
 mod ledger_energies;

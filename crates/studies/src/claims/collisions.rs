@@ -9,7 +9,7 @@ const SAME_TIME: f64 = 0.05;
 pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let pair = runs.two_structures("stereomechanical")?;
     let [(t0, _), (t1, _)] = [first_collision(pair[0])?, first_collision(pair[1])?];
-    let force = |run: super::Run<'_>| Ok(first_collision(run)?.1 / run.0.method.time_step());
+    let force = |run: super::Run<'_>| Ok(first_collision(run)?.1 / run.0.method.step());
     let [f0, f1] = [force(pair[0])?, force(pair[1])?];
     let same = (t1 - t0).abs() <= SAME_TIME && is_slight(f0, f1);
     Ok(Claim {

@@ -193,7 +193,7 @@ fn peak_force((scene, outcome): Run<'_>) -> f64 {
     let force = |collision: &pounding_solver::Collision| {
         collision
             .peak_force
-            .unwrap_or(collision.impulse / scene.method.time_step())
+            .unwrap_or(collision.impulse / scene.method.step())
             / 1e3
     };
     outcome

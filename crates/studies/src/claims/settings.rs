@@ -17,7 +17,7 @@ pub(super) fn stability(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         })
         .fold(f64::INFINITY, f64::min);
     let critical = shortest / std::f64::consts::PI;
-    let dt = scene.method.time_step();
+    let dt = scene.method.step();
     Ok(Claim {
         claim: "The stability limit T > πΔt is no constraint at a time step of 0.01 s",
         place: "2",

@@ -124,7 +124,7 @@ fn force_panel(scene: &Scene, outcome: &Outcome) -> Panel {
 /// What the axis of forces shows: for impacts, whose force has no limit, impulse over the time step.
 fn force_label(scene: &Scene, unit: &str) -> String {
     if is_impulsive(scene) {
-        let step = digits(1e3 * scene.method.time_step());
+        let step = digits(1e3 * scene.method.step());
         format!("Impulse / {step} ms ({unit})")
     } else {
         format!("Pounding force ({unit})")
@@ -173,7 +173,7 @@ fn forces(scene: &Scene, outcome: &Outcome) -> Vec<Vec<(f64, f64)>> {
             .map(|index| points(outcome, index, State::pounding_force))
             .collect();
     }
-    let dt = scene.method.time_step();
+    let dt = scene.method.step();
     // Impacts of one instant are summed; the key is the number of the step.
     let mut net = vec![BTreeMap::new(); n];
     for collision in outcome.collisions.all() {
@@ -204,7 +204,7 @@ pub(super) fn first_collisions(completed: &Completed) -> Figure {
         peak = peak.max(
             first
                 .peak_force
-                .unwrap_or(first.impulse / scene.method.time_step()),
+                .unwrap_or(first.impulse / scene.method.step()),
         );
     }
     let (unit, factor) = unit(peak);

@@ -81,7 +81,7 @@ fn lines(scene: &Scene, outcome: &Outcome, n_collisions: usize) -> Vec<Line> {
     for (collision, number) in collisions {
         if collision.peak_force.is_none() {
             // The paper's pounding force of an impact is its impulse over the time step.
-            let force = collision.impulse / scene.method.time_step();
+            let force = collision.impulse / scene.method.step();
             lines.push(Line {
                 label: format!("{number}"),
                 time: collision.start,

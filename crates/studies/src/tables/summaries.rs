@@ -39,7 +39,7 @@ pub(super) fn transferred_momentum(completed: &Completed) -> Table {
             let momentum = outcome.momentum.of(index) / 1e3;
             table.rows.push(vec![
                 scene.name.clone(),
-                digits(scene.method.time_step()),
+                scene.method.time_step().map(digits).unwrap_or_default(),
                 position.clone(),
                 structure.name().to_string(),
                 digits(momentum),

@@ -38,8 +38,6 @@ impl Timed<'_> {
     ///
     /// # Errors
     /// [`RunError`] when the run ends early.
-        let _ = self.run.outcome();
-    }
     pub fn run(&self) -> Result<Work, RunError> {
         let n = self.run.scene.structures.len();
         let mut recorder = (

@@ -1,0 +1,195 @@
+//! The search for the first event of a piece.
+
+use crate::Recorder;
+use crate::exact::Run;
+use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::member::{Branch, Member};
+use crate::exact::roots::{CAPACITY, first_rise};
+use crate::span::Power;
+
+/// What ends a piece, besides samples of the record and the reach of the series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Event {
+    /// The velocity of a node is zero: a peak, and the end of yielding.
+    Turn(usize),
+    /// A node begins to yield.
+    Yield(usize, Branch),
+    /// The net pounding force on a node changes its sign.
+    Balance(usize),
+    /// The net pounding force on a node has an extremum.
+    Extremum(usize),
+    /// The pounding force of a pair has an extremum.
+    Peak(usize),
+    /// The contact force of a pair at rest fades.
+    Fade(usize),
+    /// The rate of deformation of a pair changes its sign.
+    Reversal(usize),
+    /// A pair parts.
+    Part(usize),
+}
+
+/// The search for the first event of a piece.
+pub(super) struct Watch {
+    pub(super) start: f64,
+    pub(super) power: Power,
+    /// Every search covers all of it, so that an event does not depend on the order of the searches.
+    pub(super) reach: f64,
+    /// The first event so far, or the reach.
+    pub(super) length: f64,
+    /// What happens there.
+    pub(super) events: Vec<Event>,
+}
+
+impl Watch {
+    /// A rise of the polynomial with these coefficients through zero.
+    fn rise(&mut self, len: usize, coefficient: impl Fn(usize) -> f64, event: Event) {
+        let mut polynomial = [0.0; CAPACITY];
+        for (n, place) in polynomial[..len].iter_mut().enumerate() {
+            *place = coefficient(n);
+        }
+        if let Some(x) = first_rise(&polynomial[..len], self.reach) {
+            self.take(x, event);
+        }
+    }
+
+    /// A change of sign; a zero `known` to be at the start is none.
+    fn change_of(
+        &mut self,
+        len: usize,
+        known: bool,
+        coefficient: impl Fn(usize) -> f64,
+        event: Event,
+    ) {
+        let mut polynomial = [0.0; CAPACITY];
+        for (n, place) in polynomial[..len].iter_mut().enumerate() {
+            *place = coefficient(n);
+        }
+        let polynomial = &mut polynomial[..len];
+        if known {
+            polynomial[0] = 0.0;
+        }
+        let begins_at_zero = polynomial.first() == Some(&0.0);
+        while let Some(leading) = polynomial.iter().position(|c| *c != 0.0) {
+            let sign = -polynomial[leading].signum();
+            for coefficient in polynomial.iter_mut() {
+                *coefficient *= sign;
+            }
+            let Some(x) = first_rise(polynomial, self.reach) else {
+                return;
+            };
+            let at_start = self.start + self.power.time(x) <= self.start;
+            if !(begins_at_zero && at_start) {
+                self.take(x, event);
+                return;
+            }
+            // The same zero again: what separates the two is rounding.
+            polynomial[leading] = 0.0;
+        }
+    }
+
+    fn take(&mut self, x: f64, event: Event) {
+        if x > self.length {
+            return;
+        }
+        if x < self.length {
+            self.events.clear();
+        }
+        self.length = x;
+        self.events.push(event);
+    }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Finds the first event of a piece.
+    pub(super) fn watch(
+        &self,
+        watch: &mut Watch,
+        (first, last): (usize, usize),
+        (power, len): (Power, usize),
+    ) {
+        for node in first..=last {
+            let member = &self.members[node];
+            if member.is_wall() {
+                continue;
+            }
+            if self.leader(node) == node {
+                watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
+            }
+            if member.branch == Branch::Elastic && member.yield_force.is_finite() {
+                let excess = |sign: f64| {
+                    move |n: usize| {
+                        let limit = if n == 0 { member.yield_force } else { 0.0 };
+                        sign * member.restoring_force(n) - limit
+                    }
+                };
+                watch.rise(len, excess(1.0), Event::Yield(node, Branch::Right));
+                watch.rise(len, excess(-1.0), Event::Yield(node, Branch::Left));
+            }
+            if let (Some(left), Some(right)) = self.forces_on(node) {
+                let net = |n: usize| self.contacts[left].force[n] - self.contacts[right].force[n];
+                watch.change_of(len, member.balanced, net, Event::Balance(node));
+                let slope = |n: usize| (n + 1) as f64 * net(n + 1);
+                watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
+            }
+        }
+        for (pair, left) in self.pairs_within(first, last).zip(first..) {
+            self.watch_pair(watch, (pair, left), (power, len));
+        }
+    }
+
+    fn watch_pair(
+        &self,
+        watch: &mut Watch,
+        (pair, left): (usize, usize),
+        (power, len): (Power, usize),
+    ) {
+        let contact = &self.contacts[pair];
+        let sides = &self.members[left..left + 2];
+        let slope = |n: usize| (n + 1) as f64 * contact.force[n + 1];
+        watch.change_of(len - 1, contact.peaked, slope, Event::Peak(pair));
+        match contact.link {
+            Link::Apart => {}
+            Link::Resting => watch.rise(len, |n| -contact.force[n], Event::Fade(pair)),
+            Link::Touching(Phase::Approach) => {
+                watch.rise(len, |n| -contact.rate(sides, n), Event::Reversal(pair));
+            }
+            Link::Touching(Phase::Restitution | Phase::Parting) => {
+                watch.rise(len, |n| contact.rate(sides, n), Event::Reversal(pair));
+                watch.rise(
+                    len,
+                    |n| -contact.deformation(sides, power, n),
+                    Event::Part(pair),
+                );
+            }
+        }
+    }
+}
+
+/// Length up to which the series of a touching pair have converged to the tolerance.
+pub(super) fn reach(
+    contact: &Contact,
+    sides: &[Member],
+    (power, len): (Power, usize),
+    (length, tolerance): (f64, f64),
+) -> f64 {
+    if !matches!(contact.link, Link::Touching(_)) {
+        return length;
+    }
+    let mut x = length;
+    loop {
+        let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
+        for n in 0..len {
+            let term = weight * contact.rate(sides, n).abs();
+            sum += term;
+            if n + len / 4 >= len {
+                tail += term;
+            }
+            weight *= x;
+        }
+        // The shortest piece that time can tell apart ends the search.
+        if tail <= tolerance * sum || power.time(x) < 1e-18 {
+            return x;
+        }
+        x *= 0.85;
+    }
+}
