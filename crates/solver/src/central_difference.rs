@@ -87,6 +87,9 @@ struct Body<Memory> {
     solved: bool,
     force_from_left: f64,
     force_from_right: f64,
+    /// Impulses from the left and from the right that a whole step gives too much, where a neighbour that sub-steps was
+    /// met at its end: on both the force acts for half a sub-step \[N·s\].
+    excess: (f64, f64),
     /// Net impulse of the published rule at this node \[N·s\].
     impulse: f64,
 }
@@ -101,6 +104,16 @@ impl<Memory> Body<Memory> {
         } = self.start;
         self.increment = time_step * (velocity + 0.5 * time_step * acceleration);
         self.displacement = self.start.displacement + self.increment;
+    }
+
+    /// Takes the excess of a whole step out of the velocity at its end; the increment is restarted after it.
+    fn give_back(&mut self, end: &mut State, constants: &Coefficients) {
+        let half_damping = 0.5 * constants.damping * constants.time_step;
+        let excess = constants.inverse_mass * (self.excess.0 + self.excess.1);
+        let change = excess / (1.0 + half_damping);
+        end.velocity -= change;
+        end.acceleration += constants.damping * change;
+        self.velocity = end.velocity;
     }
 }
 
@@ -229,6 +242,7 @@ fn begin<Column: RestoringForce>(
         solved: false,
         force_from_left: 0.0,
         force_from_right: 0.0,
+        excess: (0.0, 0.0),
         impulse: 0.0,
     }
 }
@@ -281,7 +295,10 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 column, damping, ..
             } = &self.row.nodes()[index];
             let central = body.velocity;
-            let end = advance(body, constants, column, node.ground);
+            let mut end = advance(body, constants, column, node.ground);
+            if body.excess != (0.0, 0.0) {
+                body.give_back(&mut end, constants);
+            }
             if !body.displacement.is_finite() {
                 return Err(RunError::Diverged {
                     structure: index,
@@ -298,7 +315,10 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 ];
                 let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
                 let weights = (0.5 * constants.time_step, weights);
-                recorder.span(&Span::step::<R, _>(index, times, ends, weights, loads));
+                let mut span = Span::step::<R, _>(index, times, ends, weights, loads);
+                span.impulse_from_left -= body.excess.0;
+                span.impulse_from_right -= body.excess.1;
+                recorder.span(&span);
             }
             let jump = constants.inverse_mass * body.impulse;
             body.start = end;

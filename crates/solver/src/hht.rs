@@ -5,8 +5,9 @@
 //! step: m ü⁺ + (1+α) r⁺ − α r = 0, r = c u̇ + `f_s` + m `a_g` − F. Pounding forces of compliant pairs are among
 //! them.
 //!
-//! Its accelerations so are not in equilibrium with the other forces at a node. Where the velocity jumps, the
-//! acceleration restarts from equilibrium, as at t = 0.
+//! Its accelerations so are not in equilibrium with the other forces at a node. Where the velocity jumps they change by
+//! what the damping force does, as if the velocity a step ago had jumped as well; restarting them from equilibrium would
+//! give the two structures of a compliant pair different impulses when one of them is hit by its other neighbour.
 
 use crate::error::require;
 use crate::newmark::{balance, begin, commit};
@@ -51,7 +52,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         time_step: dt,
     };
     let mut scratch = begin(row, ground[0]);
-    // What acted a step ago, where the acceleration carries it.
+    // What acted a step ago: the acceleration carries it.
     let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
     let mut work = Work::default();
     for (step, at_ends) in (1..).zip(ground.windows(2)) {
@@ -72,7 +73,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 Load::at(state, damping * state.velocity, at_ends[index])
             };
             let (start, end) = (load(0), load(1));
-            // m ü at the start is (1+α) times its own load less α times the one before, or its own where it restarted.
+            // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.
             let before = earlier[structure].replace(start);
             let carried = if before.is_some() { -alpha } else { 0.0 };
             let weights = [
@@ -85,10 +86,12 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         work.touching_steps += row.n_overlaps(&scratch.states);
         let (states, instant) = (&mut scratch.states, (at_ends[1], time));
         if scratch.impacts.after_step(row, states, instant, recorder) {
-            for ((state, trial), earlier) in states.iter().zip(&scratch.trials).zip(&mut earlier) {
-                let jumped = (state.velocity - trial.velocity).abs() > 0.0;
-                if jumped {
-                    *earlier = None;
+            let trials = scratch.trials.iter().zip(&mut earlier);
+            for ((node, state), (trial, earlier)) in row.nodes().iter().zip(states).zip(trials) {
+                let change = node.damping * (state.velocity - trial.velocity);
+                state.acceleration = trial.acceleration - node.inverse_mass * change;
+                if let Some(earlier) = earlier {
+                    earlier.damping += change;
                 }
             }
         }

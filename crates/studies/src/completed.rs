@@ -1,6 +1,6 @@
 //! A study whose scenes have run.
 
-use crate::{Outcome, Output, Prepared, Scene, StudyError, StudyFile};
+use crate::{Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile};
 
 /// A study whose scenes have run, in the order of the study; there is at least one.
 #[derive(Debug)]
@@ -92,6 +92,15 @@ impl Completed {
 }
 
 impl Output {
+    /// The ladder of a trade study.
+    pub(crate) fn ladder(&self) -> Option<&Ladder> {
+        if let Self::Trade(ladder) = self {
+            Some(ladder)
+        } else {
+            None
+        }
+    }
+
     /// Whether the output shows what happened step by step.
     fn needs_histories(&self) -> bool {
         match self {
@@ -102,6 +111,7 @@ impl Output {
             | Self::FirstCollisionFigure
             | Self::ShearForceFigure { .. } => true,
             Self::StructuresTable
+            | Self::Trade(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }
@@ -120,6 +130,7 @@ impl Output {
             Self::DisplacementFigure
             | Self::ShearForceFigure { .. }
             | Self::StructuresTable
+            | Self::Trade(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }

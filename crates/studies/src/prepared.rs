@@ -6,8 +6,8 @@ use pounding_contact::ContactLaw;
 use pounding_motion::Record;
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Exact, Excitation, Hht,
-    Histories, Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Peaks, PiecewiseLinear,
-    Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
+    Histories, Integrator, Ledger, ModelError, MoreauJean, Newmark, Node, Pair, Peaks,
+    PiecewiseLinear, Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
 };
 
 use crate::advice::{Advice, Goal, advise};
@@ -169,10 +169,7 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub fn run(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
-        let (n, pairs) = match &self.model {
-            Model::Elastic(row) => (row.nodes().len(), row.pairs()),
-            Model::ElastoPlastic(row) => (row.nodes().len(), row.pairs()),
-        };
+        let (n, pairs) = (self.scene.structures.len(), self.pairs());
         let base = (
             Peaks::new(n),
             Collisions::new(n, pairs),
@@ -223,14 +220,40 @@ impl Prepared {
         }
     }
 
-    /// Runs the scene with any recorder.
-    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+    /// The pairs that can touch, from left to right.
+    pub(crate) fn pairs(&self) -> &[Pair] {
+        match &self.model {
+            Model::Elastic(row) => row.pairs(),
+            Model::ElastoPlastic(row) => row.pairs(),
+        }
+    }
+
+    /// An empty ledger for a run of the scene.
+    pub(crate) fn ledger(&self) -> Ledger<'_> {
+        match &self.model {
+            Model::Elastic(row) => Ledger::new(row, self.excitation()),
+            Model::ElastoPlastic(row) => Ledger::new(row, self.excitation()),
+        }
+    }
+
+    /// Runs the scene by any method, whatever its own is.
+    pub(crate) fn run_by<R: Recorder>(
+        &self,
+        integrator: &Integrator,
+        clock: Clock,
+        recorder: &mut R,
+    ) -> Result<Work, RunError> {
         let excitation = self.excitation();
         match &self.model {
-            Model::Elastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
-            Model::ElastoPlastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
+            Model::Elastic(row) => integrator.run(row, excitation, clock, recorder),
+            Model::ElastoPlastic(row) => integrator.run(row, excitation, clock, recorder),
         }
-        .map_err(|error| self.ended(error))
+    }
+
+    /// Runs the scene with any recorder.
+    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+        self.run_by(&self.integrator, self.clock, recorder)
+            .map_err(|error| self.ended(error))
     }
 
     fn excitation(&self) -> Excitation<'_> {

@@ -15,6 +15,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
         let bodies = &mut self.bodies;
         for body in bodies.iter_mut().filter(|body| body.fine || !fine) {
             (body.force_from_left, body.force_from_right, body.impulse) = (0.0, 0.0, 0.0);
+            body.excess = (0.0, 0.0);
         }
         let mut hit = false;
         for (index, pair) in self.row.pairs().iter().enumerate() {
@@ -44,6 +45,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
                         reduced_mass,
                     };
                     let force = law.respond(&overlap).force;
+                    let excess = 0.5 * force;
+                    bodies[pair.left].excess.1 = -excess * (left_step - left_step.min(right_step));
+                    bodies[pair.right].excess.0 = excess * (right_step - left_step.min(right_step));
                     bodies[pair.left].force_from_right = -force;
                     bodies[pair.right].force_from_left = force;
                 }

@@ -8,8 +8,8 @@ use pounding_solver::{
 use proptest::prelude::*;
 
 use crate::common::{
-    AVERAGE, CENTRAL, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book, clock, elastic,
-    free, ground, moreau_jean, pairs, yielding,
+    AVERAGE, CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book,
+    clock, elastic, free, ground, moreau_jean, pairs, yielding,
 };
 
 const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
@@ -173,32 +173,46 @@ proptest! {
         structures in prop::collection::vec((1e4..1e7_f64, 0.1..2.0_f64, 0.0..0.2_f64, 0.02..2.0_f64), 1..5),
         gap in 0.0..0.05_f64,
         restitution in 0.0..=1.0_f64,
-        compliant in any::<bool>(),
+        compliant in prop_oneof![
+            prop::bool::ANY.prop_map(|all| [all; 4]),
+            prop::array::uniform4(prop::bool::ANY),
+        ],
         method in 0..METHODS.len(),
     ) {
-        let law = if compliant {
-            VISCOELASTIC
-        } else {
-            ContactLaw::Stereomechanical(Stereomechanical { restitution })
-        };
         let node = |&(mass, period, ratio, yields): &(f64, f64, f64, f64)| {
             let frequency = 2.0 * std::f64::consts::PI / period;
             let column = ElastoPlastic { stiffness: mass * frequency * frequency, yield_force: yields * mass };
             Node::structure(mass, 2.0 * ratio * mass * frequency, column)
         };
         let nodes: Vec<_> = structures.iter().map(node).collect();
-        let between = pairs(nodes.len(), gap, law);
+        let mut between = pairs(nodes.len(), gap, VISCOELASTIC);
+        for (pair, compliant) in between.iter_mut().zip(compliant) {
+            if !compliant {
+                pair.law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
+            }
+        }
+        let impulsive = between.iter().any(|pair| pair.law != VISCOELASTIC);
+        let mixed = impulsive && between.iter().any(|pair| pair.law == VISCOELASTIC);
         let row = Row::new(nodes, between).expect("the row is valid");
         let samples = ground();
-        let ledger = book(&row, METHODS[method].1, &samples, clock(0.001, 4.0));
-        prop_assert!(ledger.identity() < 1e-12, "{:e}", ledger.identity());
-        prop_assert!(ledger.momentum() < 1e-12, "{:e}", ledger.momentum());
+        let (name, method) = METHODS[method];
+        let ledger = book(&row, method, &samples, clock(0.001, 4.0));
+        // Newton's method leaves up to 1e-12 of the forces in every step of stiff contact.
+        prop_assert!(ledger.identity() < 1e-11, "{name}: {:e}", ledger.identity());
+        prop_assert!(ledger.momentum() < 1e-11, "{name}: {:e}", ledger.momentum());
         let terms = ledger.terms();
         for term in [terms.kinetic, terms.strain, terms.damping, terms.hysteretic] {
             prop_assert!(term >= 0.0, "{terms:?}");
         }
-        // The published rule may create energy, velocity jumps may not.
-        let verdict = ledger.verdict();
-        prop_assert!(verdict.is_ok() || (method == 0 && !compliant), "{verdict:?}");
+        let allowed = match ledger.verdict() {
+            Ok(_) => true,
+            // The published rule may create energy, velocity jumps may not.
+            Err(LedgerError::GainAtImpact { .. }) => method == CENTRAL,
+            // Impulses of Moreau–Jean stepping act over a step and are reported at its end: beside one, the velocities
+            // that a compliant pair's work is measured with are not those of its displacement.
+            Err(LedgerError::GainInContact { .. }) => mixed && method == MOREAU_JEAN,
+            Err(_) => false,
+        };
+        prop_assert!(allowed, "{name}: {:?}", ledger.verdict());
     }
 }

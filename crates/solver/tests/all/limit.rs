@@ -205,7 +205,9 @@ fn limit_hht_without_its_damping_equals_average_acceleration() {
         let run = |method| histories(&row, method, &ground(), clock(0.005, 10.0));
         let ((hht, work), (newmark, _)) = (run(undamped), run(AVERAGE));
         assert!(work.touching_steps > 0, "the row must collide");
-        assert_eq!(bits(&hht, 2), bits(&newmark, 2));
+        // After a jump the two take the acceleration from different sums.
+        let apart = apart(&hht, &newmark, 2);
+        assert!(apart < 1e-12, "{law:?}: {apart:e}");
     }
 }
 

@@ -146,6 +146,19 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
 }
 
 #[test]
+fn issue_a_motion_that_dies_out_ends_no_run() {
+    // HHT damps what the step cannot follow until the squares of its residuals underflow: Newton found none to halve.
+    let row = Row::new(vec![elastic(WEAK)], vec![]).unwrap();
+    let excitation = Excitation::new(0.01, &[1.0]).unwrap();
+    let clock = Clock {
+        time_step: 10.0,
+        n_steps: 2000,
+    };
+    let work = Integrator::Hht(Hht { alpha: -0.3 }).run(&row, excitation, clock, &mut ());
+    assert!(work.is_ok(), "{work:?}");
+}
+
+#[test]
 fn extreme_a_number_that_overflows_ends_the_run() {
     let samples = [1e308; 2000];
     for (name, method) in METHODS {
