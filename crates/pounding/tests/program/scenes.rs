@@ -81,7 +81,7 @@ fn extreme_method_unknown() {
     let message = refused("unknown_method", |scene| {
         scene["method"] = json!({"runge_kutta": {"time_step_s": 0.01}});
     });
-    assert_snapshot!(message, @"error: scene.json: method: unknown variant `runge_kutta`, expected one of `central_difference`, `newmark`, `hht`, `velocity_verlet`, `rk4`, `moreau_jean` at line 15 column 17");
+    assert_snapshot!(message, @"error: scene.json: method: unknown variant `runge_kutta`, expected one of `central_difference`, `newmark`, `hht`, `velocity_verlet`, `rk4`, `moreau_jean`, `exact` at line 15 column 17");
 }
 
 #[test]
