@@ -1,10 +1,11 @@
-//! Tasks of the project: `cargo xtask reproduce` and `cargo xtask check`.
+//! Tasks of the project: `cargo xtask reproduce`, `cargo xtask check` and `cargo xtask bench`.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
     reason = "a program speaks to its user"
 )]
 
+mod bench;
 mod check;
 mod reproduce;
 mod results;
@@ -32,12 +33,16 @@ enum Task {
     },
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
+    /// Time every method on the scenes of two structures and write ratios, with the accuracy of each, into
+    /// results/wall-time.csv; no part of `check`.
+    Bench,
 }
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
         Task::Reproduce { check } => reproduce::run(&root(), check),
         Task::Check => check::run(&root()),
+        Task::Bench => bench::run(&root()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold generated files only; anything else in them is stale.
-const GENERATED: [&str; 3] = ["", "tables", "figures"];
-/// What is written by hand.
-const BY_HAND: &str = "README.md";
+const GENERATED: [&str; 4] = ["", "tables", "figures", "trade"];
+/// What `reproduce` does not make: what is written by hand, and what `bench` measures.
+const KEPT: [&str; 2] = ["README.md", "wall-time.csv"];
 
 /// Writes the files that changed and removes stale ones; returns how many changed.
 pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<usize, String> {
@@ -91,8 +91,8 @@ fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBu
             let entry =
                 entry.map_err(|error| format!("{}: {error}", folder.join(name).display()))?;
             let file = Path::new(name).join(entry.file_name());
-            let by_hand = file == Path::new(BY_HAND) || entry.path().is_dir();
-            if !by_hand && !files.contains_key(&file) {
+            let kept = KEPT.iter().any(|name| file == Path::new(name)) || entry.path().is_dir();
+            if !kept && !files.contains_key(&file) {
                 stale.push(entry.path());
             }
         }

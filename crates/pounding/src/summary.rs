@@ -1,56 +1,129 @@
-//! What happened in a scene, as plain text of at most 80 columns, but for a long path.
+//! What happened in a scene, and how far each number is from the exact run, as plain text.
 
 use pounding::motion::Record;
-use pounding::solver::{Collision, ImpactRule, Peak, SimultaneousImpacts, Start, VerletImpacts};
-use pounding::studies::{Method, Outcome, Scene, Sdof, Structure, digits};
+use pounding::solver::{
+    Collision, ImpactRule, Peak, SimultaneousImpacts, Start, VerletImpacts, Work,
+};
+use pounding::studies::{
+    Method, Outcome, PairErrors, Prepared, Quantity, RunErrors, Scene, Sdof, Structure,
+    StructureErrors, digits,
+};
 
-/// Columns of a terminal.
-const WIDTH: usize = 80;
-/// Columns of the words that begin a paragraph.
-const LABEL: usize = 10;
-/// What stands where there is no number.
-const NONE: &str = "–";
+use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
+
+/// What is known of the error of a run.
+#[derive(Debug)]
+pub(crate) enum Errors {
+    /// The run is the exact method's.
+    Exact,
+    /// Its user did not want to know.
+    NotMeasured,
+    /// The exact run ended early, for this reason.
+    Unknown(String),
+    /// Distance from the exact run, and what that cost.
+    Measured(RunErrors, Work),
+}
+
+impl Errors {
+    fn measured(&self) -> Option<&RunErrors> {
+        match self {
+            Self::Measured(errors, _) => Some(errors),
+            Self::Exact | Self::NotMeasured | Self::Unknown(_) => None,
+        }
+    }
+}
 
 /// Summary of a run.
-pub(crate) fn of(scene: &Scene, record: &Record, outcome: &Outcome) -> String {
+pub(crate) fn of(prepared: &Prepared, outcome: &Outcome, errors: &Errors) -> String {
+    let scene = prepared.scene();
+    let measured = errors.measured();
+    [
+        paragraph("Scene", &scene.name),
+        paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
+        paragraph("Method", &method_lines(prepared)),
+        structures(scene, outcome, measured),
+        pairs(scene, outcome, measured),
+        paragraph("Errors", &error_lines(scene, errors)),
+        paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
+    ]
+    .join("\n")
+}
+
+/// The method, its settings and how it was chosen.
+fn method_lines(prepared: &Prepared) -> String {
+    let scene = prepared.scene();
     let method = scene.method;
     let duration = digits(scene.duration_s);
     let steps = method
         .time_step()
         .map_or(String::new(), |dt| format!(" in steps of {} s", digits(dt)));
-    let work = outcome.work;
-    [
-        paragraph("Scene", &scene.name),
-        paragraph("Record", &record_lines(scene, record).join("\n")),
-        paragraph(
-            "Method",
-            &format!(
-                "{}{};\n{duration} s{steps}",
-                method.name().replace('_', " "),
-                settings(&method)
-            ),
-        ),
-        structures(scene, outcome),
-        pairs(scene, outcome),
-        paragraph(
-            "Work",
-            &match method {
-                Method::Exact { .. } => {
-                    format!("{} pieces of motion, {} events", work.segments, work.events)
+    let chosen = prepared.advice().map_or(String::new(), |advice| {
+        let goal = percent(advice.goal.error);
+        let best = advice.best();
+        if best.method == advice.exact.method {
+            format!("\nchosen: nothing cheaper keeps all errors below {goal}")
+        } else {
+            format!(
+                "\nchosen: the cheapest that keeps all errors below {goal}; its largest is {} ({})",
+                percent(best.error),
+                best.worst
+            )
+        }
+    });
+    format!(
+        "{}{};\n{duration} s{steps}{chosen}",
+        method.name().replace('_', " "),
+        settings(&method)
+    )
+}
+
+/// What is known of the errors.
+fn error_lines(scene: &Scene, errors: &Errors) -> String {
+    match errors {
+        Errors::Exact => match scene.method {
+            Method::Exact { tolerance, .. } if tolerance > 1e-16 => {
+                format!("that of the tolerance, {tolerance:e} per piece in compliant contact")
+            }
+            Method::Exact { .. }
+            | Method::CentralDifference { .. }
+            | Method::Newmark { .. }
+            | Method::Hht { .. }
+            | Method::VelocityVerlet { .. }
+            | Method::Rk4 { .. }
+            | Method::MoreauJean { .. }
+            | Method::Accuracy(_) => "none beyond rounding: the method is exact".into(),
+        },
+        Errors::NotMeasured => "not measured (--no-error)".into(),
+        Errors::Unknown(reason) => format!("not known, the exact run ended early: {reason}"),
+        Errors::Measured(errors, _) => {
+            let (largest, of) = errors.largest(Quantity::All);
+            let largest = match largest {
+                0.0 => "there is none".into(),
+                largest if largest.is_finite() => {
+                    format!("the largest is {} ({of})", percent(largest))
                 }
-                Method::CentralDifference { .. }
-                | Method::Newmark { .. }
-                | Method::Hht { .. }
-                | Method::VelocityVerlet { .. }
-                | Method::Rk4 { .. }
-                | Method::MoreauJean { .. } => format!(
-                    "{} steps, {} force evaluations,\n{} Newton iterations, {} steps in contact",
-                    work.steps, work.force_evaluations, work.newton_iterations, work.touching_steps
-                ),
-            },
-        ),
-    ]
-    .join("\n")
+                _ => format!("the {of} is another"),
+            };
+            format!("below each number, its distance from the exact run;\n{largest}")
+        }
+    }
+}
+
+/// What the run cost, and the exact one beside it.
+fn work_lines(method: &Method, work: Work, errors: &Errors) -> String {
+    let exact = |work: Work| format!("{} pieces of motion, {} events", work.segments, work.events);
+    let own = if method.time_step().is_none() {
+        exact(work)
+    } else {
+        format!(
+            "{} steps, {} force evaluations,\n{} Newton iterations, {} steps in contact",
+            work.steps, work.force_evaluations, work.newton_iterations, work.touching_steps
+        )
+    };
+    match errors {
+        Errors::Measured(_, work) => format!("{own};\nexact run: {}", exact(*work)),
+        Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => own,
+    }
 }
 
 /// Settings of a method in words, each after a comma.
@@ -92,6 +165,7 @@ fn settings(method: &Method) -> String {
             };
             format!(", tolerance {tolerance:e}{together}")
         }
+        Method::Accuracy(_) => String::new(),
     }
 }
 
@@ -125,7 +199,7 @@ fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
     lines
 }
 
-fn structures(scene: &Scene, outcome: &Outcome) -> String {
+fn structures(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
     let header = [
         ["Structure", "", ""],
         ["Period", "[s]", ""],
@@ -140,28 +214,54 @@ fn structures(scene: &Scene, outcome: &Outcome) -> String {
         .structures
         .iter()
         .enumerate()
-        .map(|(index, structure)| {
-            let momentum = short(outcome.momentum.of(index) / 1e3);
-            let Structure::Sdof(sdof) = structure else {
-                let mut row = vec![structure.name().to_string()];
-                row.resize(header.len() - 1, NONE.into());
-                row.push(momentum);
-                return row;
-            };
-            let peaks = outcome.peaks.of(index);
-            vec![
-                sdof.name.clone(),
-                short(sdof.period()),
-                short(sdof.damping_ratio()),
-                short(peaks.displacement.value * 1e3),
-                digits(peaks.displacement.time),
-                short(peaks.restoring_force.value / 1e3),
-                ductility(sdof, &peaks.displacement),
-                momentum,
-            ]
+        .flat_map(|(index, structure)| {
+            let errors = errors.map(|errors| {
+                let wall = matches!(structure, Structure::Wall);
+                structure_errors(errors.structures[index], wall)
+            });
+            std::iter::once(structure_row(structure, index, outcome)).chain(errors)
         });
     table(&header, &rows.collect::<Vec<_>>())
 }
+
+fn structure_row(structure: &Structure, index: usize, outcome: &Outcome) -> Vec<String> {
+    let momentum = short(outcome.momentum.of(index) / 1e3);
+    let Structure::Sdof(sdof) = structure else {
+        let mut row = vec![structure.name().to_string()];
+        row.resize(7, NONE.into());
+        row.push(momentum);
+        return row;
+    };
+    let peaks = outcome.peaks.of(index);
+    vec![
+        sdof.name.clone(),
+        short(sdof.period()),
+        short(sdof.damping_ratio()),
+        short(peaks.displacement.value * 1e3),
+        digits(peaks.displacement.time),
+        short(peaks.restoring_force.value / 1e3),
+        ductility(sdof, &peaks.displacement),
+        momentum,
+    ]
+}
+
+/// The errors of a structure, for the line below it.
+fn structure_errors(errors: StructureErrors, wall: bool) -> Vec<String> {
+    let peak = |text: String| if wall { String::new() } else { text };
+    vec![
+        ERROR.into(),
+        String::new(),
+        String::new(),
+        peak(percent(errors.displacement)),
+        peak(milliseconds(errors.displacement_time)),
+        peak(percent(errors.restoring_force)),
+        String::new(),
+        percent(errors.momentum),
+    ]
+}
+
+/// Begins a line of errors.
+const ERROR: &str = "  error";
 
 /// Largest displacement over yield displacement, for columns that can yield.
 fn ductility(structure: &Sdof, displacement: &Peak) -> String {
@@ -171,7 +271,7 @@ fn ductility(structure: &Sdof, displacement: &Peak) -> String {
     )
 }
 
-fn pairs(scene: &Scene, outcome: &Outcome) -> String {
+fn pairs(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
     let Some(contacts) = scene
         .contacts
         .as_ref()
@@ -184,105 +284,58 @@ fn pairs(scene: &Scene, outcome: &Outcome) -> String {
         ["Gap", "[mm]", ""],
         ["Collisions", "", ""],
         ["First", "[s]", ""],
+        ["First", "impulse", "[kN·s]"],
         ["Largest", "impulse", "[kN·s]"],
         ["Peak", "force", "[kN]"],
     ];
-    let rows = contacts.iter().enumerate().map(|(index, contact)| {
-        let of_pair = |collision: &&Collision| collision.pair == index;
-        let collisions: Vec<&Collision> = outcome.collisions.all().iter().filter(of_pair).collect();
-        let largest = |value: fn(&Collision) -> Option<f64>| {
-            let values = collisions.iter().filter_map(|collision| value(collision));
-            values.max_by(f64::total_cmp)
-        };
-        let impulse = largest(|collision| Some(collision.impulse));
-        let force = largest(|collision| collision.peak_force);
+    let rows = contacts.iter().enumerate().flat_map(|(index, contact)| {
         let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
-        vec![
-            format!("{left} – {right}"),
-            digits(contact.gap_m * 1e3),
-            collisions.len().to_string(),
-            collisions
-                .first()
-                .map_or(NONE.into(), |first| digits(first.start)),
-            impulse.map_or(NONE.into(), |impulse| short(impulse / 1e3)),
-            match force {
-                Some(force) => short(force / 1e3),
-                None if collisions.is_empty() => NONE.into(),
-                None => "impulsive".into(),
-            },
-        ]
+        let mut row = vec![format!("{left} – {right}"), digits(contact.gap_m * 1e3)];
+        row.extend(pair_numbers(index, outcome));
+        let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
+        std::iter::once(row).chain(errors)
     });
     table(&header, &rows.collect::<Vec<_>>())
 }
 
-/// A number with four significant digits.
-fn short(value: f64) -> String {
-    // A negative zero loses its sign.
-    let scientific = format!("{:.3e}", value + 0.0);
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, exponent)| exponent.parse().ok());
-    match exponent {
-        _ if value == 0.0 => "0".into(),
-        Some(exponent @ -4..=5_i32) => {
-            let decimals = usize::try_from(3 - exponent).unwrap_or(0);
-            format!("{value:.decimals$}")
-        }
-        _ => scientific,
-    }
-}
-
-/// Lines with a word before the first; long lines are broken between words.
-fn paragraph(label: &str, text: &str) -> String {
-    let broken: Vec<String> = text.lines().flat_map(broken).collect();
-    let indent = " ".repeat(LABEL);
-    format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
-}
-
-/// A line in pieces that fit beside a label; a longer word stays whole.
-fn broken(line: &str) -> Vec<String> {
-    let length = |text: &str| text.chars().count();
-    let mut pieces: Vec<String> = Vec::new();
-    for word in line.split_whitespace() {
-        match pieces.last_mut() {
-            Some(piece) if LABEL + length(piece) + 1 + length(word) <= WIDTH => {
-                piece.push(' ');
-                piece.push_str(word);
-            }
-            _ => pieces.push(word.into()),
-        }
-    }
-    pieces
-}
-
-/// Columns under a name of three lines: the first to the left and cut where the table would be too wide, others to
-/// the right.
-fn table<const N: usize>(header: &[[&str; 3]; N], rows: &[Vec<String>]) -> String {
-    let header = [0, 1, 2].map(|line| header.map(|name| name[line].to_string()).to_vec());
-    let lines: Vec<&Vec<String>> = header.iter().chain(rows).collect();
-    let width = |column: usize| {
-        let widths = lines.iter().map(|line| line[column].chars().count());
-        widths.max().unwrap_or(0)
+/// Collisions of a pair: number, time and impulse of the first, largest impulse and force.
+fn pair_numbers(pair: usize, outcome: &Outcome) -> [String; 5] {
+    let of_pair = |collision: &&Collision| collision.pair == pair;
+    let collisions: Vec<&Collision> = outcome.collisions.all().iter().filter(of_pair).collect();
+    let largest = |value: fn(&Collision) -> Option<f64>| {
+        let values = collisions.iter().filter_map(|collision| value(collision));
+        values.max_by(f64::total_cmp)
     };
-    let widths: Vec<usize> = (0..N).map(width).collect();
-    let others: usize = widths[1..].iter().map(|width| width + 2).sum();
-    let first = widths[0].min(WIDTH.saturating_sub(others).max(LABEL));
-    let print = |line: &Vec<String>| {
-        let others = line.iter().zip(&widths).skip(1);
-        let others: Vec<String> = others
-            .map(|(cell, width)| format!("  {cell:>width$}"))
-            .collect();
-        let line = format!("{:first$}{}", cut(&line[0], first), others.concat());
-        format!("{}\n", line.trim_end())
-    };
-    lines.into_iter().map(print).collect()
+    let impulse = |impulse: Option<f64>| impulse.map_or(NONE.into(), |value| short(value / 1e3));
+    let first = collisions.first();
+    [
+        collisions.len().to_string(),
+        first.map_or(NONE.into(), |first| digits(first.start)),
+        impulse(first.map(|first| first.impulse)),
+        impulse(largest(|collision| Some(collision.impulse))),
+        match largest(|collision| collision.peak_force) {
+            Some(force) => short(force / 1e3),
+            None if collisions.is_empty() => NONE.into(),
+            None => "impulsive".into(),
+        },
+    ]
 }
 
-/// The text, or its beginning and an ellipsis.
-fn cut(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        text.into()
-    } else {
-        text.chars().take(width - 1).chain(['…']).collect()
-    }
+/// The errors of a pair, for the line below it.
+fn pair_errors(errors: &PairErrors) -> Vec<String> {
+    let relative = |error: Option<f64>| error.map_or(String::new(), percent);
+    let (found, exact) = errors.collisions;
+    vec![
+        ERROR.into(),
+        String::new(),
+        if found == exact {
+            "equal".into()
+        } else {
+            format!("exact {exact}")
+        },
+        errors.first_time.map_or(String::new(), milliseconds),
+        relative(errors.first_impulse),
+        relative(errors.largest_impulse),
+        relative(errors.peak_force),
+    ]
 }

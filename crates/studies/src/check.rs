@@ -2,7 +2,7 @@
 
 use pounding_contact::ContactLaw;
 
-use crate::{Damping, Scene, SceneError, Sdof, Structure};
+use crate::{Damping, Method, Scene, SceneError, Sdof, Structure};
 
 /// Refuses a value that is not `valid`.
 fn require(
@@ -49,7 +49,12 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
     check_contacts(scene)
 }
 
-fn check_method(scene: &Scene) -> Result<(), SceneError> {
+pub(crate) fn check_method(scene: &Scene) -> Result<(), SceneError> {
+    if let Method::Accuracy(accuracy) = scene.method {
+        let valid = accuracy > 0.0 && accuracy < 1.0;
+        let allowed = "a number > 0 and < 1, such as 0.01 for 1 %";
+        require(valid, "method.accuracy".into(), accuracy, allowed)?;
+    }
     let Some(dt) = scene.method.time_step() else {
         let duration = scene.duration_s;
         return require(duration > 0.0, "duration_s".into(), duration, POSITIVE);

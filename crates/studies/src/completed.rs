@@ -1,6 +1,6 @@
 //! A study whose scenes have run.
 
-use crate::{Outcome, Output, Prepared, Scene, StudyError, StudyFile};
+use crate::{Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile};
 
 /// A study whose scenes have run, in the order of the study; there is at least one.
 #[derive(Debug)]
@@ -18,7 +18,7 @@ impl Completed {
     ///
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be prepared or run.
-    pub fn run(file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
+    pub fn run(mut file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
         use rayon::prelude::*;
         let stepless = |scene: &&Scene| scene.method.time_step().is_none();
         if let Some(scene) = file.study.scenes.iter().find(stepless)
@@ -39,6 +39,10 @@ impl Completed {
                 Prepared::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
             })
             .collect::<Result<Vec<_>, _>>()?;
+        // Where a scene asks for an accuracy, tables and figures show the method found for it.
+        for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
+            scene.method = prepared.method();
+        }
         let keeps_histories = file.study.output.needs_histories();
         let outcomes = prepared
             .par_iter()
@@ -88,6 +92,15 @@ impl Completed {
 }
 
 impl Output {
+    /// The ladder of a trade study.
+    pub(crate) fn ladder(&self) -> Option<&Ladder> {
+        if let Self::Trade(ladder) = self {
+            Some(ladder)
+        } else {
+            None
+        }
+    }
+
     /// Whether the output shows what happened step by step.
     fn needs_histories(&self) -> bool {
         match self {
@@ -98,6 +111,7 @@ impl Output {
             | Self::FirstCollisionFigure
             | Self::ShearForceFigure { .. } => true,
             Self::StructuresTable
+            | Self::Trade(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }
@@ -116,6 +130,7 @@ impl Output {
             Self::DisplacementFigure
             | Self::ShearForceFigure { .. }
             | Self::StructuresTable
+            | Self::Trade(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }

@@ -6,9 +6,11 @@
 //!
 //! Left out: integration (`pounding-solver`), record formats (`pounding-motion`).
 
+mod advice;
 mod agreement;
 mod check;
 mod claims;
+mod comparison;
 mod completed;
 mod error;
 mod figures;
@@ -16,7 +18,7 @@ mod figures;
     not(test),
     expect(
         dead_code,
-        reason = "figures of errors against work will need logarithmic axes, marks and names"
+        reason = "bars, names and some marks wait for a figure that needs them"
     )
 )]
 mod plot;
@@ -26,11 +28,14 @@ mod scene;
 pub mod second_route;
 mod study;
 mod tables;
+mod trade;
 
+pub use advice::{Advice, Goal, LONGEST_STEP, Rungs, Trial, WORK_BUDGET, advise, cost, n_methods};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
 pub use claims::{Claim, Finding, claims, claims_csv};
+pub use comparison::{PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;
@@ -40,3 +45,4 @@ pub use reproduce::{Reproduction, Studies};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
 pub use study::{Output, Study, StudyFile, read_json};
 pub use tables::{Table, Value, digits};
+pub use trade::{Ladder, Timed, Trade};

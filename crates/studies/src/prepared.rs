@@ -2,24 +2,25 @@
 
 use std::path::Path;
 
+use pounding_contact::ContactLaw;
 use pounding_motion::Record;
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Exact, Excitation, Hht,
-    Histories, Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Peaks, PiecewiseLinear,
-    Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
+    Histories, Integrator, Ledger, ModelError, MoreauJean, Newmark, Node, Pair, Peaks,
+    PiecewiseLinear, Recorder, Rk4, Row, RunError, TransferredMomentum, Verlet, Work,
 };
 
+use crate::advice::{Advice, Goal, advise};
 use crate::second_route::{self, Fineness, Response, SecondRouteError};
-use crate::{Method, RecordUse, Scene, SceneError, Structure, StudyError, check};
+use crate::{Method, Quantity, RecordUse, Scene, SceneError, Structure, StudyError, check};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]
 pub struct Prepared {
-    name: String,
-    /// Names of the structures and walls.
-    structures: Vec<String>,
-    /// Name of the method, as scene files spell it.
-    method: &'static str,
+    /// The scene; where it asks for an accuracy, with the method found for it.
+    scene: Scene,
+    /// How that method was found.
+    advice: Option<Advice>,
     model: Model,
     record: Record,
     clock: Clock,
@@ -52,8 +53,11 @@ pub struct Outcome {
 impl Prepared {
     /// Checks a scene and reads its record; `base` is the folder of the file that holds the scene.
     ///
+    /// A scene that asks for an accuracy is run with every method ([`advise`]), which takes a second or so.
+    ///
     /// # Errors
-    /// [`StudyError`] when the record cannot be read or a value of the scene cannot be modelled.
+    /// [`StudyError`] when the record cannot be read or a value of the scene cannot be modelled; of a scene that asks
+    /// for an accuracy, also when its exact run ends early.
     pub fn new(scene: &Scene, base: &Path) -> Result<Self, StudyError> {
         let in_scene = |source| StudyError::Scene {
             scene: scene.name.clone(),
@@ -61,18 +65,98 @@ impl Prepared {
         };
         check::scene(scene).map_err(in_scene)?;
         let record = load(&scene.record, base, in_scene)?;
-        let (integrator, clock) = method(scene);
         let model = model(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
-        let names = scene.structures.iter().map(Structure::name);
-        Ok(Self {
-            name: scene.name.clone(),
-            structures: names.map(String::from).collect(),
-            method: scene.method.name(),
+        let Method::Accuracy(error) = scene.method else {
+            let (integrator, clock) = method(scene);
+            return Ok(Self {
+                scene: scene.clone(),
+                advice: None,
+                model,
+                record,
+                clock,
+                integrator,
+            });
+        };
+        let mut exact = scene.clone();
+        exact.method = Method::EXACT;
+        let (integrator, clock) = method(&exact);
+        let exact = Self {
+            scene: exact,
+            advice: None,
             model,
             record,
             clock,
             integrator,
+        };
+        let quantity = Quantity::All;
+        let advice = advise(&exact, Goal { error, quantity }, &|| ())?;
+        let mut chosen = exact.with_method(advice.best().method)?;
+        chosen.advice = Some(advice);
+        Ok(chosen)
+    }
+
+    /// The same structures under the same record, with another method.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the method does not fit the scene, such as a time step beyond its stability limit.
+    pub(crate) fn with_method(&self, other: Method) -> Result<Self, StudyError> {
+        let mut scene = self.scene.clone();
+        scene.method = other;
+        check::check_method(&scene).map_err(|source| StudyError::Scene {
+            scene: scene.name.clone(),
+            source,
+        })?;
+        let (integrator, clock) = method(&scene);
+        Ok(Self {
+            scene,
+            advice: None,
+            model: self.model.clone(),
+            record: self.record.clone(),
+            clock,
+            integrator,
         })
+    }
+
+    /// The exact twin: the same structures under the same record, integrated by the exact method.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the duration is out of range.
+    pub fn exact(&self) -> Result<Self, StudyError> {
+        self.with_method(Method::EXACT)
+    }
+
+    /// The scene; where it asks for an accuracy, with the method found for it.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// How the method was found, where the scene asks for an accuracy.
+    pub fn advice(&self) -> Option<&Advice> {
+        self.advice.as_ref()
+    }
+
+    /// The method that runs.
+    pub(crate) fn method(&self) -> Method {
+        self.scene.method
+    }
+
+    /// Duration of the run \[s\].
+    pub(crate) fn duration(&self) -> f64 {
+        self.scene.duration_s
+    }
+
+    /// Of every structure, from the left, whether it is a wall.
+    pub fn walls(&self) -> Vec<bool> {
+        let structures = self.scene.structures.iter();
+        structures
+            .map(|structure| matches!(structure, Structure::Wall))
+            .collect()
+    }
+
+    /// Whether a pair touches by impulses.
+    pub(crate) fn has_impulsive_contact(&self) -> bool {
+        let mut contacts = self.scene.contacts.iter().flatten();
+        contacts.any(|contact| matches!(contact.law, ContactLaw::Stereomechanical(_)))
     }
 
     /// The record as the scene uses it: in m/s², scaled, reversed.
@@ -85,10 +169,7 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub fn run(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
-        let (n, pairs) = match &self.model {
-            Model::Elastic(row) => (row.nodes().len(), row.pairs()),
-            Model::ElastoPlastic(row) => (row.nodes().len(), row.pairs()),
-        };
+        let (n, pairs) = (self.structures.len(), self.pairs());
         let base = (
             Peaks::new(n),
             Collisions::new(n, pairs),
@@ -139,14 +220,40 @@ impl Prepared {
         }
     }
 
-    /// Runs the scene with any recorder.
-    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+    /// The pairs that can touch, from left to right.
+    pub(crate) fn pairs(&self) -> &[Pair] {
+        match &self.model {
+            Model::Elastic(row) => row.pairs(),
+            Model::ElastoPlastic(row) => row.pairs(),
+        }
+    }
+
+    /// An empty ledger for a run of the scene.
+    pub(crate) fn ledger(&self) -> Ledger<'_> {
+        match &self.model {
+            Model::Elastic(row) => Ledger::new(row, self.excitation()),
+            Model::ElastoPlastic(row) => Ledger::new(row, self.excitation()),
+        }
+    }
+
+    /// Runs the scene by any method, whatever its own is.
+    pub(crate) fn run_by<R: Recorder>(
+        &self,
+        integrator: &Integrator,
+        clock: Clock,
+        recorder: &mut R,
+    ) -> Result<Work, RunError> {
         let excitation = self.excitation();
         match &self.model {
-            Model::Elastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
-            Model::ElastoPlastic(row) => self.integrator.run(row, excitation, self.clock, recorder),
+            Model::Elastic(row) => integrator.run(row, excitation, clock, recorder),
+            Model::ElastoPlastic(row) => integrator.run(row, excitation, clock, recorder),
         }
-        .map_err(|error| self.ended(error))
+    }
+
+    /// Runs the scene with any recorder.
+    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+        self.run_by(&self.integrator, self.clock, recorder)
+            .map_err(|error| self.ended(error))
     }
 
     fn excitation(&self) -> Excitation<'_> {
@@ -156,14 +263,14 @@ impl Prepared {
 
     /// Says in the words of the scene why a run ended early.
     fn ended(&self, source: RunError) -> StudyError {
-        let scene = self.name.clone();
+        let scene = self.scene.name.clone();
         let concerned = match source {
             RunError::Setting {
                 setting,
                 found,
                 allowed,
             } => {
-                let place = format!("method.{}.{setting}", self.method);
+                let place = format!("method.{}.{setting}", self.method().name());
                 let source = SceneError::OutOfRange {
                     place,
                     found,
@@ -176,7 +283,7 @@ impl Prepared {
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
-        let name = |index: usize| (index, self.structures[index].clone());
+        let name = |index: usize| (index, self.scene.structures[index].name().to_string());
         StudyError::Run {
             scene,
             structures: concerned.map(name).collect(),
@@ -232,6 +339,7 @@ fn method(scene: &Scene) -> (Integrator, Clock) {
             tolerance,
             simultaneous_impacts,
         }),
+        Method::Accuracy(_) => unreachable!("the method for an accuracy is found before"),
     };
     // The exact method asks for the end only.
     let time_step = scene.method.time_step().unwrap_or(scene.duration_s);

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use crate::{
-    Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, agreement_csv,
-    claims, claims_csv, figure_png,
+    Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, Trade,
+    agreement_csv, claims, claims_csv, figure_png,
 };
 
 /// The studies of a folder and the published numbers they are compared with.
@@ -42,14 +42,24 @@ impl Studies {
         })
     }
 
+    /// The same without the studies that the test refuses.
+    #[must_use]
+    pub fn only(mut self, test: impl Fn(&StudyFile) -> bool) -> Self {
+        self.files.retain(test);
+        self
+    }
+
     /// Number of times that [`Self::reproduce`] calls `done`.
     pub fn n_units(&self) -> usize {
-        self.files.len()
-            + self
-                .files
-                .iter()
-                .map(|file| file.study.scenes.len())
-                .sum::<usize>()
+        let units = |file: &StudyFile| {
+            let scenes = &file.study.scenes;
+            let runs = match file.study.output.ladder() {
+                Some(ladder) => Trade::n_runs(scenes, ladder),
+                None => 0,
+            };
+            1 + scenes.len() + runs
+        };
+        self.files.iter().map(units).sum()
     }
 
     /// Runs every scene and makes every table and figure; `done` is called after each scene and each study.
@@ -69,7 +79,7 @@ impl Studies {
         let made = completed
             .par_iter()
             .map(|study| {
-                let made = Made::of(study);
+                let made = Made::of(study, done);
                 done();
                 made
             })
@@ -89,6 +99,7 @@ impl Studies {
                     table.values,
                 );
             }
+            files.extend(made.trade);
             if let Some(png) = made.figure {
                 files.insert(Path::new("figures").join(id).with_extension("png"), png);
             }
@@ -114,13 +125,20 @@ impl Studies {
 struct Made {
     table: Option<Table>,
     figure: Option<Vec<u8>>,
+    /// Files of a trade study by their paths.
+    trade: BTreeMap<PathBuf, Vec<u8>>,
 }
 
 impl Made {
-    fn of(study: &Completed) -> Result<Self, StudyError> {
+    fn of(study: &Completed, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
+        let trade = match study.file.study.output.ladder() {
+            Some(ladder) => Trade::measure(study, ladder, done)?.files()?,
+            None => BTreeMap::new(),
+        };
         Ok(Self {
             table: Table::of(study)?,
             figure: figure_png(study)?,
+            trade,
         })
     }
 }

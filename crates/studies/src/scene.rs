@@ -229,6 +229,9 @@ pub enum Method {
         #[serde(default, skip_serializing_if = "is_default")]
         simultaneous_impacts: SimultaneousImpacts,
     },
+    /// The cheapest method that is no further than this from the exact one in anything printed \[–\], > 0 and < 1,
+    /// found when the scene is [prepared](crate::Prepared::new).
+    Accuracy(f64),
 }
 
 fn finest() -> f64 {
@@ -260,6 +263,12 @@ fn is_one_step(n: &u32) -> bool {
 }
 
 impl Method {
+    /// The exact method with its usual settings.
+    pub const EXACT: Self = Self::Exact {
+        tolerance: 1e-16,
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    };
+
     /// Name as scene files spell it.
     pub fn name(&self) -> &'static str {
         match self {
@@ -270,10 +279,11 @@ impl Method {
             Self::Rk4 { .. } => "rk4",
             Self::MoreauJean { .. } => "moreau_jean",
             Self::Exact { .. } => "exact",
+            Self::Accuracy(_) => "accuracy",
         }
     }
 
-    /// Time step \[s\]; nothing for the exact method.
+    /// Time step \[s\]; nothing for the exact method, and for an accuracy whose method is not yet found.
     pub fn time_step(&self) -> Option<f64> {
         match *self {
             Self::CentralDifference { time_step_s, .. }
@@ -282,8 +292,22 @@ impl Method {
             | Self::VelocityVerlet { time_step_s, .. }
             | Self::Rk4 { time_step_s }
             | Self::MoreauJean { time_step_s, .. } => Some(time_step_s),
-            Self::Exact { .. } => None,
+            Self::Exact { .. } | Self::Accuracy(_) => None,
         }
+    }
+
+    /// The same method with another time step \[s\], if it has one.
+    pub(crate) fn with_time_step(mut self, step: f64) -> Self {
+        match &mut self {
+            Self::CentralDifference { time_step_s, .. }
+            | Self::Newmark { time_step_s, .. }
+            | Self::Hht { time_step_s, .. }
+            | Self::VelocityVerlet { time_step_s, .. }
+            | Self::Rk4 { time_step_s }
+            | Self::MoreauJean { time_step_s, .. } => *time_step_s = step,
+            Self::Exact { .. } | Self::Accuracy(_) => {}
+        }
+        self
     }
 
     /// Time step \[s\] where a study shows something per step: it [asks](crate::Output) for methods that have one.
@@ -302,7 +326,8 @@ impl Method {
             Self::Newmark { .. }
             | Self::Hht { .. }
             | Self::MoreauJean { .. }
-            | Self::Exact { .. } => return None,
+            | Self::Exact { .. }
+            | Self::Accuracy(_) => return None,
             Self::Rk4 { .. } => {
                 let omega = 2.0 * std::f64::consts::PI / structure.period();
                 let limit = Rk4::critical_time_step(omega, structure.damping_ratio());

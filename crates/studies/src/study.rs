@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
-use crate::{Scene, StudyError};
+use crate::{Ladder, Scene, StudyError};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,6 +51,8 @@ pub enum Output {
     },
     /// Nothing of its own: the scenes are needed to test the paper's claims.
     Claims,
+    /// Error against work of every method on every scene; a folder of its own.
+    Trade(Ladder),
     /// The record of the first scene.
     RecordFigure,
     /// Displacements of the structures of the first scene, a panel each.

@@ -20,6 +20,7 @@ fn reference_agreement_and_claims() {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
     let made = Studies::read(&studies)
         .expect("readable studies")
+        .only(|file| file.id != "trade")
         .reproduce(&|| ());
     let files = made.expect("studies that run").files;
     for name in ["agreement.csv", "claims.csv"] {

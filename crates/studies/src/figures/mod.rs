@@ -31,6 +31,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
         | Output::FirstCollisionTable
         | Output::TransferredMomentumTable
         | Output::TextTable { .. }
+        | Output::Trade(_)
         | Output::Claims => return Ok(None),
     };
     png.map(Some).map_err(|source: PlotError| StudyError::Plot {
@@ -60,7 +61,7 @@ fn label(structure: &Structure) -> String {
 }
 
 /// A name with its first letter large.
-fn capital(name: &str) -> String {
+pub(crate) fn capital(name: &str) -> String {
     let mut letters = name.chars();
     letters
         .next()
@@ -81,7 +82,7 @@ fn points(outcome: &Outcome, index: usize, quantity: impl Fn(&State) -> f64) -> 
 }
 
 /// Whether any contact of the scene is impulsive.
-fn is_impulsive(scene: &Scene) -> bool {
+pub(crate) fn is_impulsive(scene: &Scene) -> bool {
     use pounding_contact::ContactLaw;
     scene
         .contacts

@@ -68,6 +68,7 @@ impl Table {
                 peak_forces,
             } => summaries::text(completed, transferred_momentum, peak_forces).map(Some),
             Output::Claims
+            | Output::Trade(_)
             | Output::RecordFigure
             | Output::DisplacementFigure
             | Output::PoundingFigure

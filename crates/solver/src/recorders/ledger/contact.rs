@@ -21,6 +21,8 @@ pub(super) struct Contact {
     impact_loss: f64,
     loss: f64,
     collision: Option<Touching>,
+    /// The collision that gave back most beyond what its steps allow.
+    worst: Option<Touching>,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -160,17 +162,17 @@ impl Contact {
         }
         self.separate(push.exact);
         let [left, right] = &self.sides;
-        // A collision is judged where both sides have been seen.
-        if self.collision.is_none() || left.time < right.time || right.time < left.time {
-            return Ok(());
+        // A collision is weighed where both sides have been seen.
+        if left.time <= right.time && right.time <= left.time {
+            self.meet();
         }
-        self.meet(pair)
+        Ok(())
     }
 
     /// Both sides have come to the same instant of a collision.
-    fn meet(&mut self, pair: usize) -> Result<(), LedgerError> {
+    fn meet(&mut self) {
         let Some(collision) = &mut self.collision else {
-            return Ok(());
+            return;
         };
         let works = self.sides.map(|side| side.work);
         for side in &mut self.sides {
@@ -185,11 +187,27 @@ impl Contact {
             collision.exchanged += works[0].abs() + works[1].abs();
         }
         if pushed {
-            return Ok(());
+            return;
         }
-        let ended = *collision;
-        self.collision = None;
-        ended.judge(pair)
+        let ended = self.collision.take();
+        let excess = |touching: Option<Touching>| touching.map_or(0.0, |it| it.excess());
+        if excess(ended) > excess(self.worst) {
+            self.worst = ended;
+        }
+    }
+
+    /// A collision must not give more than it took, what is negligible \[J\] apart.
+    pub(super) fn gives(&self, pair: usize, negligible: f64) -> Result<(), LedgerError> {
+        let Some(worst) = self.worst.filter(|worst| worst.excess() > negligible) else {
+            return Ok(());
+        };
+        Err(LedgerError::GainInContact {
+            pair,
+            start: worst.start,
+            end: worst.end,
+            found: worst.given - worst.taken,
+            allowed: worst.allowed() + negligible,
+        })
     }
 
     /// Both structures must have got opposite impulses.
@@ -209,24 +227,16 @@ impl Contact {
 }
 
 impl Touching {
-    /// A collision must not give more than it took.
+    /// Energy that may be given back beyond what was taken \[J\].
     ///
-    /// A stepping method knows its ends to a step only: what one of n steps can spoil, the nth part of the energy, is
-    /// allowed.
-    fn judge(&self, pair: usize) -> Result<(), LedgerError> {
-        let found = self.given - self.taken;
-        let allowed = self.taken / f64::from(self.n_spans) + ROUNDING * self.exchanged;
-        if found <= allowed {
-            Ok(())
-        } else {
-            Err(LedgerError::GainInContact {
-                pair,
-                start: self.start,
-                end: self.end,
-                found,
-                allowed,
-            })
-        }
+    /// A stepping method knows the ends of a collision to a step only: what one of n steps can spoil is the nth part.
+    fn allowed(&self) -> f64 {
+        self.taken / f64::from(self.n_spans) + ROUNDING * self.exchanged
+    }
+
+    /// Energy given back beyond that \[J\].
+    fn excess(&self) -> f64 {
+        self.given - self.taken - self.allowed()
     }
 }
 

@@ -1,0 +1,107 @@
+//! Plain text of at most 80 columns, but for a long path: numbers, paragraphs and tables.
+
+/// Columns of a terminal.
+const WIDTH: usize = 80;
+/// Columns of the words that begin a paragraph.
+const LABEL: usize = 10;
+/// What stands where there is no number.
+pub(crate) const NONE: &str = "–";
+
+/// A number with four significant digits.
+pub(crate) fn short(value: f64) -> String {
+    // A negative zero loses its sign.
+    let scientific = format!("{:.3e}", value + 0.0);
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse().ok());
+    match exponent {
+        _ if value == 0.0 => "0".into(),
+        Some(exponent @ -4..=5_i32) => {
+            let decimals = usize::try_from(3 - exponent).unwrap_or(0);
+            format!("{value:.decimals$}")
+        }
+        _ => scientific,
+    }
+}
+
+/// Lines with a word before the first; long lines are broken between words.
+pub(crate) fn paragraph(label: &str, text: &str) -> String {
+    let broken: Vec<String> = text.lines().flat_map(broken).collect();
+    let indent = " ".repeat(LABEL);
+    format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
+}
+
+/// A line in pieces that fit beside a label; a longer word stays whole.
+fn broken(line: &str) -> Vec<String> {
+    let length = |text: &str| text.chars().count();
+    let mut pieces: Vec<String> = Vec::new();
+    for word in line.split_whitespace() {
+        match pieces.last_mut() {
+            Some(piece) if LABEL + length(piece) + 1 + length(word) <= WIDTH => {
+                piece.push(' ');
+                piece.push_str(word);
+            }
+            _ => pieces.push(word.into()),
+        }
+    }
+    pieces
+}
+
+/// Columns under a name of three lines: the first to the left and cut where the table would be too wide, others to
+/// the right.
+pub(crate) fn table<const N: usize>(header: &[[&str; 3]; N], rows: &[Vec<String>]) -> String {
+    let header = [0, 1, 2].map(|line| header.map(|name| name[line].to_string()).to_vec());
+    let lines: Vec<&Vec<String>> = header.iter().chain(rows).collect();
+    let width = |column: usize| {
+        let widths = lines.iter().map(|line| line[column].chars().count());
+        widths.max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    let others: usize = widths[1..].iter().map(|width| width + 2).sum();
+    let first = widths[0].min(WIDTH.saturating_sub(others).max(LABEL));
+    let print = |line: &Vec<String>| {
+        let others = line.iter().zip(&widths).skip(1);
+        let others: Vec<String> = others
+            .map(|(cell, width)| format!("  {cell:>width$}"))
+            .collect();
+        let line = format!("{:first$}{}", cut(&line[0], first), others.concat());
+        format!("{}\n", line.trim_end())
+    };
+    lines.into_iter().map(print).collect()
+}
+
+/// The text, or its beginning and an ellipsis.
+fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        text.into()
+    } else {
+        text.chars().take(width - 1).chain(['…']).collect()
+    }
+}
+
+/// A relative error in per cent, with two significant digits.
+pub(crate) fn percent(error: f64) -> String {
+    let value = 100.0 * error;
+    if value == 0.0 {
+        return "0 %".into();
+    }
+    if !value.is_finite() {
+        return "∞".into();
+    }
+    let scientific = format!("{value:.1e}");
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse().ok());
+    match exponent {
+        Some(exponent @ -3..=3_i32) => {
+            let decimals = usize::try_from(1 - exponent).unwrap_or(0);
+            format!("{value:.decimals$} %")
+        }
+        _ => format!("{scientific} %"),
+    }
+}
+
+/// An error of a time, in milliseconds with two significant digits.
+pub(crate) fn milliseconds(seconds: f64) -> String {
+    percent(10.0 * seconds).replace('%', "ms")
+}

@@ -1,0 +1,316 @@
+//! The runs.
+
+use pounding_solver::{
+    Clock, Collisions, Ledger, Peaks, Recorder, RunError, TransferredMomentum, Work,
+};
+use rayon::prelude::*;
+
+use super::Ladder;
+use super::contenders::{CONTENDERS, Contender, Knob, REFERENCE, is_compliant};
+use super::quantities::{Quantities, Quantity};
+use crate::second_route::Fineness;
+use crate::{Completed, Prepared, Scene, StudyError};
+
+/// All runs of one scene.
+#[derive(Debug)]
+pub(crate) struct Race {
+    /// Name of the scene.
+    pub(crate) scene: String,
+    /// Whether its contacts have forces over time.
+    pub(crate) compliant: bool,
+    /// What the exact method gives at its finest.
+    pub(crate) truth: Quantities,
+    /// How far the second route is from the truth \[–\]; infinite where it failed, nothing where nothing is to compare.
+    distances: [Option<f64>; Quantity::ALL.len()],
+    /// Whether the second route has as many collisions.
+    same_count: bool,
+    /// The methods in the order of the list.
+    pub(crate) entrants: Vec<Entrant>,
+}
+
+/// All runs of one method on one scene.
+#[derive(Debug)]
+pub(crate) struct Entrant {
+    pub(crate) contender: &'static Contender,
+    /// From the largest setting down.
+    pub(crate) rungs: Vec<Rung>,
+}
+
+/// One run.
+#[derive(Debug)]
+pub(crate) struct Rung {
+    /// Time step \[s\] or tolerance \[–\].
+    pub(crate) setting: f64,
+    /// What came out, or why nothing did.
+    pub(crate) outcome: Result<Measured, String>,
+}
+
+/// What came out of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Measured {
+    pub(crate) work: Work,
+    pub(crate) n_collisions: usize,
+    /// Whether it has as many collisions as the truth.
+    pub(crate) same_count: bool,
+    /// Relative error of each quantity; nothing where there is nothing to compare.
+    errors: [Option<f64>; Quantity::ALL.len()],
+    pub(crate) energy: Energy,
+}
+
+/// What the ledger of a run says.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Energy {
+    /// The method's own balance \[–\].
+    pub(crate) identity: f64,
+    /// The physical balance \[–\].
+    pub(crate) residual: f64,
+    /// Distance from the ledger of the truth \[–\].
+    pub(crate) error: f64,
+    /// The law of mechanics that the run broke, if any.
+    pub(crate) broken: Option<String>,
+}
+
+impl Measured {
+    /// Relative error of a quantity \[–\]; nothing where neither the run nor the truth has a collision.
+    pub(crate) fn error(&self, quantity: Quantity) -> Option<f64> {
+        self.errors[quantity as usize]
+    }
+
+    /// The largest relative error of some quantities \[–\].
+    pub(crate) fn worst(&self, quantities: &[Quantity]) -> f64 {
+        let errors = quantities
+            .iter()
+            .filter_map(|quantity| self.error(*quantity));
+        errors.fold(0.0, f64::max)
+    }
+
+    /// The work that methods are compared by.
+    pub(crate) fn cost(&self) -> u64 {
+        self.work.force_evaluations + self.work.segments
+    }
+}
+
+impl Race {
+    /// Distance of the two routes to the truth \[–\]; nothing where there is nothing to compare.
+    pub(crate) fn distance(&self, quantity: Quantity) -> Option<f64> {
+        self.distances[quantity as usize]
+    }
+
+    /// Digits on which the two routes agree, 0 to 16.
+    pub(crate) fn digits(&self, quantity: Quantity) -> Option<u32> {
+        self.distance(quantity).map(digits)
+    }
+
+    /// The fewest digits on which the two routes agree, of all quantities.
+    pub(crate) fn fewest_digits(&self) -> Option<u32> {
+        let digits = Quantity::ALL
+            .into_iter()
+            .filter_map(|quantity| self.digits(quantity));
+        digits.min()
+    }
+
+    /// Whether the two routes count the same collisions, in the words of the column of agreed digits.
+    pub(crate) fn agreed_count(&self) -> &'static str {
+        if self.same_count { "all" } else { "0" }
+    }
+
+    /// The runs of a method; nothing where it does not differ from another one.
+    pub(crate) fn of(&self, key: &str) -> Option<&Entrant> {
+        self.entrants
+            .iter()
+            .find(|entrant| entrant.contender.key == key)
+    }
+}
+
+/// Digits of two numbers at a relative distance.
+fn digits(distance: f64) -> u32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped, and a part of a digit does not count"
+    )]
+    let digits = (-libm::log10(distance)).clamp(0.0, 16.0) as u32;
+    digits
+}
+
+/// The methods on a scene, each with its settings.
+pub(super) fn entries<'a>(
+    scene: &'a Scene,
+    ladder: &'a Ladder,
+) -> impl Iterator<Item = (&'static Contender, f64)> + 'a {
+    let entering = CONTENDERS
+        .iter()
+        .filter(|contender| contender.enters(scene));
+    entering.flat_map(|contender| {
+        let settings = match contender.knob {
+            Knob::TimeStep => &ladder.time_steps_s[..],
+            Knob::Tolerance if is_compliant(scene) => &ladder.tolerances[..],
+            Knob::Tolerance => &ladder.tolerances[ladder.tolerances.len() - 1..],
+        };
+        settings.iter().map(move |setting| (contender, *setting))
+    })
+}
+
+/// Runs every method on every scene.
+pub(super) fn races(
+    completed: &Completed,
+    ladder: &Ladder,
+    done: &(impl Fn() + Sync),
+) -> Result<Vec<Race>, StudyError> {
+    let scenes = &completed.file.study.scenes;
+    let runs: Vec<_> = scenes
+        .iter()
+        .zip(&completed.prepared)
+        .flat_map(|(scene, prepared)| {
+            entries(scene, ladder).map(move |(contender, setting)| Run {
+                scene,
+                prepared,
+                contender,
+                setting,
+            })
+        })
+        .collect();
+    let second = |prepared: &Prepared| prepared.second_route(Fineness::FINE);
+    let (seconds, outcomes): (Vec<_>, Vec<_>) = rayon::join(
+        || completed.prepared.par_iter().map(second).collect(),
+        || {
+            let outcomes = runs.par_iter().map(Run::outcome);
+            outcomes.inspect(|_| done()).collect()
+        },
+    );
+    let mut outcomes = outcomes.into_iter();
+    scenes
+        .iter()
+        .zip(seconds)
+        .map(|(scene, second)| {
+            let second = second.ok().as_ref().map(Quantities::of_second_route);
+            let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
+            Race::new(scene, rungs, second.as_ref()).map_err(|found| {
+                completed.refuse("scenes", found, "scenes that the exact method can run")
+            })
+        })
+        .collect()
+}
+
+/// What a run leaves behind, or why it failed.
+type Outcome<'a> = Result<(Quantities, Ledger<'a>, Work), String>;
+
+/// A run of one method on one scene, to be done.
+#[derive(Debug)]
+pub(super) struct Run<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) prepared: &'a Prepared,
+    pub(super) contender: &'static Contender,
+    pub(super) setting: f64,
+}
+
+impl<'a> Run<'a> {
+    fn outcome(&self) -> Outcome<'a> {
+        let n = self.scene.structures.len();
+        let mut recorder = (
+            Peaks::new(n),
+            Collisions::new(n, self.prepared.pairs()),
+            TransferredMomentum::new(n),
+            self.prepared.ledger(),
+        );
+        let work = self.run(&mut recorder).map_err(|error| error.to_string())?;
+        Ok((Quantities::of(&recorder, n), recorder.3, work))
+    }
+
+    pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
+        let integrator = (self.contender.integrator)(self.setting);
+        self.prepared.run_by(&integrator, self.clock(), recorder)
+    }
+
+    fn clock(&self) -> Clock {
+        let duration = self.scene.duration_s;
+        match self.contender.knob {
+            Knob::TimeStep => {
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "checked: 0 < n < 1e9"
+                )]
+                let n_steps = (duration / self.setting).round() as usize;
+                Clock {
+                    time_step: self.setting,
+                    n_steps,
+                }
+            }
+            Knob::Tolerance => Clock {
+                time_step: duration,
+                n_steps: 1,
+            },
+        }
+    }
+}
+
+impl Race {
+    /// Measures the runs of a scene; fails with the reason where the reference failed.
+    fn new(
+        scene: &Scene,
+        rungs: Vec<((&'static Contender, f64), Outcome<'_>)>,
+        second: Option<&Quantities>,
+    ) -> Result<Self, String> {
+        let reference = rungs
+            .iter()
+            .rfind(|((contender, _), _)| contender.key == REFERENCE);
+        let truth = match reference {
+            Some((_, Ok((truth, ledger, _)))) => (truth.clone(), ledger.clone()),
+            Some((_, Err(reason))) => return Err(format!("\"{}\": {reason}", scene.name)),
+            None => unreachable!("the reference is among the contenders"),
+        };
+        let distance = |quantity| match second {
+            Some(second) => second.distance(&truth.0, quantity),
+            None => Some(f64::INFINITY),
+        };
+        let distances = Quantity::ALL.map(distance);
+        let count = second.map(|second| second.n_collisions);
+        let mut entrants: Vec<Entrant> = Vec::new();
+        for ((contender, setting), outcome) in rungs {
+            let outcome = outcome.map(|found| Measured::new(&found, &truth, &distances));
+            let rung = Rung { setting, outcome };
+            match entrants.last_mut() {
+                Some(last) if last.contender.key == contender.key => last.rungs.push(rung),
+                _ => entrants.push(Entrant {
+                    contender,
+                    rungs: vec![rung],
+                }),
+            }
+        }
+        Ok(Self {
+            scene: scene.name.clone(),
+            compliant: is_compliant(scene),
+            same_count: count == Some(truth.0.n_collisions),
+            truth: truth.0,
+            distances,
+            entrants,
+        })
+    }
+}
+
+impl Measured {
+    fn new(
+        (found, ledger, work): &(Quantities, Ledger<'_>, Work),
+        (truth, true_ledger): &(Quantities, Ledger<'_>),
+        distances: &[Option<f64>; Quantity::ALL.len()],
+    ) -> Self {
+        let error = |quantity: Quantity| {
+            let error = found.distance(truth, quantity)?;
+            // The truth is not known better than that.
+            Some(error.max(distances[quantity as usize].unwrap_or(0.0)))
+        };
+        Self {
+            work: *work,
+            n_collisions: found.n_collisions,
+            same_count: found.n_collisions == truth.n_collisions,
+            errors: Quantity::ALL.map(error),
+            energy: Energy {
+                identity: ledger.identity(),
+                residual: ledger.residual(),
+                error: ledger.error(true_ledger),
+                broken: ledger.verdict().err().map(|broken| broken.to_string()),
+            },
+        }
+    }
+}

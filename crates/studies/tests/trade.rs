@@ -1,0 +1,48 @@
+//! The trade of error against work on a short ladder: same bytes however it runs, counts and errors as a snapshot.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use insta::assert_snapshot;
+use pounding_studies::{Completed, Ladder, Output, StudyFile, Trade};
+
+/// The trade study on a ladder of its own.
+fn trade(time_steps_s: &[f64], tolerances: &[f64]) -> Trade {
+    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
+    let mut file = StudyFile::read(&studies.join("trade.json")).expect("a readable study");
+    let ladder = Ladder {
+        time_steps_s: time_steps_s.to_vec(),
+        tolerances: tolerances.to_vec(),
+    };
+    file.study.output = Output::Trade(ladder.clone());
+    let completed = Completed::run(file, &|| ()).expect("a study that runs");
+    Trade::measure(&completed, &ladder, &|| ()).expect("a ladder that fits")
+}
+
+fn files(n_threads: usize) -> BTreeMap<PathBuf, Vec<u8>> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(n_threads)
+        .build()
+        .expect("threads");
+    pool.install(|| {
+        trade(&[0.01, 0.001], &[1e-8, 1e-16])
+            .files()
+            .expect("figures that can be drawn")
+    })
+}
+
+#[test]
+fn reference_work_and_errors_on_a_short_ladder() {
+    let files = files(2);
+    for name in [
+        "trade.csv",
+        "pareto.csv",
+        "exact-or-stepping.csv",
+        "reference.csv",
+    ] {
+        let text =
+            std::str::from_utf8(&files[&Path::new("trade").join(name)]).expect("CSV is text");
+        assert_snapshot!(name, text);
+    }
+    assert!(files == self::files(1), "one thread gives the same bytes");
+}
