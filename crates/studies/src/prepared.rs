@@ -169,7 +169,7 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub fn run(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
-        let (n, pairs) = (self.structures.len(), self.pairs());
+        let (n, pairs) = (self.scene.structures.len(), self.pairs());
         let base = (
             Peaks::new(n),
             Collisions::new(n, pairs),
