@@ -8,8 +8,8 @@ use pounding_solver::{
 use proptest::prelude::*;
 
 use crate::common::{
-    AVERAGE, CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, book,
-    clock, elastic, free, ground, moreau_jean, pairs, yielding,
+    AVERAGE, CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VISCOELASTIC,
+    WEAK, book, clock, elastic, free, ground, moreau_jean, pairs, yielding,
 };
 
 const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
@@ -150,6 +150,23 @@ fn issue_the_published_rule_creates_energy_between_elastic_neighbours() {
     );
     let jump = book(&row, AVERAGE, &samples, clock(0.01, 10.0)).verdict();
     assert!(jump.is_ok(), "{jump:?}");
+}
+
+#[test]
+fn issue_a_neighbour_met_at_the_end_of_sub_steps_got_another_impulse() {
+    // The middle mass sub-steps with its left neighbour and is driven into the right one, which does not: at the node
+    // where they meet, the same force acted for half a sub-step on one and for half a step on the other.
+    let mut between = pairs(3, 1e-3, VISCOELASTIC);
+    between[1].gap = 1e-6;
+    let row = Row::new(
+        vec![free(1e6, 1.0), free(1e3, 0.0), free(1e3, 0.0)],
+        between,
+    )
+    .unwrap();
+    let ledger = book(&row, SUBSTEPPED, &[0.0], clock(1e-3, 0.01));
+    assert!(ledger.of_pair(1).impulse > 0.0, "they must meet");
+    assert!(ledger.verdict().is_ok(), "{:?}", ledger.verdict());
+    assert!(ledger.identity() < 1e-12, "{:e}", ledger.identity());
 }
 
 #[test]
