@@ -10,6 +10,7 @@ mod agreement;
 mod check;
 mod claims;
 mod completed;
+mod converged;
 mod error;
 mod figures;
 #[cfg_attr(
@@ -30,7 +31,7 @@ mod tables;
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
-pub use claims::{Claim, Finding, claims, claims_csv};
+pub use claims::{Claim, Finding, Survival, claims, claims_csv};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;

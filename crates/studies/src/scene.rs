@@ -286,6 +286,21 @@ impl Method {
         }
     }
 
+    /// The same method with another time step \[s\]; the exact method has none and stays as it is.
+    #[must_use]
+    pub(crate) fn with_time_step(mut self, step: f64) -> Self {
+        match &mut self {
+            Self::CentralDifference { time_step_s, .. }
+            | Self::Newmark { time_step_s, .. }
+            | Self::Hht { time_step_s, .. }
+            | Self::VelocityVerlet { time_step_s, .. }
+            | Self::Rk4 { time_step_s }
+            | Self::MoreauJean { time_step_s, .. } => *time_step_s = step,
+            Self::Exact { .. } => {}
+        }
+        self
+    }
+
     /// Time step \[s\] where a study shows something per step: it [asks](crate::Output) for methods that have one.
     pub(crate) fn step(&self) -> f64 {
         self.time_step()
