@@ -134,6 +134,11 @@ impl PublishedValues {
         })
     }
 
+    /// The numbers as printed, in the order of the tables.
+    pub(crate) fn values(&self) -> &[Published] {
+        &self.values
+    }
+
     /// Compares every published number with the computed one of the same table, row and quantity.
     pub fn compare(&self, computed: &BTreeMap<String, Vec<Value>>) -> Vec<Comparison> {
         let mut found: BTreeMap<Key<'_>, (f64, &str)> = BTreeMap::new();

@@ -12,6 +12,7 @@ mod check;
 mod claims;
 mod comparison;
 mod completed;
+mod converged;
 mod error;
 mod figures;
 #[cfg_attr(
@@ -34,7 +35,7 @@ pub use advice::{Advice, Goal, LONGEST_STEP, Rungs, Trial, WORK_BUDGET, advise, 
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
-pub use claims::{Claim, Finding, claims, claims_csv};
+pub use claims::{Claim, Finding, Survival, claims, claims_csv};
 pub use comparison::{PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};

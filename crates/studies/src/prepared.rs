@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pounding_contact::ContactLaw;
-use pounding_motion::Record;
+use pounding_motion::{Record, RecordError};
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Exact, Excitation, Hht,
     Histories, Integrator, Ledger, ModelError, MoreauJean, Newmark, Node, Pair, Peaks,
@@ -162,6 +162,24 @@ impl Prepared {
     /// The record as the scene uses it: in m/s², scaled, reversed.
     pub fn record(&self) -> &Record {
         &self.record
+    }
+
+    /// The same scene under a record that `change` makes of its own.
+    ///
+    /// # Errors
+    /// [`StudyError::Scene`] when `change` refuses.
+    pub(crate) fn under(
+        &self,
+        change: impl FnOnce(&Record) -> Result<Record, RecordError>,
+    ) -> Result<Self, StudyError> {
+        let record = change(&self.record).map_err(|error| StudyError::Scene {
+            scene: self.scene.name.clone(),
+            source: error.into(),
+        })?;
+        Ok(Self {
+            record,
+            ..self.clone()
+        })
     }
 
     /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.

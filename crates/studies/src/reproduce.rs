@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use crate::converged::{Converged, N_NOISY_RUNS};
 use crate::{
     Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, Trade,
     agreement_csv, claims, claims_csv, figure_png,
@@ -15,6 +16,7 @@ use crate::{
 pub struct Studies {
     files: Vec<StudyFile>,
     published: PublishedValues,
+    n_noisy_runs: usize,
 }
 
 /// Everything that the studies give.
@@ -39,6 +41,7 @@ impl Studies {
         Ok(Self {
             files: StudyFile::read_all(folder)?,
             published: PublishedValues::read(&folder.join("published"))?,
+            n_noisy_runs: N_NOISY_RUNS,
         })
     }
 
@@ -47,6 +50,15 @@ impl Studies {
     pub fn only(mut self, test: impl Fn(&StudyFile) -> bool) -> Self {
         self.files.retain(test);
         self
+    }
+
+    /// The same with another number of noisy records for each standard deviation of the noise.
+    #[must_use]
+    pub fn with_noisy_runs(self, n_noisy_runs: usize) -> Self {
+        Self {
+            n_noisy_runs,
+            ..self
+        }
     }
 
     /// Number of times that [`Self::reproduce`] calls `done`.
@@ -106,11 +118,16 @@ impl Studies {
         }
         let comparisons = self.published.compare(&values);
         let claims = claims(&completed)?;
+        let converged = Converged::new(&completed, self.n_noisy_runs)?;
+        files.extend(converged.files(&completed, &self.published)?);
         files.insert(
             "agreement.csv".into(),
             agreement_csv(&comparisons).into_bytes(),
         );
-        files.insert("claims.csv".into(), claims_csv(&claims).into_bytes());
+        files.insert(
+            "claims.csv".into(),
+            claims_csv(&claims, converged.survivals()).into_bytes(),
+        );
         let surprises = self.published.surprises(&comparisons);
         Ok(Reproduction {
             files,

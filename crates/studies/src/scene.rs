@@ -296,7 +296,8 @@ impl Method {
         }
     }
 
-    /// The same method with another time step \[s\], if it has one.
+    /// The same method with another time step \[s\]; one that has none stays as it is.
+    #[must_use]
     pub(crate) fn with_time_step(mut self, step: f64) -> Self {
         match &mut self {
             Self::CentralDifference { time_step_s, .. }
