@@ -14,7 +14,7 @@ fn main() {
         let mut group = criterion.benchmark_group(timed.scene);
         group.sample_size(20);
         group.bench_function(timed.method, |bencher| {
-            bencher.iter(|| timed.run().expect("it ran before"))
+            bencher.iter(|| timed.run().expect("it ran before"));
         });
         group.finish();
     }
