@@ -15,6 +15,7 @@ mod completed;
 mod converged;
 mod error;
 mod figures;
+mod noise;
 #[cfg_attr(
     not(test),
     expect(

@@ -39,10 +39,19 @@ fn reference_work_and_errors_on_a_short_ladder() {
         "pareto.csv",
         "exact-or-stepping.csv",
         "reference.csv",
+        "collisions.csv",
     ] {
         let text =
             std::str::from_utf8(&files[&Path::new("trade").join(name)]).expect("CSV is text");
         assert_snapshot!(name, text);
+    }
+    for name in ["reference.csv", "collisions.csv"] {
+        let text = String::from_utf8_lossy(&files[&Path::new("trade").join(name)]).into_owned();
+        let doubtful: Vec<_> = text.lines().filter(|row| row.ends_with(",no")).collect();
+        assert!(
+            doubtful.is_empty(),
+            "two routes further apart than the condition of the result allows: {doubtful:#?}"
+        );
     }
     assert!(files == self::files(1), "one thread gives the same bytes");
 }

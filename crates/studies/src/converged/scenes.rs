@@ -1,6 +1,6 @@
 //! The scenes of some studies by another method, under the paper's record or a noisy one.
 
-use super::noise::Noise;
+use crate::noise::Noise;
 use crate::{Completed, Method, Prepared, Scene, StudyError, StudyFile};
 
 /// Scenes of the paper by another method, ready to run under any record.

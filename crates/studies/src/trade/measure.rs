@@ -6,8 +6,9 @@ use pounding_solver::{
 use rayon::prelude::*;
 
 use super::Ladder;
+use super::condition::Knowledge;
 use super::contenders::{CONTENDERS, Contender, Knob, REFERENCE, is_compliant};
-use super::quantities::{Quantities, Quantity};
+use super::quantities::{Quantities, Quantity, Recorded};
 use crate::second_route::Fineness;
 use crate::{Completed, Prepared, Scene, StudyError};
 
@@ -20,10 +21,8 @@ pub(crate) struct Race {
     pub(crate) compliant: bool,
     /// What the exact method gives at its finest.
     pub(crate) truth: Quantities,
-    /// How far the second route is from the truth \[–\]; infinite where it failed, nothing where nothing is to compare.
-    distances: [Option<f64>; Quantity::ALL.len()],
-    /// Whether the second route has as many collisions.
-    same_count: bool,
+    /// How well that is known.
+    pub(super) knowledge: Knowledge,
     /// The methods in the order of the list.
     pub(crate) entrants: Vec<Entrant>,
 }
@@ -93,7 +92,7 @@ impl Measured {
 impl Race {
     /// Distance of the two routes to the truth \[–\]; nothing where there is nothing to compare.
     pub(crate) fn distance(&self, quantity: Quantity) -> Option<f64> {
-        self.distances[quantity as usize]
+        self.knowledge.of(quantity).map(|known| known.distance)
     }
 
     /// Digits on which the two routes agree, 0 to 16.
@@ -111,7 +110,11 @@ impl Race {
 
     /// Whether the two routes count the same collisions, in the words of the column of agreed digits.
     pub(crate) fn agreed_count(&self) -> &'static str {
-        if self.same_count { "all" } else { "0" }
+        if self.knowledge.same_count {
+            "all"
+        } else {
+            "0"
+        }
     }
 
     /// The runs of a method; nothing where it does not differ from another one.
@@ -170,9 +173,15 @@ pub(super) fn races(
             })
         })
         .collect();
-    let second = |prepared: &Prepared| prepared.second_route(Fineness::FINE);
-    let (seconds, outcomes): (Vec<_>, Vec<_>) = rayon::join(
-        || completed.prepared.par_iter().map(second).collect(),
+    let finest = ladder.tolerances[ladder.tolerances.len() - 1];
+    let is_reference = |run: &&Run<'_>| run.contender.key == REFERENCE && run.setting <= finest;
+    let (known, outcomes): (Vec<_>, Vec<_>) = rayon::join(
+        || {
+            runs.par_iter()
+                .filter(is_reference)
+                .map(knowledge)
+                .collect()
+        },
         || {
             let outcomes = runs.par_iter().map(Run::outcome);
             outcomes.inspect(|_| done()).collect()
@@ -181,15 +190,22 @@ pub(super) fn races(
     let mut outcomes = outcomes.into_iter();
     scenes
         .iter()
-        .zip(seconds)
-        .map(|(scene, second)| {
-            let second = second.ok().as_ref().map(Quantities::of_second_route);
+        .zip(known)
+        .map(|(scene, knowledge)| {
             let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
-            Race::new(scene, rungs, second.as_ref()).map_err(|found| {
+            let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));
+            race.map_err(|found| {
+                let found = format!("\"{}\": {found}", scene.name);
                 completed.refuse("scenes", found, "scenes that the exact method can run")
             })
         })
         .collect()
+}
+
+/// How well the results of the reference are known; fails with the reason where it fails.
+fn knowledge(reference: &Run<'_>) -> Result<Knowledge, String> {
+    let second = reference.prepared.second_route(Fineness::FINE);
+    Knowledge::measure(reference, second.ok().as_ref())
 }
 
 /// What a run leaves behind, or why it failed.
@@ -206,6 +222,13 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn outcome(&self) -> Outcome<'a> {
+        let (recorder, work) = self.recorded()?;
+        let quantities = Quantities::of(&recorder, self.scene.structures.len());
+        Ok((quantities, recorder.3, work))
+    }
+
+    /// What the run leaves in its recorders, and what it cost; fails with the reason where it ends early.
+    pub(super) fn recorded(&self) -> Result<(Recorded<'a>, Work), String> {
         let n = self.scene.structures.len();
         let mut recorder = (
             Peaks::new(n),
@@ -214,7 +237,7 @@ impl<'a> Run<'a> {
             self.prepared.ledger(),
         );
         let work = self.run(&mut recorder).map_err(|error| error.to_string())?;
-        Ok((Quantities::of(&recorder, n), recorder.3, work))
+        Ok((recorder, work))
     }
 
     pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
@@ -250,22 +273,17 @@ impl Race {
     fn new(
         scene: &Scene,
         rungs: Vec<((&'static Contender, f64), Outcome<'_>)>,
-        second: Option<&Quantities>,
+        knowledge: Knowledge,
     ) -> Result<Self, String> {
         let reference = rungs
             .iter()
             .rfind(|((contender, _), _)| contender.key == REFERENCE);
         let truth = match reference {
             Some((_, Ok((truth, ledger, _)))) => (truth.clone(), ledger.clone()),
-            Some((_, Err(reason))) => return Err(format!("\"{}\": {reason}", scene.name)),
+            Some((_, Err(reason))) => return Err(reason.clone()),
             None => unreachable!("the reference is among the contenders"),
         };
-        let distance = |quantity| match second {
-            Some(second) => second.distance(&truth.0, quantity),
-            None => Some(f64::INFINITY),
-        };
-        let distances = Quantity::ALL.map(distance);
-        let count = second.map(|second| second.n_collisions);
+        let distances = Quantity::ALL.map(|quantity| Some(knowledge.of(quantity)?.distance));
         let mut entrants: Vec<Entrant> = Vec::new();
         for ((contender, setting), outcome) in rungs {
             let outcome = outcome.map(|found| Measured::new(&found, &truth, &distances));
@@ -281,9 +299,8 @@ impl Race {
         Ok(Self {
             scene: scene.name.clone(),
             compliant: is_compliant(scene),
-            same_count: count == Some(truth.0.n_collisions),
             truth: truth.0,
-            distances,
+            knowledge,
             entrants,
         })
     }

@@ -4,6 +4,7 @@
 //! with it, one that shares nothing but the scene; no error is given smaller than the distance of the two.
 //! Work is counted as evaluations of restoring forces plus pieces of structures carried by power series.
 
+mod condition;
 mod contenders;
 mod figures;
 mod measure;
@@ -77,6 +78,7 @@ impl Trade {
         let mut files = BTreeMap::new();
         for (name, text) in [
             ("reference.csv", table::references(&self.races)),
+            ("collisions.csv", table::collisions(&self.races)),
             ("trade.csv", table::runs(&self.races)),
             ("pareto.csv", pareto::table(&self.races)),
             ("exact-or-stepping.csv", verdict::table(&self.races)),

@@ -161,14 +161,18 @@ impl Quantities {
         if found.len() != wanted.len() {
             return Some(f64::INFINITY);
         }
-        let distances = found.iter().zip(wanted).map(|(found, wanted)| {
-            let difference = (found - wanted).abs();
-            if difference == 0.0 {
-                0.0
-            } else {
-                difference / wanted.abs()
-            }
-        });
+        let pairs = found.iter().zip(wanted);
+        let distances = pairs.map(|(found, wanted)| relative(*found, *wanted));
         distances.reduce(f64::max)
+    }
+}
+
+/// Relative distance of a value from the true one \[–\]; infinite where only the true one is zero.
+pub(super) fn relative(found: f64, wanted: f64) -> f64 {
+    let difference = (found - wanted).abs();
+    if difference == 0.0 {
+        0.0
+    } else {
+        difference / wanted.abs()
     }
 }

@@ -1,5 +1,6 @@
 //! The runs and the references as CSV.
 
+use super::condition::Known;
 use super::contenders::{Contender, Knob};
 use super::measure::{Race, Rung};
 use super::quantities::Quantity;
@@ -15,6 +16,10 @@ pub(super) fn references(races: &[Race]) -> String {
         "unit",
         "value",
         "agreed_digits",
+        "distance_of_routes",
+        "condition_number",
+        "allowed_distance",
+        "within",
     ];
     let mut rows = Vec::new();
     for race in races {
@@ -26,26 +31,83 @@ pub(super) fn references(races: &[Race]) -> String {
                 } else {
                     format!("{number}")
                 };
-                rows.push(vec![
+                let mut row = vec![
                     race.scene.clone(),
                     quantity.key().into(),
                     structure,
                     quantity.unit(race.compliant).into(),
                     format!("{value:.14e}"),
                     agreed(race.digits(quantity)),
-                ]);
+                ];
+                let known = race.knowledge.of(quantity);
+                row.extend(known.into_iter().flat_map(|known| known_as(known, race)));
+                rows.push(row);
             }
         }
-        rows.push(vec![
+        let mut row = vec![
             race.scene.clone(),
             "number_of_collisions".into(),
             String::new(),
             "1".into(),
             race.truth.n_collisions.to_string(),
             race.agreed_count().into(),
-        ]);
+        ];
+        row.resize(header.len(), String::new());
+        rows.push(row);
     }
     to_csv(&header.map(String::from), &rows)
+}
+
+/// Time and impulse of every collision, and how well they are known.
+pub(super) fn collisions(races: &[Race]) -> String {
+    let header = [
+        "scene",
+        "pair",
+        "collision",
+        "quantity",
+        "unit",
+        "value",
+        "distance_of_routes",
+        "condition_number",
+        "allowed_distance",
+        "within",
+    ];
+    let quantities = [("time", "s"), ("impulse", "N·s")];
+    let mut rows = Vec::new();
+    for race in races {
+        for (pair, met) in (1..).zip(&race.knowledge.pairs) {
+            for (number, meeting) in (1..).zip(met) {
+                for (which, (name, unit)) in quantities.iter().enumerate() {
+                    let mut row = vec![
+                        race.scene.clone(),
+                        format!("{pair}"),
+                        format!("{number}"),
+                        (*name).into(),
+                        (*unit).into(),
+                        format!("{:.14e}", meeting.values[which]),
+                    ];
+                    row.extend(known_as(meeting.known[which], race));
+                    rows.push(row);
+                }
+            }
+        }
+    }
+    to_csv(&header.map(String::from), &rows)
+}
+
+/// How well a result is known, as four columns.
+fn known_as(known: Known, race: &Race) -> [String; 4] {
+    [
+        error(Some(known.distance)),
+        error(Some(known.condition)),
+        error(Some(known.allowed(race.compliant))),
+        if known.holds(race.compliant) {
+            "yes"
+        } else {
+            "no"
+        }
+        .into(),
+    ]
 }
 
 /// Every run: what it cost and how far off it is.

@@ -14,7 +14,7 @@ const SEED: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
 /// It is counted out by level and run alone, so that all scenes of one run are shaken by the same record: a finding that
 /// compares two scenes compares them under one earthquake.
 #[derive(Debug, Clone)]
-pub(super) struct Noise {
+pub(crate) struct Noise {
     /// Standard deviation \[–\].
     sigma: f64,
     /// Which of the random sequences.
@@ -23,7 +23,7 @@ pub(super) struct Noise {
 
 impl Noise {
     /// Noise of run number `run` with this standard deviation \[–\], number `level` of the deviations.
-    pub(super) fn new(sigma: f64, level: usize, run: usize) -> Self {
+    pub(crate) fn new(sigma: f64, level: usize, run: usize) -> Self {
         let stream = ((level as u128) << 64) | run as u128;
         Self { sigma, stream }
     }
@@ -32,7 +32,7 @@ impl Noise {
     ///
     /// # Errors
     /// [`RecordError`] where the noise is not finite.
-    pub(super) fn on(&self, record: &Record) -> Result<Record, RecordError> {
+    pub(crate) fn on(&self, record: &Record) -> Result<Record, RecordError> {
         let mut random = Pcg64::new(SEED, self.stream);
         let mut samples = Vec::with_capacity(record.samples().len() + 1);
         for pair in record.samples().chunks(2) {
