@@ -38,10 +38,42 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
     }
     let study = root.join("studies/trade.json");
     let (completed, trade) = Trade::of_two_structures(&study).map_err(|error| error.to_string())?;
-    let csv = ratios(&trade.timed(&completed), &home)?;
+    let timed = trade.timed(&completed);
+    let csv = ratios(&timed, &home)?;
     fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
-    println!("\n{csv}\nkept in {KEPT}");
+    println!("\n{csv}\nkept in {KEPT}\n\n{}", comparison(&timed, &home)?);
     Ok(())
+}
+
+/// The run of the same scene that others are compared with.
+fn base<'a>(timed: &'a [Timed<'a>], scene: &str) -> Result<&'a Timed<'a>, String> {
+    let mut of_scene = timed.iter().filter(|other| other.scene == scene);
+    of_scene
+        .find(|other| other.is_base)
+        .ok_or_else(|| format!("{scene}: no central difference method"))
+}
+
+/// For each scene, what the exact method needs for 1e-6 of what the central difference method needs for 1 %.
+fn comparison(timed: &[Timed<'_>], home: &Path) -> Result<String, String> {
+    let mut text =
+        String::from("Exact method for 1e-6 against central difference (velocity_jump) for 1 %:\n");
+    for exact in timed.iter().filter(|one| one.is_exact) {
+        let base = base(timed, exact.scene)?;
+        let work = exact.work as f64 / base.work as f64;
+        let wall_time = seconds(exact, home)? / seconds(base, home)?;
+        let held = |one: &Timed<'_>| if one.holds { "" } else { ", not held" };
+        writeln!(
+            text,
+            "  {}: {work:.3} of the work, {wall_time:.3} of the wall time (errors {:.1e}{} and {:.1e}{})",
+            exact.scene,
+            exact.error,
+            held(exact),
+            base.error,
+            held(base)
+        )
+        .expect("a string takes all");
+    }
+    Ok(text)
 }
 
 /// Ratios of work and wall time to the central difference method of the same scene, as CSV.
@@ -49,11 +81,7 @@ fn ratios(timed: &[Timed<'_>], home: &Path) -> Result<String, String> {
     let mut csv =
         String::from("scene,method,setting,error,accurate_enough,work_ratio,wall_time_ratio\n");
     for one in timed {
-        let of_scene = |other: &&Timed<'_>| other.scene == one.scene && other.is_base;
-        let base = timed
-            .iter()
-            .find(of_scene)
-            .ok_or("a scene without the central difference method")?;
+        let base = base(timed, one.scene)?;
         let wall_time = seconds(one, home)? / seconds(base, home)?;
         let work = one.work as f64 / base.work as f64;
         let enough = if one.holds { "yes" } else { "no" };

@@ -1,115 +1,92 @@
 //! The answer of `pounding advise`, as plain text.
 
-use pounding::solver::{ImpactRule, VerletImpacts};
-use pounding::studies::{Advice, Method, Prepared, Quantity, Trial, WORK_BUDGET, digits};
+use pounding::studies::{Advice, LONGEST_STEP, MOST_STEPS, Prepared, Quantity, Trial, digits};
 
-use crate::text::{NONE, paragraph, percent, table};
+use crate::text::{NONE, paragraph, percent, short, table};
 
 /// The recommended method, the line for the scene, and what every method would cost.
 pub(crate) fn of(prepared: &Prepared, advice: &Advice) -> String {
     let best = advice.best();
-    let is_exact = best.method == advice.exact.method;
     let goal = percent(advice.goal.error);
     let step = best.method.time_step().map_or(String::new(), |step| {
         format!(", time step {} s", digits(step))
     });
-    let why = if is_exact {
+    let quantity = words(advice.goal.quantity);
+    let why = if best.method == advice.exact.method {
         format!(
-            "nothing cheaper keeps {} within {goal}",
-            words(advice.goal.quantity)
+            "nothing cheaper keeps {quantity} within {goal};\nwork {}",
+            best.cost
         )
     } else {
+        let (error, ratio) = (of_trial(best), best.cost as f64 / advice.exact.cost as f64);
         format!(
-            "the cheapest that keeps {} within {goal}:\nlargest error {}, work {}, {} times that of exact",
-            words(advice.goal.quantity),
-            of_trial(best),
-            best.cost,
-            ratio(best, advice)
+            "the cheapest that keeps {quantity} within {goal}:\nlargest error {error}, work {}, {ratio:.2} times that of \
+             exact",
+            best.cost
         )
     };
     let snippet = serde_json::to_string_pretty(&best.method).expect("a method is plain data");
     [
-        paragraph("Use", &format!("{}{step}\n{why}", name(&best.method))),
+        paragraph("Use", &format!("{}{step}\n{why}", best.name)),
         format!("  \"method\": {}\n", snippet.replace('\n', "\n  ")),
         paragraph("Scene", &prepared.scene().name),
         methods(advice),
-        paragraph(
-            "Notes",
-            &format!(
-                "Errors are distances from the exact run. A method meets an error at a step when it does so at every \
-                 shorter step tried too, at least one; else its shortest step stands here. Steps are halved from \
-                 0.01 s up to a work of {WORK_BUDGET} a run.\nWork: force evaluations and pieces of motion of \
-                 a structure."
-            ),
-        ),
+        paragraph("Notes", &notes()),
     ]
     .join("\n")
 }
 
+fn notes() -> String {
+    format!(
+        "Errors: the largest distance from the exact run, and in what.\nGoal met: at this step and at every shorter one \
+         tried, of which there is at least one; the shortest step alone proves nothing, and stands here where the goal is \
+         not met. Steps are halved from {LONGEST_STEP} s while a run has at most {MOST_STEPS} steps of \
+         structures.\nWork: force evaluations and pieces of motion of a structure; a piece of the exact method takes as \
+         long as some 30 to 45 evaluations."
+    )
+}
+
+/// A line per method: those that meet the goal by their cost, then the others.
 fn methods(advice: &Advice) -> String {
     let header = [
-        ["Method", "", ""],
-        ["Meets", "", ""],
-        ["Step", "[s]", ""],
-        ["Error", "", ""],
-        ["Work", "", ""],
-        ["Times", "exact", ""],
+        ["Method", ""],
+        ["Goal", "met"],
+        ["Step", "[ms]"],
+        ["Error", ""],
+        ["in", ""],
+        ["Work", ""],
     ];
-    let row = |trial: &Trial, meets: bool| {
+    let mut trials = vec![(&advice.exact, true)];
+    trials.extend(advice.methods.iter().filter_map(|rungs| {
+        let chosen = rungs.chosen();
+        Some((chosen.or(rungs.trials.last())?, chosen.is_some()))
+    }));
+    trials.sort_by_key(|(trial, meets)| (!meets, trial.cost));
+    let row = |(trial, meets): &(&Trial, bool)| {
+        let step = trial.method.time_step();
         vec![
-            name(&trial.method),
-            if meets { "yes" } else { "no" }.into(),
-            trial.method.time_step().map_or(NONE.into(), digits),
-            of_trial(trial),
+            trial.name.into(),
+            if *meets { "yes" } else { "no" }.into(),
+            step.map_or(NONE.into(), |step| short(1e3 * step)),
+            if trial.method == advice.exact.method {
+                "rounding".into()
+            } else {
+                percent(trial.error)
+            },
+            trial.worst.into(),
             trial.cost.to_string(),
-            ratio(trial, advice),
         ]
     };
-    let mut rows = vec![row(&advice.exact, true)];
-    rows.extend(advice.methods.iter().filter_map(|rungs| {
-        let chosen = rungs.chosen();
-        Some(row(chosen.or(rungs.trials.last())?, chosen.is_some()))
-    }));
-    table(&header, &rows)
+    table(&header, &trials.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Error of a run and where it is largest.
+/// Error of a run and in what it is largest.
 fn of_trial(trial: &Trial) -> String {
+    let error = percent(trial.error);
     if trial.worst.is_empty() {
-        "rounding".into()
+        error
     } else {
-        format!("{} ({})", percent(trial.error), trial.worst)
-    }
-}
-
-/// Work relative to the exact run's.
-fn ratio(trial: &Trial, advice: &Advice) -> String {
-    let ratio = trial.cost as f64 / advice.exact.cost as f64;
-    if ratio < 10.0 {
-        format!("{ratio:.2}")
-    } else {
-        format!("{ratio:.0}")
-    }
-}
-
-/// Name of a method with the rule that tells it from its like.
-fn name(method: &Method) -> String {
-    let name = method.name().replace('_', " ");
-    match *method {
-        Method::CentralDifference { impacts, .. } if impacts != ImpactRule::default() => {
-            format!("{name}, jump")
-        }
-        Method::VelocityVerlet { impacts, .. } if impacts != VerletImpacts::default() => {
-            format!("{name}, located")
-        }
-        Method::CentralDifference { .. }
-        | Method::Newmark { .. }
-        | Method::Hht { .. }
-        | Method::VelocityVerlet { .. }
-        | Method::Rk4 { .. }
-        | Method::MoreauJean { .. }
-        | Method::Exact { .. }
-        | Method::Accuracy(_) => name,
+        format!("{error} ({})", trial.worst)
     }
 }
 

@@ -2,20 +2,18 @@
 
 mod advice;
 mod arguments;
+mod progress;
 mod summary;
 mod text;
 
 use std::io::{ErrorKind, Write, stdout};
 use std::path::Path;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
 use arguments::{Arguments, Task};
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use pounding::studies::{
-    Goal, Method, Prepared, RunErrors, Scene, StudyError, advise, n_methods, read_json,
-};
+use pounding::studies::{Goal, Method, Prepared, RunErrors, Scene, StudyError, advise, read_json};
+use progress::Progress;
 use summary::Errors;
 
 fn main() -> ExitCode {
@@ -45,8 +43,10 @@ fn main() -> ExitCode {
 /// Runs a scene; returns the summary.
 fn run(path: &Path, no_error: bool) -> Result<String, String> {
     let message = |error: StudyError| error.in_file(path).to_string();
+    let scene = read_json(path).map_err(message)?;
+    let progress = Progress::new();
     let prepared =
-        Prepared::new(&read_json(path).map_err(message)?, folder(path)).map_err(message)?;
+        Prepared::watched(&scene, folder(path), &|of| progress.step(of)).map_err(message)?;
     let outcome = prepared.run(None).map_err(message)?;
     let errors = if matches!(prepared.scene().method, Method::Exact { .. }) {
         Errors::Exact
@@ -71,22 +71,8 @@ fn ask(path: &Path, goal: Goal) -> Result<String, String> {
     // The method of the scene does not matter, not even whether it suits the scene.
     scene.method = Method::EXACT;
     let prepared = Prepared::new(&scene, folder(path)).map_err(message)?;
-    let started = Instant::now();
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} methods, {elapsed}")
-        .expect("the template is well formed");
-    let bar = ProgressBar::with_draw_target(
-        Some(n_methods(&prepared) as u64),
-        ProgressDrawTarget::hidden(),
-    )
-    .with_style(style);
-    let advice = advise(&prepared, goal, &|| {
-        if started.elapsed() > Duration::from_secs(1) && bar.is_hidden() {
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        bar.inc(1);
-    })
-    .map_err(message)?;
-    bar.finish_and_clear();
+    let progress = Progress::new();
+    let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
     Ok(advice::of(&prepared, &advice))
 }
 

@@ -18,7 +18,7 @@ pub(crate) enum Errors {
     Exact,
     /// Its user did not want to know.
     NotMeasured,
-    /// The exact run ended early, for this reason.
+    /// The exact run failed, for this reason.
     Unknown(String),
     /// Distance from the exact run, and what that cost.
     Measured(RunErrors, Work),
@@ -94,7 +94,7 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
             | Method::Accuracy(_) => "none beyond rounding: the method is exact".into(),
         },
         Errors::NotMeasured => "not measured (--no-error)".into(),
-        Errors::Unknown(reason) => format!("not known, the exact run ended early: {reason}"),
+        Errors::Unknown(reason) => format!("not known, the exact run fails: {reason}"),
         Errors::Measured(errors, _) => {
             let (largest, of) = errors.largest(Quantity::All);
             let largest = match largest {
@@ -102,7 +102,9 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
                 largest if largest.is_finite() => {
                     format!("the largest is {} ({of})", percent(largest))
                 }
-                _ if of == "number of collisions" => "the numbers of collisions differ".into(),
+                _ if errors.pairs.iter().any(PairErrors::differ) => {
+                    "the numbers of collisions differ".into()
+                }
                 _ => format!("the exact run has no {of}, or this run has none"),
             };
             format!("below each number, its distance from the exact run;\n{largest}")
@@ -325,14 +327,13 @@ fn pair_numbers(pair: usize, outcome: &Outcome) -> [String; 5] {
 /// The errors of a pair, for the line below it.
 fn pair_errors(errors: &PairErrors) -> Vec<String> {
     let relative = |error: Option<f64>| error.map_or(String::new(), percent);
-    let (found, exact) = errors.collisions;
     vec![
         ERROR.into(),
         String::new(),
-        if found == exact {
-            "equal".into()
+        if errors.differ() {
+            format!("exact {}", errors.collisions.1)
         } else {
-            format!("exact {exact}")
+            "equal".into()
         },
         errors.first_time.map_or(String::new(), milliseconds),
         relative(errors.first_impulse),

@@ -47,10 +47,14 @@ fn broken(line: &str) -> Vec<String> {
     pieces
 }
 
-/// Columns under a name of three lines: the first to the left and cut where the table would be too wide, others to
+/// Columns under a name of some lines: the first to the left and cut where the table would be too wide, others to
 /// the right.
-pub(crate) fn table<const N: usize>(header: &[[&str; 3]; N], rows: &[Vec<String>]) -> String {
-    let header = [0, 1, 2].map(|line| header.map(|name| name[line].to_string()).to_vec());
+pub(crate) fn table<const N: usize, const LINES: usize>(
+    header: &[[&str; LINES]; N],
+    rows: &[Vec<String>],
+) -> String {
+    let line = |line: usize| header.map(|name| name[line].to_string()).to_vec();
+    let header: Vec<_> = (0..LINES).map(line).collect();
     let lines: Vec<&Vec<String>> = header.iter().chain(rows).collect();
     let width = |column: usize| {
         let widths = lines.iter().map(|line| line[column].chars().count());

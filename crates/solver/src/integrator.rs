@@ -1,7 +1,7 @@
 use crate::{
-    CentralDifference, Clock, Exact, Excitation, Hht, MoreauJean, Newmark, PiecewiseLinear,
-    Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht, moreau_jean,
-    newmark, rk4, verlet,
+    CentralDifference, Clock, Exact, Excitation, Hht, ImpactRule, Laws, MoreauJean, Newmark,
+    PiecewiseLinear, Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht,
+    moreau_jean, newmark, rk4, verlet,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
@@ -54,6 +54,23 @@ impl Integrator {
                 moreau_jean::run(settings, row, excitation, clock, recorder)
             }
             Self::Exact(settings) => exact::run(settings, row, excitation, clock, recorder),
+        }
+    }
+
+    /// The laws that its runs are held to: of all methods the paper's impacts alone may create energy.
+    pub fn laws(&self) -> Laws {
+        match self {
+            Self::CentralDifference(CentralDifference {
+                impacts: ImpactRule::AsPublished,
+                ..
+            }) => Laws::ImpactsMayCreateEnergy,
+            Self::CentralDifference(_)
+            | Self::Newmark(_)
+            | Self::Hht(_)
+            | Self::Verlet(_)
+            | Self::Rk4(_)
+            | Self::MoreauJean(_)
+            | Self::Exact(_) => Laws::All,
         }
     }
 }

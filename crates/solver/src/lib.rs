@@ -64,7 +64,7 @@ pub use moreau_jean::MoreauJean;
 pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Velocities};
 pub use recorders::{
-    Collision, Collisions, Histories, History, Ledger, LedgerError, PairTerms, Peak, Peaks,
+    Collision, Collisions, Histories, History, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks,
     StructurePeaks, Terms, TransferredMomentum,
 };
 pub use rk4::Rk4;

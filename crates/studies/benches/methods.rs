@@ -1,6 +1,7 @@
 //! Wall time of every method on the scenes of two structures; `cargo xtask bench` runs it and prints ratios.
 
 use std::path::Path;
+use std::time::Duration;
 
 use criterion::Criterion;
 use pounding_studies::Trade;
@@ -12,7 +13,10 @@ fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     for timed in trade.timed(&completed) {
         let mut group = criterion.benchmark_group(timed.scene);
-        group.sample_size(20);
+        group
+            .sample_size(20)
+            .warm_up_time(Duration::from_millis(500))
+            .measurement_time(Duration::from_secs(2));
         group.bench_function(timed.method, |bencher| {
             bencher.iter(|| timed.run().expect("it ran before"));
         });

@@ -1,17 +1,17 @@
 //! Which method and time step reach an accuracy at the least work.
 
-use pounding_solver::{ImpactRule, Start, VerletImpacts, Work};
 use rayon::prelude::*;
 
+use crate::contenders::{CONTENDERS, Contender, Knob};
+use crate::ladder::{Ladder, cost, entries, holding};
 use crate::{Method, Outcome, Prepared, Quantity, RunErrors, StudyError};
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
 pub const LONGEST_STEP: f64 = 0.01;
-/// Most force evaluations of one run of the ladder.
+/// Most steps of structures in one run of the ladder: two structures and 20 s come to 80 µs.
 ///
-/// The time steps of a method end where the next run would cost more: at 40 µs for two structures and 20 s, 0.1 to
-/// 0.5 s of computing a run.
-pub const WORK_BUDGET: u64 = 2_000_000;
+/// The exact method does with some thousand pieces what a stepping method would need the finer steps for.
+pub const MOST_STEPS: u32 = 500_000;
 
 /// The accuracy asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,22 +25,24 @@ pub struct Goal {
 /// A run of the ladder.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trial {
+    /// Name of the method, as in figures.
+    pub name: &'static str,
     /// Method with its step.
     pub method: Method,
-    /// Largest error \[–\] of the quantity; infinite where the run ended early or the numbers of collisions differ.
+    /// Largest error \[–\] of the quantity; infinite where the run failed or the numbers of collisions differ.
     pub error: f64,
     /// What has the largest error; empty for the exact method.
     pub worst: &'static str,
-    /// Force evaluations and structure-segment propagations.
+    /// Force evaluations and pieces of motion of a structure.
     pub cost: u64,
 }
 
 /// A method on the ladder, from the longest time step to the shortest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rungs {
-    /// Its runs; none where no time step is both stable and within the budget.
+    /// Its runs; none where no time step is stable.
     pub trials: Vec<Trial>,
-    /// Index of the longest time step from which on every run meets the goal; the shortest only confirms.
+    /// Index of the cheapest run that meets the goal, as all runs at shorter steps do; the shortest only confirms.
     pub meets: Option<usize>,
 }
 
@@ -69,145 +71,91 @@ impl Advice {
 }
 
 impl Rungs {
-    /// The run with the longest time step from which on every run meets the goal.
+    fn new(trials: Vec<Trial>, goal: Goal) -> Self {
+        let holding = holding(&trials, |trial| trial.error <= goal.error);
+        let first = trials.len() - holding.len();
+        let confirmed = first..trials.len().saturating_sub(1);
+        Self {
+            meets: confirmed.min_by_key(|index| trials[*index].cost),
+            trials,
+        }
+    }
+
+    /// The cheapest run that meets the goal, as all runs at shorter steps do.
     pub fn chosen(&self) -> Option<&Trial> {
         self.meets.map(|index| &self.trials[index])
     }
 }
 
-/// Force evaluations and structure-segment propagations of a run.
-pub fn cost(work: Work) -> u64 {
-    work.force_evaluations + work.segments
-}
-
-/// Number of methods that [`advise`] tries on this scene; `done` is called once for each.
-pub fn n_methods(prepared: &Prepared) -> usize {
-    methods(prepared).len()
-}
-
-/// Runs a scene, whatever its method, with every method on a ladder of time steps; `done` is called after each method.
+/// Runs a scene, whatever its method, with every method of the trade on a ladder of time steps; `done` is called after
+/// each run with the number of runs.
 ///
 /// # Errors
-/// [`StudyError`] where the exact method, the measure of the others, ends early.
+/// [`StudyError::NoReference`] where the exact method, the measure of the others, fails.
 pub fn advise(
     prepared: &Prepared,
     goal: Goal,
-    done: &(impl Fn() + Sync),
+    done: &(impl Fn(usize) + Sync),
 ) -> Result<Advice, StudyError> {
     let twin = prepared.exact()?;
-    let exact = twin.run(None)?;
-    let methods = methods(prepared)
-        .into_par_iter()
-        .map(|method| {
-            let rungs = rungs(prepared, method, &exact, goal);
-            done();
-            rungs
+    let exact = twin
+        .run(None)
+        .map_err(|error| StudyError::NoReference(error.into()))?;
+    let ladder = Ladder::halved(prepared.scene(), LONGEST_STEP, MOST_STEPS.into());
+    let runs: Vec<_> = entries(prepared.scene(), &ladder)
+        .filter(|(contender, _)| contender.knob == Knob::TimeStep)
+        .collect();
+    let trials: Vec<_> = runs
+        .par_iter()
+        .map(|&(contender, step)| {
+            let trial = trial(prepared, (contender, step), &exact, goal.quantity);
+            done(runs.len());
+            Some((contender.key, trial?))
         })
         .collect();
+    let rungs = |contender: &Contender| {
+        let own = trials
+            .iter()
+            .flatten()
+            .filter(|(key, _)| *key == contender.key);
+        Rungs::new(own.map(|(_, trial)| *trial).collect(), goal)
+    };
+    let methods = CONTENDERS.iter().map(rungs);
     Ok(Advice {
         goal,
         exact: Trial {
+            name: "Exact",
             method: twin.method(),
             error: 0.0,
             worst: "",
             cost: cost(exact.work),
         },
-        methods,
+        methods: methods.filter(|rungs| !rungs.trials.is_empty()).collect(),
     })
 }
 
-/// Runs one method on the ladder.
-fn rungs(prepared: &Prepared, method: Method, exact: &Outcome, goal: Goal) -> Rungs {
-    let duration = prepared.duration();
-    // 0.01 s, or the next shorter step of which the duration is a whole number.
-    let longest = duration / (duration / LONGEST_STEP - 1e-6).ceil().max(1.0);
-    let mut trials: Vec<Trial> = Vec::new();
-    let mut step = longest;
-    // An implicit method may be refused or fail at long steps only; a budget ends the ladder of the others.
-    while cheapest(prepared, step) <= WORK_BUDGET {
-        let method = method.with_time_step(step);
-        if let Ok(prepared) = prepared.with_method(method) {
-            let trial = trial(&prepared, method, exact, goal);
-            let over = 2 * trial.cost > WORK_BUDGET;
-            trials.push(trial);
-            if over {
-                break;
-            }
+/// One run of the ladder; nothing where the scene refuses the step, such as one beyond a limit of stability.
+fn trial(
+    prepared: &Prepared,
+    (contender, step): (&Contender, f64),
+    exact: &Outcome,
+    quantity: Quantity,
+) -> Option<Trial> {
+    let method = (contender.method)(step);
+    let prepared = prepared.with_method(method).ok()?;
+    let (error, worst, cost) = match prepared.run(None) {
+        Ok(outcome) => {
+            let errors = RunErrors::between(&outcome, exact, &prepared.walls());
+            let (error, worst) = errors.largest(quantity);
+            (error, worst, cost(outcome.work))
         }
-        step *= 0.5;
-    }
-    let missed = trials.iter().rposition(|trial| trial.error > goal.error);
-    let meets = missed.map_or(0, |index| index + 1);
-    Rungs {
-        meets: (meets + 1 < trials.len()).then_some(meets),
-        trials,
-    }
-}
-
-fn trial(prepared: &Prepared, method: Method, exact: &Outcome, goal: Goal) -> Trial {
-    let Ok(outcome) = prepared.run(None) else {
-        return Trial {
-            method,
-            error: f64::INFINITY,
-            worst: "run ends early",
-            cost: 0,
-        };
+        Err(_) => (f64::INFINITY, "run fails", 0),
     };
-    let (error, worst) =
-        RunErrors::between(&outcome, exact, &prepared.walls()).largest(goal.quantity);
-    Trial {
+    Some(Trial {
+        name: contender.label,
         method,
         error,
         worst,
-        cost: cost(outcome.work),
-    }
-}
-
-/// One force evaluation a step and structure: no method costs less.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a conversion to an integer keeps to its range"
-)]
-fn cheapest(prepared: &Prepared, step: f64) -> u64 {
-    let steps = (prepared.duration() / step).round() as u64;
-    steps.saturating_mul(prepared.walls().len() as u64)
-}
-
-/// Every method with its usual settings; rules of impulsive contact only where a pair has it.
-fn methods(prepared: &Prepared) -> Vec<Method> {
-    let time_step_s = LONGEST_STEP;
-    let central_difference = |impacts| Method::CentralDifference {
-        time_step_s,
-        start: Start::Consistent,
-        impacts,
-        contact_substeps: 1,
-    };
-    let verlet = |impacts| Method::VelocityVerlet {
-        time_step_s,
-        impacts,
-    };
-    let mut methods = vec![
-        central_difference(ImpactRule::AsPublished),
-        Method::Newmark {
-            time_step_s,
-            beta: 0.25,
-            gamma: 0.5,
-        },
-        Method::Hht {
-            time_step_s,
-            alpha: -0.1,
-        },
-        verlet(VerletImpacts::VelocityJump),
-        Method::Rk4 { time_step_s },
-        Method::MoreauJean {
-            time_step_s,
-            theta: 0.5,
-        },
-    ];
-    if prepared.has_impulsive_contact() {
-        methods.insert(1, central_difference(ImpactRule::VelocityJump));
-        methods.insert(5, verlet(VerletImpacts::Located));
-    }
-    methods
+        cost,
+    })
 }

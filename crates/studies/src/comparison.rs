@@ -101,18 +101,14 @@ impl RunErrors {
             ]
         });
         let pairs = self.pairs.iter().flat_map(|errors| {
-            let count = if errors.collisions.0 == errors.collisions.1 {
-                0.0
-            } else {
-                f64::INFINITY
-            };
+            let count = if errors.differ() { f64::INFINITY } else { 0.0 };
             let error = |value: Option<f64>| value.unwrap_or(0.0);
             [
-                (Quantity::All, count, "number of collisions"),
+                (Quantity::All, count, "collisions"),
                 (
                     Quantity::Time,
                     error(errors.first_time_relative),
-                    "time of first collision",
+                    "first touch",
                 ),
                 (
                     Quantity::Impulse,
@@ -141,6 +137,11 @@ impl RunErrors {
 }
 
 impl PairErrors {
+    /// Whether the run and the exact run have different numbers of collisions.
+    pub fn differ(&self) -> bool {
+        self.collisions.0 != self.collisions.1
+    }
+
     fn between(run: &[&Collision], exact: &[&Collision]) -> Self {
         let error = |value: fn(&[&Collision]) -> Option<f64>, measure: fn(f64, f64) -> f64| match (
             value(run),
@@ -178,7 +179,7 @@ fn of_pair(outcome: &Outcome, pair: usize) -> Vec<&Collision> {
 }
 
 /// Distance relative to the exact magnitude; infinite where that is 0 and the other is not.
-fn relative(run: f64, exact: f64) -> f64 {
+pub(crate) fn relative(run: f64, exact: f64) -> f64 {
     let distance = (run - exact).abs();
     if distance == 0.0 {
         0.0

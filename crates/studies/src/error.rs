@@ -1,7 +1,7 @@
 use std::path::{Path, PathBuf};
 
 use pounding_motion::{ReadError, RecordError};
-use pounding_solver::{ModelError, RunError};
+use pounding_solver::{LedgerError, ModelError, RunError};
 use thiserror::Error;
 
 use crate::Scene;
@@ -103,6 +103,19 @@ pub enum StudyError {
         /// What happened, in which structure and when.
         source: RunError,
     },
+    /// A run that broke a law of mechanics.
+    #[error("scene \"{scene}\": {source}{}", named(structures))]
+    Broken {
+        /// Name of the scene.
+        scene: String,
+        /// Index, from the left, and name of every structure concerned.
+        structures: Vec<(usize, String)>,
+        /// The law, where and when it was broken, and by how much.
+        source: LedgerError,
+    },
+    /// An exact run that failed, where others were to be measured by it.
+    #[error("the exact run, by which every method is measured, fails: {0}")]
+    NoReference(Box<StudyError>),
     /// A study that asks for what its scenes do not give.
     #[error("{}: {place}: found {found}, allowed {allowed}", path.display())]
     Study {
@@ -261,7 +274,11 @@ impl StudyError {
     pub fn in_file(self, path: &Path) -> Self {
         if matches!(
             self,
-            Self::Scene { .. } | Self::Run { .. } | Self::NoRecord { .. }
+            Self::Scene { .. }
+                | Self::Run { .. }
+                | Self::Broken { .. }
+                | Self::NoReference(_)
+                | Self::NoRecord { .. }
         ) {
             Self::InFile {
                 path: path.to_path_buf(),

@@ -12,17 +12,12 @@ mod check;
 mod claims;
 mod comparison;
 mod completed;
+mod contenders;
 mod converged;
 mod error;
 mod figures;
+mod ladder;
 mod noise;
-#[cfg_attr(
-    not(test),
-    expect(
-        dead_code,
-        reason = "bars, names and some marks wait for a figure that needs them"
-    )
-)]
 mod plot;
 mod prepared;
 mod reproduce;
@@ -32,7 +27,7 @@ mod study;
 mod tables;
 mod trade;
 
-pub use advice::{Advice, Goal, LONGEST_STEP, Rungs, Trial, WORK_BUDGET, advise, cost, n_methods};
+pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
@@ -41,10 +36,11 @@ pub use comparison::{PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;
+pub use ladder::Ladder;
 pub use plot::PlotError;
 pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
 pub use study::{Output, Study, StudyFile, read_json};
 pub use tables::{Table, Value, digits};
-pub use trade::{Ladder, Timed, Trade};
+pub use trade::{Timed, Trade};

@@ -4,8 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding_solver::Rk4;
-use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
+use pounding_solver::{LedgerError, Rk4};
+use pounding_studies::{
+    Completed, Goal, Method, Prepared, Quantity, Study, StudyError, StudyFile, Table, advise,
+    figure_png,
+};
 use serde_json::{Value, json};
 
 fn studies() -> PathBuf {
@@ -201,6 +204,63 @@ fn extreme_the_first_error_is_the_first_scene_on_any_number_of_threads() {
         let error = make("first-error", &study).expect_err("every scene diverges");
         assert!(error.to_string().contains("layout A elastic"), "{error}");
     }
+}
+
+/// A table shows the method found for an accuracy, the same that is advised.
+#[test]
+fn limit_an_accuracy_in_a_study_is_what_is_advised() {
+    let mut study = study("table-7");
+    study["scenes"].as_array_mut().expect("scenes").truncate(1);
+    study["scenes"][0]["method"] = json!({"accuracy": 0.2});
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accuracy.json");
+    fs::write(&path, study.to_string()).expect("the study can be written");
+    let file = StudyFile::read(&path).expect("a study");
+    let asked = Completed::run(file.clone(), &|| ()).expect("a method is found");
+    let mut exact = file.study.scenes[0].clone();
+    exact.method = Method::EXACT;
+    let exact = Prepared::new(&exact, file.base()).expect("a good scene");
+    let (error, quantity) = (0.2, Quantity::All);
+    let advice = advise(&exact, Goal { error, quantity }, &|_| ()).expect("an exact run");
+    let mut named = file;
+    named.study.scenes[0].method = advice.best().method;
+    assert_eq!(asked.file.study.scenes[0].method, advice.best().method);
+    let named = Completed::run(named, &|| ()).expect("a good study");
+    let csv = |completed| {
+        Table::of(completed)
+            .expect("a table")
+            .expect("one")
+            .to_csv()
+    };
+    assert_eq!(csv(&asked), csv(&named));
+}
+
+#[test]
+fn extreme_an_accuracy_where_steps_are_shown() {
+    let mut study = study("table-2");
+    study["scenes"][0]["method"] = json!({"accuracy": 0.2});
+    assert_snapshot!(refused("steps", &study), @r#"study.json: scenes.method: found "elastic" without a time step, allowed methods with a time step, of which this output shows something"#);
+}
+
+#[test]
+fn extreme_a_run_that_creates_energy_names_pair_and_structures() {
+    let mut study = study("table-4");
+    study["scenes"].as_array_mut().expect("scenes").remove(0);
+    study["scenes"][0]["method"]["central_difference"]["time_step_s"] = json!(0.05);
+    let error = make("energy", &study).expect_err("steps far too long for the contact");
+    let StudyError::InFile { source, .. } = &error else {
+        panic!("the error should name its file: {error}");
+    };
+    let StudyError::Broken {
+        structures, source, ..
+    } = &**source
+    else {
+        panic!("a law should be broken: {error}");
+    };
+    let LedgerError::GainInContact { pair, .. } = source else {
+        panic!("energy should be created: {error}");
+    };
+    let indices: Vec<_> = structures.iter().map(|(index, _)| *index).collect();
+    assert_eq!(indices, [*pair, pair + 1]);
 }
 
 #[test]

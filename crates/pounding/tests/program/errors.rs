@@ -1,7 +1,8 @@
 //! Errors beside results, and advice for an accuracy.
 
+use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
 use serde_json::{Value, json};
@@ -113,6 +114,121 @@ fn limit_an_accuracy_chooses_what_is_advised() {
         paragraph(printed(&same), "Work"),
         paragraph(printed(&chosen), "Work")
     );
+}
+
+/// The example with another method.
+fn example_with(method: &Value) -> Value {
+    let text = fs::read_to_string(EXAMPLE).expect("the example is there");
+    let mut scene: Value = serde_json::from_str(&text).expect("the example is JSON");
+    scene["method"] = method.clone();
+    scene
+}
+
+/// A folder with a scene, `scene.json`, and the record of the example.
+fn folder_of(test: &str, mut scene: Value) -> PathBuf {
+    let file = scene["record"]["file"].as_str().expect("a path");
+    let record = Path::new(EXAMPLE).with_file_name(file);
+    let folder = folder(test);
+    fs::copy(record, folder.join("record.csv")).expect("the record can be copied");
+    scene["record"]["file"] = json!("record.csv");
+    fs::write(folder.join("scene.json"), scene.to_string()).expect("the scene can be written");
+    folder
+}
+
+/// Runs the example with another method.
+fn run_example(test: &str, method: &Value) -> Ended {
+    pounding(
+        &folder_of(test, example_with(method)),
+        &["run", "scene.json"],
+    )
+}
+
+/// A stepping method wins where the accuracy is low: what is advised, and what a run with it says of itself.
+#[test]
+fn reference_a_stepping_method_wins() {
+    let arguments = [
+        "advise",
+        EXAMPLE,
+        "--error",
+        "10%",
+        "--quantity",
+        "momentum",
+    ];
+    let advice = pounding(Path::new(HERE), &arguments);
+    let advice = printed(&advice);
+    assert_snapshot!(advice);
+    let snippet = paragraph(advice, "  \"method\"").join("");
+    let pasted: Value = serde_json::from_str(&format!("{{{snippet}}}")).expect("JSON");
+    assert!(pasted["method"].get("exact").is_none(), "{pasted}");
+    let ended = run_example("wins", &pasted["method"]);
+    let error = ended
+        .stdout
+        .lines()
+        .find(|line| line.starts_with("  error"));
+    let words: Vec<_> = error.expect("errors").split_whitespace().collect();
+    let momentum: f64 = words[words.len() - 2].parse().expect("a number");
+    assert!(momentum <= 10.0, "{words:?}");
+    let stated = paragraph(advice, "Use").join(" ");
+    assert!(
+        stated.contains(&format!("{} % (momentum)", words[words.len() - 2])),
+        "{stated}"
+    );
+}
+
+#[test]
+fn reference_advice_on_each_quantity() {
+    let mut uses = String::new();
+    for quantity in [
+        "momentum",
+        "displacement",
+        "force",
+        "impulse",
+        "time",
+        "all",
+    ] {
+        let arguments = ["advise", EXAMPLE, "--error", "10%", "--quantity", quantity];
+        let advice = pounding(Path::new(HERE), &arguments);
+        let lines = paragraph(printed(&advice), "Use").join("\n");
+        writeln!(uses, "{quantity}\n{lines}").expect("a string takes all");
+    }
+    assert_snapshot!(uses);
+}
+
+/// More to keep never allows a cheaper method.
+#[test]
+fn limit_all_quantities_cost_no_less_than_one() {
+    let work = |quantity: &str| -> u64 {
+        let arguments = ["advise", EXAMPLE, "--error", "5%", "--quantity", quantity];
+        let advice = pounding(Path::new(HERE), &arguments);
+        let text = paragraph(printed(&advice), "Use").join(" ");
+        let number = text.split("work ").nth(1).expect("the work");
+        let digits: String = number.chars().take_while(char::is_ascii_digit).collect();
+        digits.parse().expect("a number")
+    };
+    let all = work("all");
+    for quantity in ["momentum", "displacement", "force", "impulse", "time"] {
+        assert!(work(quantity) <= all, "{quantity}");
+    }
+}
+
+#[test]
+fn extreme_advice_without_an_exact_run() {
+    // Elements so stiff that the exact method comes from impact to impact without end.
+    let mut scene = example_with(&json!({"accuracy": 0.01}));
+    let law = &mut scene["contacts"][0]["law"]["nonlinear_viscoelastic"];
+    law["impact_stiffness_n_per_m1_5"] = json!(1e300);
+    let folder = folder_of("no_exact", scene);
+    let ended = pounding(&folder, &["run", "scene.json"]);
+    assert_snapshot!(refusal(&ended));
+    let advice = pounding(&folder, &["advise", "scene.json", "--error", "1%"]);
+    assert_eq!(refusal(&advice), refusal(&ended));
+}
+
+/// In a step of 0.05 s the weak structure flies deep into the stiff one and is thrown back with more than it had.
+#[test]
+fn extreme_a_run_that_creates_energy_is_refused() {
+    let steps = json!({"central_difference": {"time_step_s": 0.05, "start": "consistent"}});
+    assert_snapshot!(refusal(&run_example("creates", &steps)));
 }
 
 #[test]

@@ -8,6 +8,6 @@ mod transferred_momentum;
 
 pub use collisions::{Collision, Collisions};
 pub use histories::{Histories, History};
-pub use ledger::{Ledger, LedgerError, PairTerms, Terms};
+pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
 pub use peaks::{Peak, Peaks, StructurePeaks};
 pub use transferred_momentum::TransferredMomentum;

@@ -174,25 +174,6 @@ impl Curve {
         Self::new(Kind::Bars, shade, bars.iter().flat_map(ends).collect())
     }
 
-    /// Returns one of ten lines with marks that can be told from each other, also in grey; `index` counts them from 0.
-    ///
-    /// Five and five have the same colour: `index + 5` is dashed and hollow, for a relative of `index`.
-    pub(crate) fn distinct(index: usize, points: Vec<(f64, f64)>) -> Self {
-        let (shade, solid, hollow) = [
-            (Shade::Blue, Mark::Disc, Mark::Ring),
-            (Shade::Vermilion, Mark::Square, Mark::HollowSquare),
-            (Shade::Ink, Mark::Triangle, Mark::HollowTriangle),
-            (Shade::Green, Mark::Diamond, Mark::HollowDiamond),
-            (Shade::Rose, Mark::Inverted, Mark::HollowInverted),
-        ][index % 5];
-        let (kind, mark) = if (index / 5).is_multiple_of(2) {
-            (Kind::Line, solid)
-        } else {
-            (Kind::Dashed, hollow)
-        };
-        Self::new(kind, shade, points).marked(mark)
-    }
-
     /// Returns the curve with a name for the legend.
     #[must_use]
     pub(crate) fn named(self, label: impl Into<String>) -> Self {
@@ -250,8 +231,6 @@ pub(crate) enum Mark {
     HollowSquare,
     /// An empty triangle that points upwards.
     HollowTriangle,
-    /// An empty triangle that points downwards.
-    HollowInverted,
     /// An empty square on its corner.
     HollowDiamond,
     /// Two strokes that cross, ×.

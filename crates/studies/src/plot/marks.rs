@@ -26,11 +26,7 @@ impl Mark {
     /// Tells whether only the outline is drawn.
     fn is_hollow(self) -> bool {
         match self {
-            Self::Ring
-            | Self::HollowSquare
-            | Self::HollowTriangle
-            | Self::HollowInverted
-            | Self::HollowDiamond => true,
+            Self::Ring | Self::HollowSquare | Self::HollowTriangle | Self::HollowDiamond => true,
             Self::Disc
             | Self::Square
             | Self::Triangle
@@ -71,7 +67,7 @@ pub(super) fn shapes(mark: Mark, centre: Point, shade: Shade) -> Vec<Shape> {
             polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)])
         }
         Mark::Triangle | Mark::HollowTriangle => polygon(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.1)]),
-        Mark::Inverted | Mark::HollowInverted => polygon(&[(-1.1, 0.8), (1.1, 0.8), (0.0, -1.1)]),
+        Mark::Inverted => polygon(&[(-1.1, 0.8), (1.1, 0.8), (0.0, -1.1)]),
         Mark::Diamond | Mark::HollowDiamond => {
             polygon(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)])
         }
@@ -102,7 +98,6 @@ mod tests {
             Mark::Ring,
             Mark::HollowSquare,
             Mark::HollowTriangle,
-            Mark::HollowInverted,
             Mark::HollowDiamond,
             Mark::Cross,
             Mark::Stroke,

@@ -4,8 +4,9 @@ use pounding_solver::Collision;
 use rayon::prelude::*;
 
 use super::measure::Run;
-use super::quantities::{Quantities, Quantity, relative};
+use super::quantities::{Quantities, Quantity};
 use crate::Prepared;
+use crate::comparison::relative;
 use crate::noise::Noise;
 use crate::second_route::Response;
 

@@ -1,14 +1,13 @@
 //! The runs.
 
-use pounding_solver::{
-    Clock, Collisions, Ledger, Peaks, Recorder, RunError, TransferredMomentum, Work,
-};
+use pounding_solver::{Ledger, Recorder, RunError, Work};
 use rayon::prelude::*;
 
-use super::Ladder;
 use super::condition::Knowledge;
-use super::contenders::{CONTENDERS, Contender, Knob, REFERENCE, is_compliant};
-use super::quantities::{Quantities, Quantity, Recorded};
+use super::quantities::{Quantities, Quantity};
+use crate::contenders::{Contender, REFERENCE, is_compliant};
+use crate::ladder::{Ladder, cost, entries};
+use crate::prepared::Recorders;
 use crate::second_route::Fineness;
 use crate::{Completed, Prepared, Scene, StudyError};
 
@@ -85,7 +84,7 @@ impl Measured {
 
     /// The work that methods are compared by.
     pub(crate) fn cost(&self) -> u64 {
-        self.work.force_evaluations + self.work.segments
+        cost(self.work)
     }
 }
 
@@ -134,24 +133,6 @@ fn digits(distance: f64) -> u32 {
     )]
     let digits = (-libm::log10(distance)).clamp(0.0, 16.0) as u32;
     digits
-}
-
-/// The methods on a scene, each with its settings.
-pub(super) fn entries<'a>(
-    scene: &'a Scene,
-    ladder: &'a Ladder,
-) -> impl Iterator<Item = (&'static Contender, f64)> + 'a {
-    let entering = CONTENDERS
-        .iter()
-        .filter(|contender| contender.enters(scene));
-    entering.flat_map(|contender| {
-        let settings = match contender.knob {
-            Knob::TimeStep => &ladder.time_steps_s[..],
-            Knob::Tolerance if is_compliant(scene) => &ladder.tolerances[..],
-            Knob::Tolerance => &ladder.tolerances[ladder.tolerances.len() - 1..],
-        };
-        settings.iter().map(move |setting| (contender, *setting))
-    })
 }
 
 /// Runs every method on every scene.
@@ -228,43 +209,18 @@ impl<'a> Run<'a> {
     }
 
     /// What the run leaves in its recorders, and what it cost; fails with the reason where it ends early.
-    pub(super) fn recorded(&self) -> Result<(Recorded<'a>, Work), String> {
-        let n = self.scene.structures.len();
-        let mut recorder = (
-            Peaks::new(n),
-            Collisions::new(n, self.prepared.pairs()),
-            TransferredMomentum::new(n),
-            self.prepared.ledger(),
-        );
+    ///
+    /// The verdict of the ledger is a column of the table: it is held to all laws, the published rule too.
+    pub(super) fn recorded(&self) -> Result<(Recorders<Ledger<'a>>, Work), String> {
+        let mut recorder = self.prepared.recorders(self.prepared.ledger());
         let work = self.run(&mut recorder).map_err(|error| error.to_string())?;
         Ok((recorder, work))
     }
 
     pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
-        let integrator = (self.contender.integrator)(self.setting);
-        self.prepared.run_by(&integrator, self.clock(), recorder)
-    }
-
-    fn clock(&self) -> Clock {
-        let duration = self.scene.duration_s;
-        match self.contender.knob {
-            Knob::TimeStep => {
-                #[expect(
-                    clippy::cast_possible_truncation,
-                    clippy::cast_sign_loss,
-                    reason = "checked: 0 < n < 1e9"
-                )]
-                let n_steps = (duration / self.setting).round() as usize;
-                Clock {
-                    time_step: self.setting,
-                    n_steps,
-                }
-            }
-            Knob::Tolerance => Clock {
-                time_step: duration,
-                n_steps: 1,
-            },
-        }
+        let method = (self.contender.method)(self.setting);
+        let clock = method.clock(self.scene.duration_s);
+        self.prepared.run_by(&method.integrator(), clock, recorder)
     }
 }
 

@@ -5,7 +5,6 @@
 //! Work is counted as evaluations of restoring forces plus pieces of structures carried by power series.
 
 mod condition;
-mod contenders;
 mod figures;
 mod measure;
 mod pareto;
@@ -17,22 +16,11 @@ mod verdict;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
-
+use crate::ladder::{Ladder, entries};
 use crate::{Completed, StudyError};
 
 use measure::Race;
 pub use timing::Timed;
-
-/// What a trade study changes from run to run.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ladder {
-    /// Time steps of the stepping methods \[s\], falling; each a whole part of every scene's duration.
-    pub time_steps_s: Vec<f64>,
-    /// Tolerances of the exact method \[–\], falling; the last one is the reference.
-    pub tolerances: Vec<f64>,
-}
 
 /// The runs of a trade study and what they are measured by.
 #[derive(Debug)]
@@ -65,7 +53,7 @@ impl Trade {
     pub(crate) fn n_runs(scenes: &[crate::Scene], ladder: &Ladder) -> usize {
         scenes
             .iter()
-            .map(|scene| measure::entries(scene, ladder).count())
+            .map(|scene| entries(scene, ladder).count())
             .sum()
     }
 

@@ -1,9 +1,10 @@
 //! Which method is cheapest for an error.
 
-use super::contenders::CONTENDERS;
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::Quantity;
 use super::table::{agreed, setting};
+use crate::contenders::CONTENDERS;
+use crate::ladder::holding;
 use crate::tables::to_csv;
 
 /// Errors asked for \[–\], with their names in per cent.
@@ -20,9 +21,10 @@ pub(super) fn cheapest(
     entrant: &Entrant,
     holds: impl Fn(&Measured) -> bool,
 ) -> Option<(&Rung, u64)> {
-    let holds = |rung: &&Rung| rung.outcome.as_ref().is_ok_and(&holds);
-    let holding = entrant.rungs.iter().rev().take_while(holds);
-    holding
+    let holds = |rung: &Rung| rung.outcome.as_ref().is_ok_and(&holds);
+    // Of equal costs the finest.
+    let rungs = holding(&entrant.rungs, holds).iter().rev();
+    rungs
         .filter_map(|rung| Some((rung, rung.outcome.as_ref().ok()?.cost())))
         .min_by_key(|(_, cost)| *cost)
 }

@@ -1,7 +1,9 @@
 //! What is compared: six quantities and a count.
 
-use pounding_solver::{Collision, Collisions, Ledger, Peaks, TransferredMomentum};
+use pounding_solver::Collision;
 
+use crate::comparison::relative;
+use crate::prepared::Recorders;
 use crate::second_route::Response;
 
 /// A quantity in which methods are compared.
@@ -86,12 +88,12 @@ struct Moved {
     shear: f64,
 }
 
-/// What a run must record.
-pub(crate) type Recorded<'a> = (Peaks, Collisions, TransferredMomentum, Ledger<'a>);
-
 impl Quantities {
     /// The quantities of a run of so many structures.
-    pub(crate) fn of((peaks, collisions, momentum, _): &Recorded<'_>, n_structures: usize) -> Self {
+    pub(crate) fn of<L>(
+        (peaks, collisions, momentum, _): &Recorders<L>,
+        n_structures: usize,
+    ) -> Self {
         let met = |collision: &Collision| Met {
             start: collision.start,
             impulse: collision.impulse,
@@ -164,15 +166,5 @@ impl Quantities {
         let pairs = found.iter().zip(wanted);
         let distances = pairs.map(|(found, wanted)| relative(*found, *wanted));
         distances.reduce(f64::max)
-    }
-}
-
-/// Relative distance of a value from the true one \[–\]; infinite where only the true one is zero.
-pub(super) fn relative(found: f64, wanted: f64) -> f64 {
-    let difference = (found - wanted).abs();
-    if difference == 0.0 {
-        0.0
-    } else {
-        difference / wanted.abs()
     }
 }

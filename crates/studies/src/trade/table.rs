@@ -1,9 +1,9 @@
 //! The runs and the references as CSV.
 
 use super::condition::Known;
-use super::contenders::{Contender, Knob};
 use super::measure::{Race, Rung};
 use super::quantities::Quantity;
+use crate::contenders::{Contender, Knob};
 use crate::digits;
 use crate::tables::to_csv;
 

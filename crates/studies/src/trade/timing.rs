@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
-use pounding_solver::{Collisions, Peaks, RunError, TransferredMomentum, Work};
+use pounding_solver::{RunError, Work};
 
 use super::Trade;
-use super::contenders::{REFERENCE, RIVAL};
 use super::measure::{Entrant, Measured, Run, Rung};
 use super::pareto::cheapest;
 use super::quantities::Quantity;
 use super::table::setting;
 use super::verdict::{EXACT, STEPPING};
+use crate::contenders::{REFERENCE, RIVAL};
 use crate::{Completed, Scene, StudyError, StudyFile};
 
 /// A run to be timed: that of a method which is just accurate enough, or its finest.
@@ -30,22 +30,18 @@ pub struct Timed<'a> {
     pub work: u64,
     /// Whether others are compared with it: the convergent central difference method.
     pub is_base: bool,
+    /// Whether it is the exact method.
+    pub is_exact: bool,
     run: Run<'a>,
 }
 
 impl Timed<'_> {
-    /// Runs the method with the recorders of an ordinary run.
+    /// Runs the method and records what is printed of a run, without the ledger.
     ///
     /// # Errors
     /// [`RunError`] when the run ends early.
     pub fn run(&self) -> Result<Work, RunError> {
-        let n = self.run.scene.structures.len();
-        let mut recorder = (
-            Peaks::new(n),
-            Collisions::new(n, self.run.prepared.pairs()),
-            TransferredMomentum::new(n),
-        );
-        self.run.run(&mut recorder)
+        self.run.run(&mut self.run.prepared.recorders(()))
     }
 }
 
@@ -88,6 +84,7 @@ impl Trade {
                     holds,
                     work: measured.cost(),
                     is_base: entrant.contender.key == RIVAL,
+                    is_exact: entrant.contender.key == REFERENCE,
                     run: Run {
                         scene,
                         prepared,

@@ -1,10 +1,10 @@
 //! Whether the exact method is the cheaper one: its error of 1e-6 against 1 % of the central difference method.
 
-use super::contenders::{REFERENCE, RIVAL};
 use super::measure::Race;
 use super::pareto::cheapest;
 use super::quantities::Quantity;
 use super::table::setting;
+use crate::contenders::{REFERENCE, RIVAL};
 use crate::tables::to_csv;
 
 /// Error asked of the exact method \[–\].

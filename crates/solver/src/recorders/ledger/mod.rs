@@ -34,7 +34,19 @@ pub struct Ledger<'a> {
     /// The impacts since some pair was last hit that has not come apart yet.
     meeting: Option<Meeting>,
     largest: Largest,
+    laws: Laws,
     violation: Option<LedgerError>,
+}
+
+/// The laws of mechanics that a run is held to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Laws {
+    /// All of them.
+    #[default]
+    All,
+    /// All but one: impacts may create energy, as those of the paper's rule do
+    /// ([`ImpactRule::AsPublished`](crate::ImpactRule::AsPublished)).
+    ImpactsMayCreateEnergy,
 }
 
 /// One collision of impulsive pairs: all impacts until every pair hit has come apart.
@@ -80,8 +92,15 @@ impl<'a> Ledger<'a> {
             pairs_of,
             meeting: None,
             largest: Largest::default(),
+            laws: Laws::All,
             violation: None,
         }
+    }
+
+    /// The same with other laws for its [verdict](Self::verdict); all of them if this is not called.
+    #[must_use]
+    pub fn held_to(self, laws: Laws) -> Self {
+        Self { laws, ..self }
     }
 
     /// Terms of one structure at the end of its last span, counted from the left; all 0 for a wall.
@@ -150,7 +169,7 @@ impl<'a> Ledger<'a> {
             return Err(violation);
         }
         if let Some(meeting) = &self.meeting {
-            meeting.judge()?;
+            meeting.judge(self.laws)?;
         }
         for (pair, contact) in self.contacts.iter().enumerate() {
             contact.gives(pair, NEGLIGIBLE * self.largest.scale)?;
@@ -207,8 +226,8 @@ impl Meeting {
     ///
     /// One of its impacts may: a stepping method can hit a pair again that overlaps still, and of several pairs hit
     /// together one can get what another gives.
-    fn judge(&self) -> Result<(), LedgerError> {
-        if self.loss >= -self.allowed {
+    fn judge(&self, laws: Laws) -> Result<(), LedgerError> {
+        if self.loss >= -self.allowed || laws == Laws::ImpactsMayCreateEnergy {
             return Ok(());
         }
         Err(LedgerError::GainAtImpact {
@@ -253,7 +272,7 @@ impl Recorder for Ledger<'_> {
         }
         if self.meeting.is_some() && !self.contacts.iter().any(Contact::meets) {
             let ended = self.meeting.take();
-            self.judge(ended.map_or(Ok(()), |meeting| meeting.judge()));
+            self.judge(ended.map_or(Ok(()), |meeting| meeting.judge(self.laws)));
         }
         self.measure();
     }

@@ -19,7 +19,7 @@ fn exponents(log: bool) -> Drawing {
     let points = (2..=8).map(|n| (value(n), value(1 - 2 * n))).collect();
     let panel = Panel {
         y: axis(-12, 0),
-        curves: vec![Curve::distinct(6, points)],
+        curves: vec![Curve::new(Kind::Dashed, Shade::Vermilion, points).marked(Mark::HollowSquare)],
         ..Panel::default()
     };
     let figure = Figure {
@@ -90,17 +90,6 @@ fn extreme_values_without_a_logarithm_are_refused() {
     }
 }
 
-#[test]
-fn limit_distinct_curves_differ_in_pairs() {
-    let curves: Vec<Curve> = (0..10).map(|n| Curve::distinct(n, vec![])).collect();
-    for (n, one) in curves.iter().enumerate() {
-        for other in &curves[..n] {
-            assert_ne!(one.mark, other.mark);
-            assert_ne!((one.shade, one.kind), (other.shade, other.kind));
-        }
-    }
-}
-
 /// Returns the texts of a figure with their places.
 fn texts(figure: &Figure) -> Vec<(String, Point)> {
     let shapes = figure.drawing().unwrap().into_owned().shapes;
@@ -120,8 +109,7 @@ fn limit_a_shared_legend_explains_a_label_once() {
         y: Axis::over("Error", 0.0, 1.0),
         curves: labels
             .iter()
-            .zip(0..)
-            .map(|(label, n)| Curve::distinct(n, wave(5)).named(*label))
+            .map(|label| Curve::new(Kind::Line, Shade::Blue, wave(5)).named(*label))
             .collect(),
         legend: Legend::Shared,
         ..Panel::default()

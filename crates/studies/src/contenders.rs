@@ -1,14 +1,11 @@
-//! The methods that compete: to add one is a line.
+//! The methods that compete, in the trade and for advice: to add one is a line.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{
-    CentralDifference, Exact, Hht, ImpactRule, Integrator, MoreauJean, Newmark, Rk4, Start, Verlet,
-    VerletImpacts,
-};
+use pounding_solver::{ImpactRule, Newmark, SimultaneousImpacts, Start, VerletImpacts};
 
-use crate::Scene;
 use crate::figures::is_impulsive;
 use crate::plot::{Kind, Mark, Shade};
+use crate::{Method, Scene};
 
 /// A method with all its settings but one: its time step or its tolerance.
 #[derive(Debug, Clone, Copy)]
@@ -23,8 +20,8 @@ pub(crate) struct Contender {
     pub(crate) knob: Knob,
     /// Where it differs from another contender.
     pub(crate) differs: Differs,
-    /// The method at a tolerance; that at a time step does not depend on it, its clock does.
-    pub(crate) integrator: fn(f64) -> Integrator,
+    /// The method at a time step \[s\] or tolerance \[–\].
+    pub(crate) method: fn(f64) -> Method,
 }
 
 /// What the ladder of a method changes.
@@ -59,7 +56,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Blue, Kind::Line, Mark::Disc)),
         knob: Knob::TimeStep,
         differs: Differs::InImpacts,
-        integrator: |_| central_difference(ImpactRule::AsPublished, 1),
+        method: |step| central_difference(step, ImpactRule::AsPublished, 1),
     },
     Contender {
         key: RIVAL,
@@ -67,7 +64,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Blue, Kind::Dashed, Mark::Ring)),
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| central_difference(ImpactRule::VelocityJump, 1),
+        method: |step| central_difference(step, ImpactRule::VelocityJump, 1),
     },
     Contender {
         key: "central_difference_10_contact_substeps",
@@ -75,7 +72,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Amber, Kind::Line, Mark::Diamond)),
         knob: Knob::TimeStep,
         differs: Differs::InContact,
-        integrator: |_| central_difference(ImpactRule::VelocityJump, 10),
+        method: |step| central_difference(step, ImpactRule::VelocityJump, 10),
     },
     Contender {
         key: "velocity_verlet",
@@ -83,7 +80,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Green, Kind::Line, Mark::Diamond)),
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| verlet(VerletImpacts::VelocityJump),
+        method: |step| verlet(step, VerletImpacts::VelocityJump),
     },
     Contender {
         key: "velocity_verlet_located",
@@ -91,7 +88,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Green, Kind::Dashed, Mark::HollowDiamond)),
         knob: Knob::TimeStep,
         differs: Differs::InImpacts,
-        integrator: |_| verlet(VerletImpacts::Located),
+        method: |step| verlet(step, VerletImpacts::Located),
     },
     Contender {
         key: "newmark_average_acceleration",
@@ -99,7 +96,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Vermilion, Kind::Line, Mark::Square)),
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| Integrator::Newmark(Newmark::AVERAGE_ACCELERATION),
+        method: |step| newmark(step, Newmark::AVERAGE_ACCELERATION),
     },
     Contender {
         key: "newmark_linear_acceleration",
@@ -107,7 +104,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: None,
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| Integrator::Newmark(Newmark::LINEAR_ACCELERATION),
+        method: |step| newmark(step, Newmark::LINEAR_ACCELERATION),
     },
     Contender {
         key: "hht",
@@ -115,7 +112,10 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: None,
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| Integrator::Hht(Hht { alpha: -0.1 }),
+        method: |time_step_s| Method::Hht {
+            time_step_s,
+            alpha: -0.1,
+        },
     },
     Contender {
         key: "moreau_jean",
@@ -123,7 +123,10 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Grey, Kind::Line, Mark::Cross)),
         knob: Knob::TimeStep,
         differs: Differs::InImpacts,
-        integrator: |_| Integrator::MoreauJean(MoreauJean { theta: 0.5 }),
+        method: |time_step_s| Method::MoreauJean {
+            time_step_s,
+            theta: 0.5,
+        },
     },
     Contender {
         key: "rk4",
@@ -131,7 +134,7 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Rose, Kind::Line, Mark::Inverted)),
         knob: Knob::TimeStep,
         differs: Differs::Everywhere,
-        integrator: |_| Integrator::Rk4(Rk4),
+        method: |time_step_s| Method::Rk4 { time_step_s },
     },
     Contender {
         key: REFERENCE,
@@ -139,27 +142,35 @@ pub(crate) const CONTENDERS: &[Contender] = &[
         line: Some((Shade::Ink, Kind::Line, Mark::Triangle)),
         knob: Knob::Tolerance,
         differs: Differs::Everywhere,
-        integrator: exact,
+        method: |tolerance| Method::Exact {
+            tolerance,
+            simultaneous_impacts: SimultaneousImpacts::Together,
+        },
     },
 ];
 
-fn central_difference(impacts: ImpactRule, contact_substeps: u32) -> Integrator {
-    Integrator::CentralDifference(CentralDifference {
+fn central_difference(time_step_s: f64, impacts: ImpactRule, contact_substeps: u32) -> Method {
+    Method::CentralDifference {
+        time_step_s,
         start: Start::Consistent,
         impacts,
         contact_substeps,
-    })
+    }
 }
 
-fn verlet(impacts: VerletImpacts) -> Integrator {
-    Integrator::Verlet(Verlet { impacts })
+fn verlet(time_step_s: f64, impacts: VerletImpacts) -> Method {
+    Method::VelocityVerlet {
+        time_step_s,
+        impacts,
+    }
 }
 
-fn exact(tolerance: f64) -> Integrator {
-    Integrator::Exact(Exact {
-        tolerance,
-        ..Exact::default()
-    })
+fn newmark(time_step_s: f64, Newmark { beta, gamma }: Newmark) -> Method {
+    Method::Newmark {
+        time_step_s,
+        beta,
+        gamma,
+    }
 }
 
 impl Contender {
@@ -180,4 +191,19 @@ pub(crate) fn is_compliant(scene: &Scene) -> bool {
         ContactLaw::NonlinearViscoelastic(_) => true,
         ContactLaw::Stereomechanical(_) => false,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_lines_of_methods_can_be_told_apart() {
+        let lines: Vec<_> = CONTENDERS.iter().filter_map(|one| one.line).collect();
+        for (n, (shade, kind, _)) in lines.iter().enumerate() {
+            for other in &lines[..n] {
+                assert_ne!((*shade, *kind), (other.0, other.1));
+            }
+        }
+    }
 }

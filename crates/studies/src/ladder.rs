@@ -1,0 +1,77 @@
+//! The settings on which methods are tried, what a run on them costs, and what "from there on" means.
+
+use pounding_solver::{Exact, Work};
+use serde::{Deserialize, Serialize};
+
+use crate::Scene;
+use crate::contenders::{CONTENDERS, Contender, Knob, is_compliant};
+
+/// Time steps and tolerances, each falling.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ladder {
+    /// Time steps of the stepping methods \[s\], falling; each a whole part of every scene's duration.
+    pub time_steps_s: Vec<f64>,
+    /// Tolerances of the exact method \[–\], falling; the last one is the reference.
+    pub tolerances: Vec<f64>,
+}
+
+impl Ladder {
+    /// Steps for a scene, halved from the longest one \[s\] while a run has no more than so many steps of structures;
+    /// the exact method at its finest.
+    pub(crate) fn halved(scene: &Scene, longest: f64, most: f64) -> Self {
+        let duration = scene.duration_s;
+        // The longest, or the next shorter step of which the duration is a whole number.
+        let first = (duration / longest - 1e-6).ceil().max(1.0);
+        let per_run = scene.structures.len() as f64;
+        let numbers = std::iter::successors(Some(first), |n_steps| Some(2.0 * n_steps));
+        let numbers = numbers.take_while(|n_steps| n_steps * per_run <= most);
+        Self {
+            time_steps_s: numbers.map(|n_steps| duration / n_steps).collect(),
+            tolerances: vec![Exact::default().tolerance],
+        }
+    }
+}
+
+/// The methods on a scene, each with its settings.
+pub(crate) fn entries<'a>(
+    scene: &'a Scene,
+    ladder: &'a Ladder,
+) -> impl Iterator<Item = (&'static Contender, f64)> + 'a {
+    let entering = CONTENDERS
+        .iter()
+        .filter(|contender| contender.enters(scene));
+    entering.flat_map(|contender| {
+        let settings = match contender.knob {
+            Knob::TimeStep => &ladder.time_steps_s[..],
+            Knob::Tolerance if is_compliant(scene) => &ladder.tolerances[..],
+            Knob::Tolerance => &ladder.tolerances[ladder.tolerances.len() - 1..],
+        };
+        settings.iter().map(move |setting| (contender, *setting))
+    })
+}
+
+/// The work that methods are compared by: force evaluations and pieces of motion of a structure.
+pub(crate) fn cost(work: Work) -> u64 {
+    work.force_evaluations + work.segments
+}
+
+/// Of rungs from the coarsest to the finest those that hold what is asked, here and at every finer one.
+pub(crate) fn holding<Rung>(rungs: &[Rung], holds: impl Fn(&Rung) -> bool) -> &[Rung] {
+    let missed = rungs.iter().rposition(|rung| !holds(rung));
+    &rungs[missed.map_or(0, |index| index + 1)..]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_a_rung_holds_only_if_all_finer_ones_do() {
+        let holding = |errors| holding(errors, |error: &f64| *error <= 1.0).to_vec();
+        assert_eq!(holding(&[0.5, 2.0, 1.0, 0.1]), [1.0, 0.1], "0.5 was luck");
+        assert_eq!(holding(&[1.0, 0.5]), [1.0, 0.5]);
+        assert_eq!(holding(&[0.5, 2.0]), [0.0; 0]);
+        assert_eq!(holding(&[]), [0.0; 0]);
+    }
+}

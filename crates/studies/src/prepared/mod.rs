@@ -1,0 +1,179 @@
+//! From a checked scene to the leanest model, and its run.
+
+mod model;
+mod run;
+
+use std::path::Path;
+
+use pounding_motion::{Record, RecordError};
+use pounding_solver::{Clock, Integrator};
+
+use crate::advice::{Advice, Goal, advise};
+use crate::{Method, Quantity, RecordUse, Scene, SceneError, Structure, StudyError, check};
+use model::Model;
+pub use run::Outcome;
+pub(crate) use run::Recorders;
+
+/// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    /// The scene; where it asks for an accuracy, with the method found for it.
+    scene: Scene,
+    /// How that method was found.
+    advice: Option<Advice>,
+    model: Model,
+    record: Record,
+    clock: Clock,
+    integrator: Integrator,
+}
+
+impl Prepared {
+    /// Checks a scene and reads its record; `base` is the folder of the file that holds the scene.
+    ///
+    /// A scene that asks for an accuracy is run with every method ([`advise`]), which takes a second or so.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the record cannot be read or a value of the scene cannot be modelled; of a scene that asks
+    /// for an accuracy, also when its exact run fails.
+    pub fn new(scene: &Scene, base: &Path) -> Result<Self, StudyError> {
+        Self::watched(scene, base, &|_| ())
+    }
+
+    /// The same; where a method has to be found, `done` is called as by [`advise`].
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn watched(
+        scene: &Scene,
+        base: &Path,
+        done: &(impl Fn(usize) + Sync),
+    ) -> Result<Self, StudyError> {
+        let in_scene = |source| StudyError::Scene {
+            scene: scene.name.clone(),
+            source,
+        };
+        check::scene(scene).map_err(in_scene)?;
+        let record = load(&scene.record, base, in_scene)?;
+        let model =
+            Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
+        let quantity = Quantity::All;
+        let (goal, method) = if let Method::Accuracy(error) = scene.method {
+            (Some(Goal { error, quantity }), Method::EXACT)
+        } else {
+            (None, scene.method)
+        };
+        let mut prepared = Self {
+            scene: scene.clone(),
+            advice: None,
+            model,
+            record,
+            clock: method.clock(scene.duration_s),
+            integrator: method.integrator(),
+        };
+        prepared.scene.method = method;
+        if let Some(goal) = goal {
+            let advice = advise(&prepared, goal, done)?;
+            prepared = prepared.with_method(advice.best().method)?;
+            prepared.advice = Some(advice);
+        }
+        Ok(prepared)
+    }
+
+    /// The same structures under the same record, with another method.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the method does not fit the scene, such as a time step beyond its stability limit.
+    pub(crate) fn with_method(&self, other: Method) -> Result<Self, StudyError> {
+        let mut scene = self.scene.clone();
+        scene.method = other;
+        check::check_method(&scene).map_err(|source| StudyError::Scene {
+            scene: scene.name.clone(),
+            source,
+        })?;
+        Ok(Self {
+            clock: other.clock(scene.duration_s),
+            integrator: other.integrator(),
+            scene,
+            advice: None,
+            model: self.model.clone(),
+            record: self.record.clone(),
+        })
+    }
+
+    /// The exact twin: the same structures under the same record, integrated by the exact method.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the duration is out of range.
+    pub fn exact(&self) -> Result<Self, StudyError> {
+        self.with_method(Method::EXACT)
+    }
+
+    /// The scene; where it asks for an accuracy, with the method found for it.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// How the method was found, where the scene asks for an accuracy.
+    pub fn advice(&self) -> Option<&Advice> {
+        self.advice.as_ref()
+    }
+
+    /// The method that runs.
+    pub(crate) fn method(&self) -> Method {
+        self.scene.method
+    }
+
+    /// Of every structure, from the left, whether it is a wall.
+    pub fn walls(&self) -> Vec<bool> {
+        let structures = self.scene.structures.iter();
+        structures
+            .map(|structure| matches!(structure, Structure::Wall))
+            .collect()
+    }
+
+    /// The record as the scene uses it: in m/s², scaled, reversed.
+    pub fn record(&self) -> &Record {
+        &self.record
+    }
+
+    /// The same scene under a record that `change` makes of its own.
+    ///
+    /// # Errors
+    /// [`StudyError::Scene`] when `change` refuses.
+    pub(crate) fn under(
+        &self,
+        change: impl FnOnce(&Record) -> Result<Record, RecordError>,
+    ) -> Result<Self, StudyError> {
+        let record = change(&self.record).map_err(|error| StudyError::Scene {
+            scene: self.scene.name.clone(),
+            source: error.into(),
+        })?;
+        Ok(Self {
+            record,
+            ..self.clone()
+        })
+    }
+}
+
+fn load(
+    record: &RecordUse,
+    base: &Path,
+    in_scene: impl Fn(SceneError) -> StudyError,
+) -> Result<Record, StudyError> {
+    let path = base.join(&record.file);
+    let text = match std::fs::read(&path) {
+        Ok(text) => text,
+        Err(source) => return Err(StudyError::NoRecord { path, source }),
+    };
+    let file =
+        pounding_motion::read(&text).map_err(|source| StudyError::Record { path, source })?;
+    let used = file
+        .into_record(record.gravity_m_per_s2)
+        .and_then(|read| read.scaled(record.scale))
+        .map_err(|error| in_scene(error.into()))?;
+    Ok(if record.reversed {
+        used.reversed()
+    } else {
+        used
+    })
+}
