@@ -19,7 +19,7 @@
 use crate::error::require;
 use crate::impacts::impulsive;
 use crate::newmark::{Scratch, balance, begin, commit};
-use crate::newton::Slopes;
+use crate::newton::{self, Slopes};
 use crate::span::Load;
 use crate::together::Together;
 use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
@@ -31,9 +31,9 @@ pub struct MoreauJean {
     pub theta: f64,
 }
 
-/// Change of an impulse, relative to what the pair has to lose, below which it is accepted.
+/// What a pair may lack of its law, relative to its velocities before and after.
 const TOLERANCE: f64 = 1e-12;
-/// What rounding leaves of a relative velocity, relative to the velocities.
+/// What rounding leaves of a velocity, relative to what it is a sum of.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Solutions after which a step is given up.
 const MAX_ITERATIONS: u32 = 50;
@@ -57,6 +57,8 @@ struct Contacts {
     mobilities: Vec<f64>,
     /// Relative velocity at which each pair is to separate at least \[m/s\].
     bounce: Vec<f64>,
+    /// Pairs that do not yet meet the law of impact.
+    lacking: Vec<bool>,
     /// Relative velocity each pair has to lose \[m/s\].
     demand: Vec<f64>,
     together: Together,
@@ -120,6 +122,7 @@ impl Contacts {
             net: vec![0.0; n_structures],
             mobilities: vec![0.0; n_structures],
             bounce: vec![0.0; n_pairs],
+            lacking: vec![false; n_pairs],
             demand: vec![0.0; n_pairs],
             together: Together::new(n_pairs),
         }
@@ -155,7 +158,7 @@ impl Contacts {
             if iterations == 0 {
                 self.approach(row, scratch);
             }
-            if !self.correct(row, scratch) {
+            if !self.correct(row, scratch, slopes) {
                 return Ok(());
             }
         }
@@ -202,18 +205,22 @@ impl Contacts {
         }
     }
 
-    /// Changes the impulses by what the last solution still lacks; true when one changed.
+    /// Finds the impulses anew where the last ones do not meet the law of impact; true when there was such a pair.
     fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
+        slopes: Slopes,
     ) -> bool {
-        if !self.closed.contains(&true) {
-            return false;
+        let trials = &scratch.trials;
+        newton::mobilities(row.nodes(), trials, &mut self.mobilities);
+        let mut lacks = false;
+        for (index, pair) in row.pairs().iter().enumerate() {
+            self.lacking[index] = self.closed[index] && self.lacks(index, pair, scratch, slopes);
+            lacks |= self.lacking[index];
         }
-        let Scratch { states, trials, .. } = scratch;
-        for ((mobility, node), trial) in self.mobilities.iter_mut().zip(row.nodes()).zip(trials) {
-            *mobility = node.inverse_mass / trial.diagonal;
+        if !lacks {
+            return false;
         }
         let taken = |index: usize| self.mobilities[index] * self.net[index];
         for (index, pair) in row.pairs().iter().enumerate() {
@@ -225,21 +232,53 @@ impl Contacts {
                 f64::NEG_INFINITY
             };
         }
-        let found = self
-            .together
-            .solve(row.pairs(), &self.mobilities, &self.demand);
-        let mut changed = false;
-        for (index, pair) in row.pairs().iter().enumerate() {
-            let mobility = self.mobilities[pair.left] + self.mobilities[pair.right];
-            let change = mobility * (found[index] - self.impulses[index]);
-            let [left, right] = [pair.left, pair.right].map(|node| states[node].velocity.abs());
-            let allowed = TOLERANCE * self.demand[index].abs() + ROUNDING * (left + right);
-            if self.closed[index] && change.abs() > allowed {
-                self.impulses[index] = found[index];
-                changed = true;
+        self.replace(row.pairs());
+        true
+    }
+
+    /// Whether a closed pair does not meet 0 ≤ v⁺ + e v ⟂ P ≥ 0, beyond what balance and rounding leave open.
+    ///
+    /// Judged by velocities, not by the change of impulses: on a light structure between heavy ones rounding of the
+    /// heavy velocities moves both impulses far, and together, for ever.
+    fn lacks<Memory: Copy + Default>(
+        &self,
+        index: usize,
+        pair: &Pair,
+        scratch: &Scratch<Memory>,
+        slopes: Slopes,
+    ) -> bool {
+        let Scratch { states, trials, .. } = scratch;
+        let impulse = self.impulses[index];
+        let [left, right] = [pair.left, pair.right].map(|node| {
+            let (trial, mobility) = (&trials[node], self.mobilities[node]);
+            let pushed = mobility * (self.net[node].abs() + impulse);
+            let terms = states[node].velocity.abs() + trial.velocity.abs() + pushed;
+            slopes.velocity * trial.uncertain_acceleration() + ROUNDING * terms
+        });
+        let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+        let lacking = rate + self.bounce[index];
+        let allowed = TOLERANCE * (rate.abs() + self.bounce[index]) + (left + right);
+        lacking > allowed || (impulse > 0.0 && lacking < -allowed)
+    }
+
+    /// Solves for the impulses of neighbouring closed pairs one of which lacks something; others keep every bit.
+    fn replace(&mut self, pairs: &[Pair]) {
+        let found = self.together.solve(pairs, &self.mobilities, &self.demand);
+        let mut first = 0;
+        while first < pairs.len() {
+            let mut end = first + 1;
+            while end < pairs.len()
+                && self.closed[first]
+                && self.closed[end]
+                && pairs[end].left == pairs[end - 1].right
+            {
+                end += 1;
             }
+            if self.lacking[first..end].contains(&true) {
+                self.impulses[first..end].copy_from_slice(&found[first..end]);
+            }
+            first = end;
         }
-        changed
     }
 
     /// Takes the impulses out of the velocities again: they are added when the spans have been reported.

@@ -98,6 +98,15 @@ impl<Memory> Trial<Memory> {
         }
     }
 
+    /// What equilibrium, once found, leaves open of the acceleration \[m/s²\].
+    pub(crate) fn uncertain_acceleration(&self) -> f64 {
+        self.allowed_residual() / self.diagonal
+    }
+
+    fn allowed_residual(&self) -> f64 {
+        TOLERANCE * self.scale + self.rounding
+    }
+
     /// Adds a pounding force (its magnitude) to the tangent and the bounds of a structure's equation.
     fn push(&mut self, inverse_mass: f64, force: f64, (tangent, rounding): (f64, f64)) {
         self.scale += inverse_mass * force;
@@ -189,7 +198,7 @@ fn not_finite<Memory>(trials: &[Trial<Memory>], (first, last): (usize, usize)) -
 }
 
 fn is_balanced<Memory>(trial: &Trial<Memory>) -> bool {
-    trial.residual.abs() <= TOLERANCE * trial.scale + trial.rounding
+    trial.residual.abs() <= trial.allowed_residual()
 }
 
 fn relative_residual<Memory>(trial: &Trial<Memory>) -> f64 {
@@ -297,6 +306,32 @@ fn couple<Column: RestoringForce>(
         right.force_from_left = contact.force;
         right.lower = -node(pair.right) * tangent;
         right.push(node(pair.right), contact.force, (tangent, rounding));
+    }
+}
+
+/// Velocity that a unit impulse gives to each structure in a step, its forces at the end of the step included \[1/kg\]:
+/// what it does to its neighbours across compliant pairs comes back to it.
+pub(crate) fn mobilities<Column: RestoringForce>(
+    nodes: &[Node<Column>],
+    trials: &[Trial<Column::Memory>],
+    mobilities: &mut [f64],
+) {
+    // The diagonal of the inverse of a tridiagonal matrix: what elimination from the left takes off, then from the right.
+    let mut taken = 0.0;
+    for (index, (mobility, trial)) in mobilities.iter_mut().zip(trials).enumerate() {
+        *mobility = taken;
+        if let Some(next) = trials.get(index + 1) {
+            taken = trial.upper * next.lower / (trial.diagonal - taken);
+        }
+    }
+    taken = 0.0;
+    for index in (0..nodes.len()).rev() {
+        let trial = &trials[index];
+        mobilities[index] =
+            nodes[index].inverse_mass / (trial.diagonal - mobilities[index] - taken);
+        if let Some(before) = index.checked_sub(1) {
+            taken = trials[before].upper * trial.lower / (trial.diagonal - taken);
+        }
     }
 }
 

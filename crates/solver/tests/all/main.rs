@@ -12,5 +12,7 @@ mod ledger_energies;
 mod ledger_faults;
 mod limit;
 mod momentum;
+mod moreau_jean;
 mod order;
+mod random_rows;
 mod refusals;

@@ -1,0 +1,112 @@
+//! Random rows under random records, and what a property test asks of them.
+
+use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_solver::{ElastoPlastic, Node, Pair, Row};
+use proptest::prelude::*;
+
+/// A row under a record.
+#[derive(Debug, Clone)]
+pub(crate) struct Case {
+    /// Mass \[kg\], period \[s\], damping ratio, yield displacement \[m\].
+    pub(crate) structures: Vec<[f64; 4]>,
+    /// Gap \[m\] and law of every pair.
+    pub(crate) contacts: Vec<(f64, ContactLaw)>,
+    /// Samples every 0.01 s \[m/s²\].
+    pub(crate) ground: Vec<f64>,
+}
+
+/// Factors on the units of length, mass and time.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Units {
+    pub(crate) length: f64,
+    pub(crate) mass: f64,
+    pub(crate) time: f64,
+}
+
+pub(crate) const SI: Units = Units {
+    length: 1.0,
+    mass: 1.0,
+    time: 1.0,
+};
+
+impl Case {
+    pub(crate) fn row(&self, units: Units) -> Row<ElastoPlastic> {
+        let node = |&[mass, period, ratio, yields]: &[f64; 4]| {
+            let omega = 2.0 * std::f64::consts::PI / (period * units.time);
+            let mass = mass * units.mass;
+            let stiffness = mass * omega * omega;
+            let column = ElastoPlastic {
+                stiffness,
+                yield_force: stiffness * yields * units.length,
+            };
+            Node::structure(mass, 2.0 * ratio * omega * mass, column)
+        };
+        let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| Pair {
+            left,
+            right: left + 1,
+            gap: gap * units.length,
+            law,
+        };
+        Row::new(
+            self.structures.iter().map(node).collect(),
+            self.contacts.iter().enumerate().map(pair).collect(),
+        )
+        .expect("the row is valid")
+    }
+}
+
+fn power_of_ten(exponents: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    exponents.prop_map(|exponent| libm::pow(10.0, exponent))
+}
+
+/// At e = 1 neighbours that press against each other would bounce for ever.
+pub(crate) fn stereomechanical() -> BoxedStrategy<ContactLaw> {
+    prop_oneof![Just(0.0), 0.0..0.95_f64]
+        .prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }))
+        .boxed()
+}
+
+pub(crate) fn any_law() -> BoxedStrategy<ContactLaw> {
+    let viscoelastic = (power_of_ten(7.0..11.0), 0.0..1.5_f64).prop_map(
+        |(impact_stiffness, impact_damping_ratio)| {
+            ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+                impact_stiffness,
+                impact_damping_ratio,
+            })
+        },
+    );
+    prop_oneof![stereomechanical(), viscoelastic].boxed()
+}
+
+/// Rows of 1 to 6 structures with mass ratios up to 1e6 and gaps of 0 to 1 m.
+pub(crate) fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> {
+    let structure = || {
+        let yields = prop_oneof![Just(f64::INFINITY), power_of_ten(-4.0..-1.0)];
+        let ratio = prop_oneof![Just(0.0), 0.0..1.2_f64];
+        (
+            power_of_ten(2.0..8.0),
+            power_of_ten(-1.3..0.5),
+            ratio,
+            yields,
+        )
+            .prop_map(|(mass, period, ratio, yields)| [mass, period, ratio, yields])
+    };
+    let gap = || {
+        prop_oneof![
+            Just(0.0),
+            power_of_ten(-8.0..-3.0),
+            0.0..0.1_f64,
+            0.0..1.0_f64
+        ]
+    };
+    (1..=6_usize).prop_flat_map(move |n| {
+        let structures = prop::collection::vec(structure(), n);
+        let contacts = prop::collection::vec((gap(), law()), n - 1);
+        let ground = prop::collection::vec(-8.0..8.0_f64, 2..60);
+        (structures, contacts, ground).prop_map(|(structures, contacts, ground)| Case {
+            structures,
+            contacts,
+            ground,
+        })
+    })
+}
