@@ -106,10 +106,29 @@ pub enum RunError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
+    /// An impulsive pair that bounces without coming to rest: with e = 1 neighbours that press against each other do so
+    /// for ever, ever the same bounce, however small.
+    #[error(
+        "structures {left} and {right} at t = {time} s: they bounce without coming to rest (after {impacts} impacts, \
+         e = {restitution}); with e = 1 neighbours that press against each other never do: use a coefficient of \
+         restitution of 0.999 or less, a compliant law or a stepping method"
+    )]
+    BouncesWithoutEnd {
+        /// Index of the left structure.
+        left: usize,
+        /// Index of the right structure.
+        right: usize,
+        /// Instant of the last impact \[s\].
+        time: f64,
+        /// Impacts of the pair since it last was at rest.
+        impacts: u32,
+        /// Its coefficient of restitution \[–\].
+        restitution: f64,
+    },
     /// Too many events.
     #[error(
-        "t = {time} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \
-         and 10 million in a run: use a coefficient of restitution below 1, a compliant law or a stepping method"
+        "t = {time} s: events follow each other without end (after {events} events); allowed are 10000 at one instant \
+         and 10 million in a run: use a compliant law, a stepping method or a shorter run"
     )]
     NoProgress {
         /// The instant \[s\].

@@ -62,7 +62,7 @@ pub use hht::Hht;
 pub use integrator::Integrator;
 pub use moreau_jean::MoreauJean;
 pub use newmark::Newmark;
-pub use recorder::{Impact, Recorder, Velocities};
+pub use recorder::{Impact, Recorder, Touch, Velocities};
 pub use recorders::{
     Collision, Collisions, Histories, History, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks,
     StructurePeaks, Terms, TransferredMomentum,

@@ -28,6 +28,42 @@ pub struct Impact {
     pub after: Velocities,
 }
 
+/// A gap that closes, of a method that finds the instant; stepping methods report none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Index of the pair in its row.
+    pub pair: usize,
+    /// Instant \[s\].
+    pub time: f64,
+    /// Half the width of the interval in which rounding leaves the instant \[s\], ≥ 0; infinite where a pair that moves
+    /// alike touches.
+    ///
+    /// With s = 8ε (|u| of both structures + gap, each the largest so far), approach rate v ≥ 0, relative acceleration a
+    /// and ε = 2⁻⁵²: min(2s / (v + √max(v² − 2|a|s, 0)), √(2s/|a|)) + εt. That is s/v for a transversal touch and
+    /// √(2s/|a|) for a grazing one. Not in it: what the same rounding did earlier in the run.
+    pub uncertainty: f64,
+}
+
+impl Touch {
+    /// The uncertainty of a touch from s, v and a.
+    pub(crate) fn uncertainty(
+        time: f64,
+        deformation: f64,
+        (rate, acceleration): (f64, f64),
+    ) -> f64 {
+        let (rate, bend) = (rate.max(0.0), 2.0 * acceleration.abs() * deformation);
+        let transversal = 2.0 * deformation / (rate + (rate * rate - bend).max(0.0).sqrt());
+        let grazing = (2.0 * deformation / acceleration.abs()).sqrt();
+        // Structures that are at zero, and have no gap, are known to be.
+        let reach = if deformation > 0.0 {
+            transversal.min(grazing)
+        } else {
+            0.0
+        };
+        reach + f64::EPSILON * time
+    }
+}
+
 /// What a run reports to: borrowed spans and impacts in the order of time.
 ///
 /// `()` records nothing and costs nothing; a tuple records what its members do.
@@ -41,6 +77,9 @@ pub trait Recorder {
 
     /// Sees one impact; the spans that end at its instant came before.
     fn impact(&mut self, impact: &Impact);
+
+    /// Sees one touch, before what follows from it: an impact at this instant, or spans with a pounding force from it on.
+    fn touch(&mut self, _: &Touch) {}
 }
 
 impl Recorder for () {
@@ -62,6 +101,11 @@ macro_rules! record_in_each {
             fn impact(&mut self, impact: &Impact) {
                 let ($($name,)+) = self;
                 $($name.impact(impact);)+
+            }
+            #[expect(non_snake_case, reason = "type names serve as variables")]
+            fn touch(&mut self, touch: &Touch) {
+                let ($($name,)+) = self;
+                $($name.touch(touch);)+
             }
         }
     };

@@ -52,6 +52,8 @@ pub(super) struct Contact {
     pub(super) hit: f64,
     /// Impacts before it that followed each other within the shortest remainder.
     pub(super) burst: u32,
+    /// Impacts since the pair last came to rest.
+    pub(super) bounces: u32,
     pub(super) series: Deformation,
     /// Pounding force, in the variable of its body.
     pub(super) force: [f64; CAPACITY],
@@ -86,6 +88,7 @@ impl Contact {
             meets_at: 0.0,
             hit: f64::NEG_INFINITY,
             burst: 0,
+            bounces: 0,
             series: Deformation {
                 coefficients: [0.0; CAPACITY],
                 len: 0,

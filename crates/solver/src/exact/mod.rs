@@ -22,7 +22,7 @@ mod series;
 mod settle;
 mod watch;
 
-use crate::{Clock, Excitation, PiecewiseLinear, Recorder, Row, RunError, Work};
+use crate::{Clock, Excitation, PiecewiseLinear, Recorder, Row, RunError, Touch, Work};
 
 use body::Body;
 use contact::Contact;
@@ -53,9 +53,11 @@ impl Default for Exact {
 
 /// Remaining duration of bounces below which they are summed \[s\].
 const CHATTER: f64 = 1e-12;
+/// Rounding of a deformation, relative to displacements and gap.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Events at one instant after which a run gives up.
 const MOST_AT_ONCE: u32 = 10_000;
-/// Events after which a run gives up: neighbours that press against each other with e = 1 bounce for ever.
+/// Events after which a run gives up.
 const MOST_EVENTS: u64 = 10_000_000;
 
 /// Everything of a run.
@@ -184,9 +186,22 @@ impl<R: Recorder> Run<'_, R> {
                 self.land(self.body_of[left], time);
                 self.land(self.body_of[left + 1], time);
                 self.contacts[pair].touch(time, rate);
+                self.report_touch(pair, time);
             }
         }
         self.land_touching(time);
+    }
+
+    fn report_touch(&mut self, pair: usize, time: f64) {
+        let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
+        let [left, right] = [left, left + 1].map(|node| self.members[node].state.acceleration);
+        let motion = (contact.rate, left - right);
+        let uncertainty = Touch::uncertainty(time, ROUNDING * contact.scale, motion);
+        self.recorder.touch(&Touch {
+            pair,
+            time,
+            uncertainty,
+        });
     }
 
     /// Ends the pieces of neighbours whose gap is closed to what has landed: they take part in what happens now.
@@ -208,7 +223,7 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Resolves what happens at this instant and sends everything that landed on its next piece.
     fn go_on(&mut self, time: f64) -> Result<(), RunError> {
-        self.resolve(time);
+        self.resolve(time)?;
         for first in 0..self.bodies.len() {
             if self.body_of[first] == first && self.landed[first] {
                 self.launch(first, time)?;

@@ -1,4 +1,4 @@
-use crate::{Impact, Pair, Path, Recorder, Span};
+use crate::{Impact, Pair, Path, Recorder, Span, Touch};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact.
 ///
@@ -9,6 +9,9 @@ pub struct Collision {
     pub pair: usize,
     /// First instant with a pounding force, or the instant of the impact \[s\].
     pub start: f64,
+    /// What rounding leaves open of the start \[s\], as in [`Touch::uncertainty`](Touch#structfield.uncertainty); nothing
+    /// where no gap closed at the start, and for a stepping method, which knows it to a step.
+    pub uncertainty: Option<f64>,
     /// Last instant with a pounding force, or the instant of the impact \[s\].
     pub end: f64,
     /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit.
@@ -24,6 +27,8 @@ pub struct Collisions {
     pair_of_left: Vec<Option<usize>>,
     /// For each pair, the index of its collision that goes on.
     open: Vec<Option<usize>>,
+    /// Instant and uncertainty of the last touch of every pair.
+    touches: Vec<Option<(f64, f64)>>,
     found: Vec<Collision>,
 }
 
@@ -37,6 +42,7 @@ impl Collisions {
         Self {
             pair_of_left,
             open: vec![None; pairs.len()],
+            touches: vec![None; pairs.len()],
             found: Vec::new(),
         }
     }
@@ -44,6 +50,15 @@ impl Collisions {
     /// The collisions of all pairs.
     pub fn all(&self) -> &[Collision] {
         &self.found
+    }
+
+    /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
+    fn uncertainty(&self, start: f64) -> Option<f64> {
+        let then = |(time, _): &&(f64, f64)| time.total_cmp(&start).is_eq();
+        let touches = self.touches.iter().flatten().filter(then);
+        touches
+            .map(|(_, uncertainty)| *uncertainty)
+            .reduce(f64::max)
     }
 }
 
@@ -62,7 +77,7 @@ impl Recorder for Collisions {
             // It parted in the span before, and touches again.
             self.open[pair] = None;
         }
-        let index = *self.open[pair].get_or_insert_with(|| {
+        let index = self.open[pair].unwrap_or_else(|| {
             let first = match span.path {
                 // A step knows its nodes only.
                 Path::Cubic(_) if start == 0.0 => span.end_time,
@@ -71,12 +86,14 @@ impl Recorder for Collisions {
             self.found.push(Collision {
                 pair,
                 start: first,
+                uncertainty: self.uncertainty(first),
                 end: first,
                 peak_force: Some(start),
                 impulse: 0.0,
             });
             self.found.len() - 1
         });
+        self.open[pair] = Some(index);
         let collision = &mut self.found[index];
         collision.impulse -= span.impulse_from_right;
         if end > 0.0 || matches!(span.path, Path::Series(_)) {
@@ -95,9 +112,14 @@ impl Recorder for Collisions {
         self.found.push(Collision {
             pair: impact.pair,
             start: impact.time,
+            uncertainty: self.uncertainty(impact.time),
             end: impact.time,
             peak_force: None,
             impulse: impact.impulse,
         });
+    }
+
+    fn touch(&mut self, touch: &Touch) {
+        self.touches[touch.pair] = Some((touch.time, touch.uncertainty));
     }
 }

@@ -3,7 +3,7 @@
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     Clock, Collisions, Elastic, Exact, Excitation, Histories, Integrator, Node, Pair, Peaks,
-    PiecewiseLinear, Row, SimultaneousImpacts, TransferredMomentum, Work,
+    PiecewiseLinear, Row, RunError, SimultaneousImpacts, TransferredMomentum, Work,
 };
 
 use crate::common::{
@@ -98,6 +98,41 @@ fn published_bouncing_ball_past_its_accumulation_point() {
     let end = outcome.histories.of(1).states.last().unwrap();
     assert!(end.displacement.abs() < 1e-15, "{}", end.displacement);
     assert!(end.velocity == 0.0, "{}", end.velocity);
+}
+
+#[test]
+fn extreme_neighbours_that_press_and_bounce_for_ever_end_the_run() {
+    // Thrown upwards with 1e-8 m/s in 10 m/s²: with e = 1 it is back every 2e-9 s, 5e9 times in 10 s.
+    let throw = |restitution: f64| {
+        let ball = Node {
+            initial_velocity: 1e-8,
+            ..Node::structure(2.0, 0.0, FREE)
+        };
+        let pairs = pairs(2, 0.0, stereomechanical(restitution));
+        let row = Row::new(vec![Node::wall(FREE), ball], pairs).unwrap();
+        let excitation = Excitation::new(0.01, &[10.0; 1001]).unwrap();
+        let mut collisions = Collisions::new(2, row.pairs());
+        let clock = clock(0.01, 10.0);
+        let outcome =
+            Integrator::Exact(Exact::default()).run(&row, excitation, clock, &mut collisions);
+        (outcome, collisions.all().len())
+    };
+    let (outcome, impacts) = throw(1.0);
+    let error = outcome.expect_err("it never rests");
+    let RunError::BouncesWithoutEnd {
+        left, right, time, ..
+    } = error
+    else {
+        panic!("{error}");
+    };
+    assert_eq!((left, right, impacts), (0, 1, 100_001));
+    close(time, 100_001.0 * 2e-9, 1e-10);
+    // What the message advises comes to rest.
+    let (outcome, impacts) = throw(0.999);
+    assert!(
+        outcome.is_ok() && impacts < 20_000,
+        "{impacts} impacts, {outcome:?}"
+    );
 }
 
 #[test]

@@ -16,3 +16,4 @@ mod moreau_jean;
 mod order;
 mod random_rows;
 mod refusals;
+mod touches;
