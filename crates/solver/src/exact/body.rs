@@ -104,8 +104,7 @@ impl<R: Recorder> Run<'_, R> {
             return Ok(());
         }
         self.find_partings(first, last);
-        let (power, len) = self.expand_turning((first, last), time);
-        self.clean((first, last), time, power);
+        let (power, len) = self.expand_corrected((first, last), time);
         let within = self.pairs_within(first, last);
         for node in first..=last {
             self.fill_start(node)?;
@@ -154,18 +153,31 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Expands a body; once more where its first velocities show that columns unload.
-    fn expand_turning(&mut self, (first, last): (usize, usize), time: f64) -> (Power, usize) {
-        let expanded = self.expand((first, last), time);
-        let mut turned = false;
+    /// Expands a body; once more where the first expansion shows that columns unload, or what is but rounding.
+    fn expand_corrected(&mut self, (first, last): (usize, usize), time: f64) -> (Power, usize) {
+        let within = self.pairs_within(first, last);
+        for contact in &mut self.contacts[within.clone()] {
+            contact.alike = 0;
+        }
+        let (power, len) = self.expand((first, last), time);
+        self.clean((first, last), time, power);
+        let members = &mut self.members[first..=last];
+        let mut corrected = false;
+        for member in &mut *members {
+            corrected |= member.turns_back(power.order());
+        }
+        for (index, contact) in self.contacts[within].iter_mut().enumerate() {
+            corrected |= contact.find_alike(&members[index..index + 2], power, len);
+        }
+        if !corrected {
+            return (power, len);
+        }
+        let (power, len) = self.expand((first, last), time);
+        self.clean((first, last), time, power);
         for member in &mut self.members[first..=last] {
-            turned |= member.turns_back();
+            member.clear_standstill(power.order());
         }
-        if turned {
-            self.expand((first, last), time)
-        } else {
-            expanded
-        }
+        (power, len)
     }
 
     /// Restitution whose remaining impulse is below the tolerance is over.

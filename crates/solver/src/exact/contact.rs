@@ -3,6 +3,7 @@
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 
 use crate::exact::member::Member;
+use crate::exact::noise::noise;
 use crate::exact::roots::CAPACITY;
 use crate::span::Power;
 
@@ -42,6 +43,8 @@ pub(super) struct Contact {
     pub(super) touching: bool,
     /// The contact force has just faded: the relative acceleration is zero.
     pub(super) faded: bool,
+    /// Orders in time, from that of the acceleration on, in which the neighbours move alike as they begin to touch.
+    pub(super) alike: usize,
     /// The force is known to have an extremum.
     pub(super) peaked: bool,
     /// The next touch that the pieces on both sides lead to; infinite without one.
@@ -83,6 +86,7 @@ impl Contact {
             scale: 0.0,
             touching: false,
             faded: false,
+            alike: 0,
             peaked: false,
             meets: f64::INFINITY,
             meets_at: 0.0,
@@ -116,15 +120,19 @@ impl Contact {
             self.deformation
         } else if n == power.order() {
             self.rate
+        } else if n < (2 + self.alike) * power.order() {
+            0.0
         } else {
             sides[0].displacement[n] - sides[1].displacement[n]
         }
     }
 
     /// Coefficient `n` of the rate of deformation.
-    pub(super) fn rate(&self, sides: &[Member], n: usize) -> f64 {
+    pub(super) fn rate(&self, sides: &[Member], power: Power, n: usize) -> f64 {
         if n == 0 {
             self.rate
+        } else if n < (1 + self.alike) * power.order() {
+            0.0
         } else {
             sides[0].velocity[n] - sides[1].velocity[n]
         }
@@ -156,6 +164,23 @@ impl Contact {
         } else {
             0.0
         }
+    }
+
+    /// Finds in how many orders neighbours that begin to touch without a rate move alike but for rounding; true when in
+    /// any: rounding would part them, or press them, at once.
+    pub(super) fn find_alike(&mut self, sides: &[Member], power: Power, len: usize) -> bool {
+        let begins = matches!(self.link, Link::Touching(_));
+        if !begins || self.deformation > 0.0 || self.rate != 0.0 {
+            return false;
+        }
+        let p = power.order();
+        let differ = |n: &usize| {
+            let values = [sides[0].displacement[*n], sides[1].displacement[*n]];
+            (values[0] - values[1]).abs() > noise(sides, values, p, *n)
+        };
+        let first = (2 * p..len).find(differ).unwrap_or(len);
+        self.alike = first / p - 2;
+        self.alike > 0
     }
 
     /// The power of x with which the deformation begins; nothing as long as it is not known.
@@ -229,7 +254,7 @@ impl Contact {
             };
             (1..=m).map(term).sum::<f64>() / (m as f64 * first)
         };
-        let product = |k: usize| self.quarter[k] * self.rate(sides, n - shift - k);
+        let product = |k: usize| self.quarter[k] * self.rate(sides, power, n - shift - k);
         let coefficient =
             2.0 * law.impact_damping_ratio * (law.impact_stiffness * self.reduced_mass).sqrt();
         coefficient * (0..=last).map(product).sum::<f64>()

@@ -7,6 +7,7 @@ use std::cmp::Ordering;
 
 use crate::Recorder;
 use crate::exact::Run;
+use crate::exact::body::Body;
 use crate::exact::contact::{Contact, Link};
 use crate::exact::noise::noise;
 use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
@@ -36,7 +37,7 @@ impl<R: Recorder> Run<'_, R> {
                 };
                 (
                     sum(&|n| contact.deformation(sides, body.power, n)),
-                    sum(&|n| contact.rate(sides, n)),
+                    sum(&|n| contact.rate(sides, body.power, n)),
                 )
             }
         };
@@ -105,17 +106,29 @@ impl<R: Recorder> Run<'_, R> {
         let end = bodies[0].end.min(bodies[1].end);
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
         let (origin, power) = rooted.map_or((time, Power::One), |body| (body.start, Power::Four));
+        let offset = power.root(time - origin);
+        // A series may be far beyond its reach before its own start: then both are taken from now on.
+        let late = |body: &&Body| body.power == Power::One && body.start > origin;
+        let from_now = power == Power::Four && bodies.iter().any(late);
         let mut sides = [[0.0; CAPACITY]; 2];
         let mut len = 0;
         for (index, side) in sides.iter_mut().enumerate() {
             let (body, member) = (bodies[index], &self.members[left + index]);
             side[..body.len].copy_from_slice(&member.displacement[..body.len]);
             let mut own = body.len;
-            if body.power == Power::One {
-                shift(&mut side[..own], origin - body.start);
-                if power == Power::Four {
-                    own = spread(side, own);
+            match body.power {
+                Power::One if from_now => {
+                    shift(&mut side[..own], time - body.start);
+                    own = compose(side, own, offset);
                 }
+                Power::One => {
+                    shift(&mut side[..own], origin - body.start);
+                    if power == Power::Four {
+                        own = spread(side, own);
+                    }
+                }
+                Power::Four if from_now => shift(&mut side[..own], offset),
+                Power::Four => {}
             }
             len = len.max(own);
         }
@@ -123,7 +136,9 @@ impl<R: Recorder> Run<'_, R> {
         for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {
             *coefficient = sides[0][n] - sides[1][n];
         }
-        let offset = power.root(time - origin);
+        if offset > 0.0 && !from_now {
+            shift(&mut coefficients[..len], offset);
+        }
         let members = &self.members[left..left + 2];
         let contact = &mut self.contacts[pair];
         contact.begin_series(&mut coefficients[..len], (power, offset));
@@ -175,7 +190,6 @@ impl Contact {
     /// Puts the carried deformation and rate at the head of the series, and clears what is known to be zero.
     fn begin_series(&self, coefficients: &mut [f64], (power, offset): (Power, f64)) {
         if offset > 0.0 {
-            shift(coefficients, offset);
             coefficients[0] = self.deformation;
             return;
         }
@@ -212,4 +226,24 @@ fn spread(coefficients: &mut [f64; CAPACITY], len: usize) -> usize {
         coefficients[4 * n] = old[n];
     }
     4 * kept - 3
+}
+
+/// Turns a series in τ into one in y, τ = (offset + y)⁴ − offset⁴, as far as the capacity goes; returns its number of
+/// coefficients.
+fn compose(coefficients: &mut [f64; CAPACITY], len: usize, offset: f64) -> usize {
+    let squared = offset * offset;
+    let inner = [4.0 * squared * offset, 6.0 * squared, 4.0 * offset, 1.0];
+    let outer = *coefficients;
+    coefficients.fill(0.0);
+    for coefficient in outer[..len].iter().rev() {
+        let sum = *coefficients;
+        coefficients.fill(0.0);
+        coefficients[0] = *coefficient;
+        for (power, factor) in (1..).zip(inner) {
+            for (place, term) in coefficients[power..].iter_mut().zip(sum) {
+                *place += factor * term;
+            }
+        }
+    }
+    (4 * len - 3).min(CAPACITY)
 }

@@ -95,11 +95,13 @@ impl Member {
     }
 
     /// Ends yielding where the motion from a standstill leads back; true when it did.
-    pub(super) fn turns_back(&mut self) -> bool {
-        let leading = self
-            .velocity
-            .iter()
-            .find(|coefficient| **coefficient != 0.0);
+    pub(super) fn turns_back(&mut self, p: usize) -> bool {
+        let coefficients = self.velocity.iter().enumerate();
+        // Where the acceleration is zero by an event, rounding has no say in it.
+        let leading = coefficients
+            .filter(|(n, coefficient)| coefficient.abs() > self.noise_of_velocity(p, *n))
+            .map(|(_, coefficient)| coefficient)
+            .next();
         let back = match (self.branch, leading) {
             (Branch::Right, Some(leading)) => *leading < 0.0,
             (Branch::Left, Some(leading)) => *leading > 0.0,
@@ -109,6 +111,19 @@ impl Member {
             self.branch = Branch::Elastic;
         }
         back
+    }
+
+    /// Clears what rounding leaves of the first velocities from a standstill: columns would yield again at once.
+    pub(super) fn clear_standstill(&mut self, p: usize) {
+        for n in 0..CAPACITY - p {
+            if self.velocity[n].abs() > self.noise_of_velocity(p, n) {
+                return;
+            }
+            (self.velocity[n], self.displacement[n + p]) = (0.0, 0.0);
+            if n >= p {
+                self.acceleration[n - p] = 0.0;
+            }
+        }
     }
 
     /// Columns yield no longer once the structure turns.

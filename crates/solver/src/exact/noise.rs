@@ -88,6 +88,16 @@ impl Member {
         self.magnitude_of(order) + self.terms.time * next
     }
 
+    /// Rounding of coefficient `n` of the velocity.
+    pub(super) fn noise_of_velocity(&self, p: usize, n: usize) -> f64 {
+        if n >= p && n.is_multiple_of(p) {
+            let order = n / p - 1;
+            ROUNDING * self.noise(order) / (order + 1) as f64
+        } else {
+            0.0
+        }
+    }
+
     fn magnitude_of(&self, order: usize) -> f64 {
         let terms = &self.terms;
         let mut noise = terms.acceleration;

@@ -151,10 +151,18 @@ impl<R: Recorder> Run<'_, R> {
             Link::Apart => {}
             Link::Resting => watch.rise(len, |n| -contact.force[n], Event::Fade(pair)),
             Link::Touching(Phase::Approach) => {
-                watch.rise(len, |n| -contact.rate(sides, n), Event::Reversal(pair));
+                watch.rise(
+                    len,
+                    |n| -contact.rate(sides, power, n),
+                    Event::Reversal(pair),
+                );
             }
             Link::Touching(Phase::Restitution | Phase::Parting) => {
-                watch.rise(len, |n| contact.rate(sides, n), Event::Reversal(pair));
+                watch.rise(
+                    len,
+                    |n| contact.rate(sides, power, n),
+                    Event::Reversal(pair),
+                );
                 watch.rise(
                     len,
                     |n| -contact.deformation(sides, power, n),
@@ -179,7 +187,7 @@ pub(super) fn reach(
     loop {
         let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
         for n in 0..len {
-            let term = weight * contact.rate(sides, n).abs();
+            let term = weight * contact.rate(sides, power, n).abs();
             sum += term;
             if n + len / 4 >= len {
                 tail += term;
