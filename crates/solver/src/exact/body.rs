@@ -361,49 +361,6 @@ impl<R: Recorder> Run<'_, R> {
         };
         self.recorder.span(&span);
     }
-
-    /// What an event changes.
-    fn apply(&mut self, event: Event, time: f64) {
-        match event {
-            Event::Turn(leader) => {
-                let mut node = leader;
-                while node < self.members.len() && self.leader(node) == leader {
-                    self.members[node].branch = Branch::Elastic;
-                    node += 1;
-                }
-            }
-            Event::Yield(node, branch) => self.members[node].branch = branch,
-            Event::Balance(node) => self.members[node].balanced = true,
-            Event::Extremum(node) => self.members[node].peaked = true,
-            Event::Peak(pair) => self.contacts[pair].peaked = true,
-            Event::Fade(pair) => {
-                let contact = &mut self.contacts[pair];
-                contact.link = Link::Apart;
-                contact.faded = true;
-            }
-            Event::Reversal(pair) => {
-                let contact = &mut self.contacts[pair];
-                contact.rate = 0.0;
-                match contact.link {
-                    Link::Touching(Phase::Approach) => {
-                        contact.link = Link::Touching(Phase::Restitution);
-                    }
-                    Link::Touching(Phase::Restitution) => {
-                        contact.link = Link::Touching(Phase::Approach);
-                    }
-                    // What was left of the deformation is below the tolerance: a new touch may begin.
-                    Link::Touching(Phase::Parting) | Link::Apart | Link::Resting => {
-                        (contact.link, contact.deformation) = (Link::Apart, 0.0);
-                    }
-                }
-            }
-            Event::Part(pair) => {
-                let contact = &mut self.contacts[pair];
-                (contact.link, contact.deformation) = (Link::Apart, 0.0);
-                contact.time = time;
-            }
-        }
-    }
 }
 
 /// ∫ F dt from the start of a piece to x.

@@ -94,6 +94,30 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
+    /// Displacement of a node as a series from an instant that is that far from the origin in x; returns its length.
+    fn displacement_from(
+        &self,
+        node: usize,
+        (begin, offset): (f64, f64),
+        power: Power,
+        series: &mut [f64; CAPACITY],
+    ) -> usize {
+        let (body, member) = (&self.bodies[self.body_of[node]], &self.members[node]);
+        series[..body.len].copy_from_slice(&member.displacement[..body.len]);
+        if body.power == Power::Four {
+            if offset > 0.0 {
+                shift(&mut series[..body.len], offset);
+            }
+            return body.len;
+        }
+        shift(&mut series[..body.len], begin - body.start);
+        match power {
+            Power::One => body.len,
+            Power::Four if offset > 0.0 => compose(series, body.len, offset),
+            Power::Four => spread(series, body.len),
+        }
+    }
+
     /// Finds the next touch of a pair within the pieces on both sides of it.
     pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
         let left = self.lefts[pair];
@@ -107,30 +131,19 @@ impl<R: Recorder> Run<'_, R> {
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
         let (origin, power) = rooted.map_or((time, Power::One), |body| (body.start, Power::Four));
         let offset = power.root(time - origin);
-        // A series may be far beyond its reach before its own start: then both are taken from now on.
+        // Before its own start a series may be far beyond its reach: then both are taken from now on.
         let late = |body: &&Body| body.power == Power::One && body.start > origin;
         let from_now = power == Power::Four && bodies.iter().any(late);
         let mut sides = [[0.0; CAPACITY]; 2];
         let mut len = 0;
         for (index, side) in sides.iter_mut().enumerate() {
-            let (body, member) = (bodies[index], &self.members[left + index]);
-            side[..body.len].copy_from_slice(&member.displacement[..body.len]);
-            let mut own = body.len;
-            match body.power {
-                Power::One if from_now => {
-                    shift(&mut side[..own], time - body.start);
-                    own = compose(side, own, offset);
-                }
-                Power::One => {
-                    shift(&mut side[..own], origin - body.start);
-                    if power == Power::Four {
-                        own = spread(side, own);
-                    }
-                }
-                Power::Four if from_now => shift(&mut side[..own], offset),
-                Power::Four => {}
-            }
-            len = len.max(own);
+            let node = left + index;
+            let begin = if from_now {
+                (time, offset)
+            } else {
+                (origin, 0.0)
+            };
+            len = len.max(self.displacement_from(node, begin, power, side));
         }
         let mut coefficients = [0.0; CAPACITY];
         for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {

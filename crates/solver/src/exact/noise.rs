@@ -76,9 +76,11 @@ pub(super) struct Terms {
 }
 
 impl Member {
-    /// Magnitude of the terms of the own forces \[N\].
+    /// Magnitude of the terms of the own forces \[N\]; a restoring force near zero has the rounding of the amplitude.
     fn magnitude(&self) -> f64 {
-        self.damping * self.state.velocity.abs() + self.state.restoring_force.abs()
+        let (speed, rate) = (self.state.velocity.abs(), self.fastest_rate());
+        let amplitude = if rate > 0.0 { speed / rate } else { 0.0 };
+        self.damping * speed + self.state.restoring_force.abs() + self.tangent() * amplitude
     }
 
     /// What rounding of the acceleration's coefficient of this order in time is a part of: its terms, and what it

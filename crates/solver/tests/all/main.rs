@@ -6,6 +6,7 @@ mod chopra;
 mod common;
 mod exact;
 mod exact_laws;
+mod found;
 mod impacts;
 mod ledger;
 mod ledger_energies;

@@ -12,12 +12,12 @@ fn first(gap: f64, law: ContactLaw, method: Integrator) -> Option<Collision> {
         ..Node::structure(1.0, 0.0, Elastic { stiffness: 1.0 })
     };
     let wall = Node::wall(Elastic { stiffness: 1.0 });
-    let row = Row::new(vec![oscillator, wall], pairs(2, gap, law)).unwrap();
+    let row = Row::new(vec![oscillator, wall], pairs(2, gap, law)).expect("the row is valid");
     let mut collisions = Collisions::new(2, row.pairs());
-    let excitation = Excitation::new(1.0, &[0.0]).unwrap();
+    let excitation = Excitation::new(1.0, &[0.0]).expect("the ground motion is finite");
     method
         .run(&row, excitation, clock(1e-3, 2.0), &mut collisions)
-        .unwrap();
+        .expect("the run ends");
     collisions.all().first().copied()
 }
 
