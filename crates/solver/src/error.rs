@@ -127,8 +127,8 @@ pub enum RunError {
     },
     /// Too many events.
     #[error(
-        "t = {time} s: events follow each other without end (after {events} events); allowed are 10000 at one instant \
-         and 10 million in a run: use a compliant law, a stepping method or a shorter run"
+        "t = {time} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \
+         and 10 million in a run: use a coefficient of restitution below 1, a compliant law or a stepping method"
     )]
     NoProgress {
         /// The instant \[s\].
