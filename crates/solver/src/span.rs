@@ -1,4 +1,5 @@
-use crate::{Recorder, quadrature};
+use crate::Recorder;
+use crate::quadrature::{self, EIGHT, SIXTEEN};
 
 /// State of a structure at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -172,7 +173,7 @@ impl Series<'_> {
     fn at(&self, x: f64) -> State {
         let rise = x * value(self.displacement.get(1..).unwrap_or_default(), x);
         State {
-            displacement: value(self.displacement, x),
+            displacement: self.displacement.first().unwrap_or(&0.0) + rise,
             velocity: value(self.velocity, x),
             acceleration: value(self.acceleration, x),
             restoring_force: self.restoring_force.0 + self.restoring_force.1 * rise,
@@ -181,6 +182,9 @@ impl Series<'_> {
         }
     }
 }
+
+/// Terms of a series up to which products of two are integrated to rounding by the rule of eight nodes.
+const FEW: usize = 15;
 
 impl Span<'_> {
     /// A step of a stepping method for a recorder R.
@@ -237,7 +241,7 @@ impl Span<'_> {
         }
     }
 
-    /// Integrals over time of N functions of instant \[s\] and state, by the Gauss–Legendre rule with 16 nodes.
+    /// Integrals over time of N functions of instant \[s\] and state, by a Gauss–Legendre rule of 8 or 16 nodes.
     ///
     /// In the variable of a [`Path::Series`], in which its forces are smooth, and so to rounding where the functions
     /// are smooth too.
@@ -255,14 +259,18 @@ impl Span<'_> {
         integrand: impl Fn(f64, &State) -> [f64; N],
     ) -> [f64; N] {
         match self.path {
-            Path::Cubic(_) => {
-                quadrature::integrate((from, to), |time| integrand(time, &self.cubic(time)))
-            }
-            Path::Series(series) => quadrature::integrate((series.x(from), series.x(to)), |x| {
-                let time = series.origin + series.power.time(x);
-                let rate = series.power.rate(x);
-                integrand(time, &series.at(x)).map(|value| rate * value)
+            Path::Cubic(_) => quadrature::integrate(SIXTEEN, (from, to), |time| {
+                integrand(time, &self.cubic(time))
             }),
+            Path::Series(series) => {
+                let few = series.displacement.len() <= FEW && series.power == Power::One;
+                let rule = if few { EIGHT } else { SIXTEEN };
+                quadrature::integrate(rule, (series.x(from), series.x(to)), |x| {
+                    let time = series.origin + series.power.time(x);
+                    let rate = series.power.rate(x);
+                    integrand(time, &series.at(x)).map(|value| rate * value)
+                })
+            }
         }
     }
 

@@ -27,8 +27,8 @@ pub(super) struct Body {
     events: Vec<Event>,
 }
 
-/// Number of coefficients in free flight: at the reach of the series the last one is 1/22! of the first.
-const IN_FLIGHT: usize = 22;
+/// Number of coefficients in free flight by the part s of the series' reach that a piece may take: sⁿ/n! < 1e-21.
+const IN_FLIGHT: [(f64, usize); 4] = [(0.125, 13), (0.25, 15), (0.5, 18), (1.0, 22)];
 /// In compliant contact.
 const IN_CONTACT: usize = 32;
 /// Just after the first touch of compliant contact, in the fourth root of time.
@@ -75,16 +75,18 @@ impl<R: Recorder> Run<'_, R> {
         let contacts = &mut self.contacts[within];
         let touching = |contact: &Contact| matches!(contact.link, Link::Touching(_));
         let begins = |contact: &Contact| touching(contact) && contact.deformation <= 0.0;
+        let segment = self.excitation.segment(time);
+        let members = &mut self.members[first..=last];
         let (power, len) = if contacts.iter().any(begins) {
             (Power::Four, AT_TOUCH)
         } else if contacts.iter().any(touching) {
             (Power::One, IN_CONTACT)
         } else {
-            (Power::One, IN_FLIGHT)
+            let part = (segment.end.min(self.end) - time) / series::radius(members);
+            let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
+            (Power::One, enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len))
         };
-        let ground = self.excitation.segment(time);
-        let members = &mut self.members[first..=last];
-        series::expand(members, contacts, ground, power, len);
+        series::expand(members, contacts, segment, power, len);
         let tame = |n: &usize| {
             members.iter().all(|member| {
                 member.displacement[*n].abs() < LARGEST && member.velocity[*n].abs() < LARGEST
@@ -303,7 +305,7 @@ impl<R: Recorder> Run<'_, R> {
         };
         let rise = x * value(&member.displacement[1..len], x);
         let mut end = State {
-            displacement: value(&member.displacement[..len], x),
+            displacement: member.displacement[0] + rise,
             velocity: value(&member.velocity[..len], x),
             acceleration: value(&member.acceleration[..len], x),
             restoring_force: member.state.restoring_force + member.tangent() * rise,

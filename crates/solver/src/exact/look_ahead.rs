@@ -27,6 +27,11 @@ impl<R: Recorder> Run<'_, R> {
         }
         let (deformation, rate) = match contact.link {
             Link::Resting => (0.0, 0.0),
+            Link::Apart if contact.series.len == 0 => {
+                let [(u_left, v_left), (u_right, v_right)] =
+                    [left, left + 1].map(|node| self.motion(node, time));
+                (u_left - u_right - self.gaps[pair], v_left - v_right)
+            }
             Link::Apart => contact.at(time),
             Link::Touching(_) => {
                 let (sides, x) = (&self.members[left..left + 2], body.position(time));
@@ -82,7 +87,14 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Bodies on both sides of a pair whose pieces run in roots of time from different instants: the earlier of them.
+    ///
+    /// Nothing where they cannot meet: what never touches must not end a piece.
     pub(super) fn conflict(&self, pair: usize) -> Option<usize> {
+        let earlier = self.earlier_root(pair)?;
+        (!self.out_of_reach(pair)).then_some(earlier)
+    }
+
+    fn earlier_root(&self, pair: usize) -> Option<usize> {
         let left = self.lefts[pair];
         let firsts = [self.body_of[left], self.body_of[left + 1]];
         let [a, b] = firsts.map(|first| &self.bodies[first]);
@@ -92,6 +104,19 @@ impl<R: Recorder> Run<'_, R> {
             Ordering::Greater if rooted => Some(firsts[1]),
             Ordering::Less | Ordering::Equal | Ordering::Greater => None,
         }
+    }
+
+    /// Whether the largest displacements that the pieces on both sides of a pair could have leave it clearly open.
+    fn out_of_reach(&self, pair: usize) -> bool {
+        let left = self.lefts[pair];
+        let most = |node: usize, sign: f64| {
+            let (body, member) = (&self.bodies[self.body_of[node]], &self.members[node]);
+            let series = &member.displacement[1..body.len];
+            let bound = |sum: f64, c: &f64| sum * body.length + c.abs();
+            sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
+        };
+        let closest = most(left, 1.0) + most(left + 1, -1.0) - self.gaps[pair];
+        closest < -2.0 * CARRIED * self.contacts[pair].scale
     }
 
     /// Displacement of a node as a series from an instant that is that far from the origin in x; returns its length.
@@ -121,12 +146,18 @@ impl<R: Recorder> Run<'_, R> {
     /// Finds the next touch of a pair within the pieces on both sides of it.
     pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
         let left = self.lefts[pair];
-        let bodies = [left, left + 1].map(|node| &self.bodies[self.body_of[node]]);
         let contact = &self.contacts[pair];
         if contact.link != Link::Apart || time >= self.end {
             self.contacts[pair].meets = f64::INFINITY;
             return;
         }
+        if self.earlier_root(pair).is_some() {
+            // Out of reach, or the pieces would have been ended.
+            self.contacts[pair].meets = f64::INFINITY;
+            self.contacts[pair].series.len = 0;
+            return;
+        }
+        let bodies = [left, left + 1].map(|node| &self.bodies[self.body_of[node]]);
         let end = bodies[0].end.min(bodies[1].end);
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
         let (origin, power) = rooted.map_or((time, Power::One), |body| (body.start, Power::Four));

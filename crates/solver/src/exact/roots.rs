@@ -113,6 +113,9 @@ pub(super) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
 
 /// Expands a polynomial about `origin` instead of 0.
 pub(super) fn shift(coefficients: &mut [f64], origin: f64) {
+    if origin == 0.0 {
+        return;
+    }
     let n = coefficients.len();
     for from in 0..n {
         for index in (from..n - 1).rev() {

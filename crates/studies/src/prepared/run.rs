@@ -186,6 +186,7 @@ impl Prepared {
             RunError::Diverged { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
+            RunError::BouncesWithoutEnd { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
         StudyError::Run {
