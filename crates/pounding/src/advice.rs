@@ -1,6 +1,8 @@
 //! The answer of `pounding advise`, as plain text.
 
-use pounding::studies::{Advice, LONGEST_STEP, MOST_STEPS, Prepared, Quantity, Trial, digits};
+use pounding::studies::{
+    Advice, EVALUATIONS_PER_PIECE, LONGEST_STEP, MOST_STEPS, Prepared, Quantity, Trial, digits,
+};
 
 use crate::text::{NONE, paragraph, percent, short, table};
 
@@ -14,13 +16,13 @@ pub(crate) fn of(prepared: &Prepared, advice: &Advice) -> String {
     let quantity = words(advice.goal.quantity);
     let why = if best.method == advice.exact.method {
         format!(
-            "nothing cheaper keeps {quantity} within {goal};\nwork {}",
+            "nothing cheaper keeps {quantity} within {goal};\ncost {}",
             best.cost
         )
     } else {
         let (error, ratio) = (of_trial(best), best.cost as f64 / advice.exact.cost as f64);
         format!(
-            "the cheapest that keeps {quantity} within {goal}:\nlargest error {error}, work {}, {ratio:.2} times that of \
+            "the cheapest that keeps {quantity} within {goal}:\nlargest error {error}, cost {}, {ratio:.2} times that of \
              exact",
             best.cost
         )
@@ -41,8 +43,8 @@ fn notes() -> String {
         "Errors: the largest distance from the exact run, and in what.\nGoal met: at this step and at every shorter one \
          tried, of which there is at least one; the shortest step alone proves nothing, and stands here where the goal is \
          not met. Steps are halved from {LONGEST_STEP} s while a run has at most {MOST_STEPS} steps of \
-         structures.\nWork: force evaluations and pieces of motion of a structure; a piece of the exact method takes as \
-         long as some 30 to 45 evaluations."
+         structures.\nCost: force evaluations; a piece of motion of the exact method counts as {EVALUATIONS_PER_PIECE}, which \
+         is about the time it takes."
     )
 }
 
@@ -54,7 +56,7 @@ fn methods(advice: &Advice) -> String {
         ["Step", "[ms]"],
         ["Error", ""],
         ["in", ""],
-        ["Work", ""],
+        ["Cost", ""],
     ];
     let mut trials = vec![(&advice.exact, true)];
     trials.extend(advice.methods.iter().filter_map(|rungs| {

@@ -1,9 +1,9 @@
-//! Which method and time step reach an accuracy at the least work.
+//! Which method and time step reach an accuracy at the least cost.
 
 use rayon::prelude::*;
 
 use crate::contenders::{CONTENDERS, Contender, Knob};
-use crate::ladder::{Ladder, cost, entries, holding};
+use crate::ladder::{Ladder, entries, holding, price};
 use crate::{Method, Outcome, Prepared, Quantity, RunErrors, StudyError};
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
@@ -33,7 +33,7 @@ pub struct Trial {
     pub error: f64,
     /// What has the largest error; empty for the exact method.
     pub worst: &'static str,
-    /// Force evaluations and pieces of motion of a structure.
+    /// Force evaluations; a piece of the exact method counts as [`crate::EVALUATIONS_PER_PIECE`] of them.
     pub cost: u64,
 }
 
@@ -128,7 +128,7 @@ pub fn advise(
             method: twin.method(),
             error: 0.0,
             worst: "",
-            cost: cost(exact.work),
+            cost: price(exact.work),
         },
         methods: methods.filter(|rungs| !rungs.trials.is_empty()).collect(),
     })
@@ -147,7 +147,7 @@ fn trial(
         Ok(outcome) => {
             let errors = RunErrors::between(&outcome, exact, &prepared.walls());
             let (error, worst) = errors.largest(quantity);
-            (error, worst, cost(outcome.work))
+            (error, worst, price(outcome.work))
         }
         Err(_) => (f64::INFINITY, "run fails", 0),
     };

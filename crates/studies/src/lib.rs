@@ -36,7 +36,7 @@ pub use comparison::{PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;
-pub use ladder::Ladder;
+pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
 pub use plot::PlotError;
 pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};

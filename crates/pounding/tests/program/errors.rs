@@ -197,17 +197,17 @@ fn reference_advice_on_each_quantity() {
 /// More to keep never allows a cheaper method.
 #[test]
 fn limit_all_quantities_cost_no_less_than_one() {
-    let work = |quantity: &str| -> u64 {
+    let cost = |quantity: &str| -> u64 {
         let arguments = ["advise", EXAMPLE, "--error", "5%", "--quantity", quantity];
         let advice = pounding(Path::new(HERE), &arguments);
         let text = paragraph(printed(&advice), "Use").join(" ");
-        let number = text.split("work ").nth(1).expect("the work");
+        let number = text.split("cost ").nth(1).expect("the cost");
         let digits: String = number.chars().take_while(char::is_ascii_digit).collect();
         digits.parse().expect("a number")
     };
-    let all = work("all");
+    let all = cost("all");
     for quantity in ["momentum", "displacement", "force", "impulse", "time"] {
-        assert!(work(quantity) <= all, "{quantity}");
+        assert!(cost(quantity) <= all, "{quantity}");
     }
 }
 

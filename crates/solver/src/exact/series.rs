@@ -38,6 +38,8 @@ pub(super) fn expand(
         } else {
             0.0
         };
+        // Off the chain of dependent operations, where a division would be the longest.
+        let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
         let mut first = 0;
         while first < members.len() {
             let mut last = first;
@@ -57,9 +59,8 @@ pub(super) fn expand(
             let block = &mut members[first..=last];
             accelerate(block, left - right, ground, n);
             for member in block.iter_mut() {
-                member.velocity[n + p] = p as f64 * member.acceleration[n] / (n + p) as f64;
-                member.displacement[n + 2 * p] =
-                    p as f64 * member.velocity[n + p] / (n + 2 * p) as f64;
+                member.velocity[n + p] = member.acceleration[n] * once;
+                member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
             }
             resting_forces(block, &mut contacts[first..last], (left, right), ground, n);
             first = last + 1;
