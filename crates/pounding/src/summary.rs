@@ -107,7 +107,13 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
                 }
                 _ => format!("the exact run has no {of}, or this run has none"),
             };
-            format!("below each number, its distance from the exact run;\n{largest}")
+            let rests = if errors.pairs.iter().any(|pair| pair.rests) {
+                "\nrests: in the exact run the pair comes to rest in contact, where this run has an impact in every step; \
+                 their number and impulses depend on the step and are not compared"
+            } else {
+                ""
+            };
+            format!("below each number, its distance from the exact run;\n{largest}{rests}")
         }
     }
 }
@@ -317,9 +323,10 @@ fn pair_numbers(pair: usize, outcome: &Outcome) -> [String; 5] {
         impulse(first.map(|first| first.impulse)),
         impulse(largest(|collision| Some(collision.impulse))),
         match largest(|collision| collision.peak_force) {
-            Some(force) => short(force / 1e3),
             None if collisions.is_empty() => NONE.into(),
-            None => "impulsive".into(),
+            // An impulse has no largest force; that of rest between impacts would hide it.
+            _ if collisions.iter().any(|one| one.peak_force.is_none()) => "impulsive".into(),
+            force => force.map_or(NONE.into(), |force| short(force / 1e3)),
         },
     ]
 }
@@ -330,7 +337,9 @@ fn pair_errors(errors: &PairErrors) -> Vec<String> {
     vec![
         ERROR.into(),
         String::new(),
-        if errors.differ() {
+        if errors.rests {
+            "rests".into()
+        } else if errors.differ() {
             format!("exact {}", errors.collisions.1)
         } else {
             "equal".into()

@@ -125,9 +125,20 @@ pub enum RunError {
         /// Its coefficient of restitution \[–\].
         restitution: f64,
     },
+    /// A structure so stiff, or so strongly damped, that its motion is too many pieces for the exact method.
+    #[error(
+        "structure {structure}: so stiff, or so strongly damped, that the exact method would need {pieces:.1e} pieces of \
+         its motion, allowed 1e6: make its period longer, the run shorter, or use a stepping method"
+    )]
+    TooStiff {
+        /// Index of the structure.
+        structure: usize,
+        /// Pieces it would need.
+        pieces: f64,
+    },
     /// Too many events.
     #[error(
-        "t = {time} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \
+        "t = {time:e} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \
          and 10 million in a run: use a coefficient of restitution below 1, a compliant law or a stepping method"
     )]
     NoProgress {

@@ -31,6 +31,9 @@ pub struct StructureErrors {
 /// Nothing where neither run has the quantity; infinite where only one has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairErrors {
+    /// Whether the pair rests in contact in the exact run, and gets an impact in every step in this one: how many and how
+    /// large depends on the step, so that but the time of the first is not compared.
+    pub rests: bool,
     /// Number of collisions of the run and of the exact run.
     pub collisions: (usize, usize),
     /// Of the time of the first collision, absolute \[s\].
@@ -137,9 +140,9 @@ impl RunErrors {
 }
 
 impl PairErrors {
-    /// Whether the run and the exact run have different numbers of collisions.
+    /// Whether the run and the exact run have different numbers of collisions, where these can be compared.
     pub fn differ(&self) -> bool {
-        self.collisions.0 != self.collisions.1
+        !self.rests && self.collisions.0 != self.collisions.1
     }
 
     fn between(run: &[&Collision], exact: &[&Collision]) -> Self {
@@ -152,23 +155,31 @@ impl PairErrors {
             (Some(_), None) | (None, Some(_)) => Some(f64::INFINITY),
         };
         let start: fn(&[&Collision]) -> Option<f64> = |all| all.first().map(|first| first.start);
+        // Of an impulsive law only rest has a force, and only the exact method knows of rest.
+        let impulsive = !run.is_empty() && run.iter().all(|one| one.peak_force.is_none());
+        let rests = impulsive && exact.iter().any(|one| one.peak_force.is_some());
+        let unless_resting = |error: Option<f64>| error.filter(|_| !rests);
         Self {
+            rests,
             collisions: (run.len(), exact.len()),
             first_time: error(start, |run, exact| (run - exact).abs()),
             first_time_relative: error(start, relative),
-            first_impulse: error(|all| all.first().map(|first| first.impulse), relative),
-            largest_impulse: error(
+            first_impulse: unless_resting(error(
+                |all| all.first().map(|first| first.impulse),
+                relative,
+            )),
+            largest_impulse: unless_resting(error(
                 |all| all.iter().map(|one| one.impulse).max_by(f64::total_cmp),
                 relative,
-            ),
-            peak_force: error(
+            )),
+            peak_force: unless_resting(error(
                 |all| {
                     all.iter()
                         .filter_map(|one| one.peak_force)
                         .max_by(f64::total_cmp)
                 },
                 relative,
-            ),
+            )),
         }
     }
 }

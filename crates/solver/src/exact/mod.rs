@@ -59,6 +59,8 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const MOST_AT_ONCE: u32 = 10_000;
 /// Events after which a run gives up.
 const MOST_EVENTS: u64 = 10_000_000;
+/// Most pieces of one structure that only the reach of its series asks for.
+const MOST_PIECES: f64 = 1e6;
 
 /// Everything of a run.
 struct Run<'a, R> {
@@ -128,6 +130,12 @@ pub(crate) fn run<Column: PiecewiseLinear, R: Recorder>(
         work: Work::default(),
         recorder,
     };
+    for (structure, member) in run.members.iter().enumerate() {
+        let pieces = member.fastest_rate() * run.end;
+        if !member.is_wall() && pieces > MOST_PIECES {
+            return Err(RunError::TooStiff { structure, pieces });
+        }
+    }
     run.run()?;
     Ok(run.work)
 }

@@ -3,7 +3,9 @@ use crate::{Impact, Path, Recorder, Span};
 /// Records the transferred momentum of every structure: H = ∫ |net pounding force| dt \[N·s\].
 ///
 /// Forces from both sides at one instant cancel before the magnitude is taken, so a structure hit from left and right
-/// at once gets little. Impulses over a span are the method's own; impacts of one instant are summed first.
+/// at once gets little. Impulses over a span are the method's own; impacts of one instant are summed first, and with what
+/// forces did in the step that ends there: a structure that rests between an impulsive and a compliant neighbour gets an
+/// impact in every step, whose limit is a force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TransferredMomentum {
     structures: Vec<Sum>,
@@ -45,17 +47,18 @@ impl TransferredMomentum {
 impl Recorder for TransferredMomentum {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
-        self.structures[span.structure].closed += match span.path {
+        let impulse = span.impulse_from_left + span.impulse_from_right;
+        match span.path {
             // All that is known of a step in which the net force changes its sign are its ends.
             Path::Cubic(_) if span.start.pounding_force() * span.end.pounding_force() < 0.0 => {
                 let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
-                0.5 * span.duration() * ends
+                self.add(span.structure, 0.0, span.end_time);
+                self.structures[span.structure].closed += 0.5 * span.duration() * ends;
             }
+            Path::Cubic(_) => self.add(span.structure, impulse, span.end_time),
             // A series ends where the net force changes its sign.
-            Path::Cubic(_) | Path::Series(_) => {
-                (span.impulse_from_left + span.impulse_from_right).abs()
-            }
-        };
+            Path::Series(_) => self.structures[span.structure].closed += impulse.abs(),
+        }
     }
 
     fn impact(&mut self, impact: &Impact) {

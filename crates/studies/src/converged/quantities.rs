@@ -10,6 +10,9 @@ const ONE_MEETING: f64 = 0.0201;
 /// Time step by which the paper divides an impulse in Tables 2 and 4 \[s\].
 const PRINTED_STEP: f64 = 0.01;
 
+/// Quantity that says how many meetings a scene has.
+pub(super) const MEETINGS: &str = "number of meetings";
+
 /// Numbers of the tables by number of the table.
 pub(super) type Quantities = BTreeMap<&'static str, Vec<Value>>;
 
@@ -85,12 +88,7 @@ fn two_structures(study: &Completed, table: &'static str, law: &str, found: &mut
         });
         let meetings = joined(parts);
         let values = found.entry(table).or_default();
-        values.push(value(
-            &scene.name,
-            "number of meetings",
-            "1",
-            meetings.len() as f64,
-        ));
+        values.push(value(&scene.name, MEETINGS, "1", meetings.len() as f64));
         values.push(value(
             &scene.name,
             "transferred momentum",

@@ -1,6 +1,6 @@
 //! The converged tables as CSV.
 
-use super::quantities::{Quantities, find};
+use super::quantities::{MEETINGS, Quantities, find};
 use super::{Converged, LEVELS, TIME_STEPS};
 use crate::tables::{Value, digits, to_csv};
 
@@ -68,16 +68,27 @@ impl Converged {
         cells
     }
 
-    /// Lower and upper end of a band; nothing when some runs do not have the row.
+    /// Lower and upper end of a band; nothing when some runs do not have the row, or have more or fewer meetings: the
+    /// fifth may then be another one.
     pub(super) fn band(&self, level: usize, table: &str, row: &Value) -> Option<(f64, f64)> {
-        let values = self
-            .noisy
-            .get(level)?
-            .iter()
-            .map(|values| find(values, table, row));
+        let values =
+            self.noisy.get(level)?.iter().map(|values| {
+                find(values, table, row).filter(|_| self.meet_alike(values, table, row))
+            });
         let mut values = values.collect::<Option<Vec<f64>>>()?;
         values.sort_by(f64::total_cmp);
         Some((quantile(&values, TAIL)?, quantile(&values, 1.0 - TAIL)?))
+    }
+}
+
+impl Converged {
+    /// Whether a run has as many meetings as the exact one in the scene of a row that is one of its meetings.
+    fn meet_alike(&self, values: &Quantities, table: &str, row: &Value) -> bool {
+        let counts = self.exact.get(table).into_iter().flatten().filter(|value| {
+            value.quantity == MEETINGS && value.row != row.row && row.row.starts_with(&value.row)
+        });
+        let same = |count: &Value| find(values, table, count) == Some(count.value);
+        counts.into_iter().all(same)
     }
 }
 

@@ -183,7 +183,9 @@ impl Prepared {
                 };
                 return StudyError::Scene { scene, source };
             }
-            RunError::Diverged { structure, .. } => structure..structure + 1,
+            RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } => {
+                structure..structure + 1
+            }
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. } => left..right + 1,

@@ -16,6 +16,8 @@ use crate::{Completed, Prepared, Scene, StudyError};
 pub(crate) struct Race {
     /// Name of the scene.
     pub(crate) scene: String,
+    /// Names of the neighbours of every pair.
+    pub(super) pairs: Vec<String>,
     /// Whether its contacts have forces over time.
     pub(crate) compliant: bool,
     /// What the exact method gives at its finest.
@@ -254,6 +256,11 @@ impl Race {
         }
         Ok(Self {
             scene: scene.name.clone(),
+            pairs: scene
+                .structures
+                .windows(2)
+                .map(|pair| format!("{} – {}", pair[0].name(), pair[1].name()))
+                .collect(),
             compliant: is_compliant(scene),
             truth: truth.0,
             knowledge,

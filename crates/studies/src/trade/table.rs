@@ -75,12 +75,12 @@ pub(super) fn collisions(races: &[Race]) -> String {
     let quantities = [("time", "s"), ("impulse", "N·s")];
     let mut rows = Vec::new();
     for race in races {
-        for (pair, met) in (1..).zip(&race.knowledge.pairs) {
+        for (pair, met) in race.pairs.iter().zip(&race.knowledge.pairs) {
             for (number, meeting) in (1..).zip(met) {
                 for (which, (name, unit)) in quantities.iter().enumerate() {
                     let mut row = vec![
                         race.scene.clone(),
-                        format!("{pair}"),
+                        pair.clone(),
                         format!("{number}"),
                         (*name).into(),
                         (*unit).into(),

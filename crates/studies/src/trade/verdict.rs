@@ -22,7 +22,7 @@ pub(super) fn table(races: &[Race]) -> String {
         "central_difference_time_step_for_1_percent",
         "central_difference_work",
         "work_of_exact_over_central_difference",
-        "exact_is_cheaper",
+        "exact_needs_less_work",
         "why",
     ];
     let mut rows = Vec::new();
