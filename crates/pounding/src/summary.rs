@@ -223,10 +223,7 @@ fn structures(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> S
         .iter()
         .enumerate()
         .flat_map(|(index, structure)| {
-            let errors = errors.map(|errors| {
-                let wall = matches!(structure, Structure::Wall);
-                structure_errors(errors.structures[index], wall)
-            });
+            let errors = errors.map(|errors| structure_errors(errors.structures[index], structure));
             std::iter::once(structure_row(structure, index, outcome)).chain(errors)
         });
     table(&header, &rows.collect::<Vec<_>>())
@@ -255,8 +252,10 @@ fn structure_row(structure: &Structure, index: usize, outcome: &Outcome) -> Vec<
 }
 
 /// The errors of a structure, for the line below it.
-fn structure_errors(errors: StructureErrors, wall: bool) -> Vec<String> {
+fn structure_errors(errors: StructureErrors, structure: &Structure) -> Vec<String> {
+    let wall = matches!(structure, Structure::Wall);
     let peak = |text: String| if wall { String::new() } else { text };
+    let yields = matches!(structure, Structure::Sdof(sdof) if sdof.yield_force_n.is_some());
     vec![
         ERROR.into(),
         String::new(),
@@ -264,7 +263,12 @@ fn structure_errors(errors: StructureErrors, wall: bool) -> Vec<String> {
         peak(percent(errors.displacement)),
         peak(milliseconds(errors.displacement_time)),
         peak(percent(errors.restoring_force)),
-        String::new(),
+        // A ductility is a peak displacement over a given one.
+        if yields {
+            percent(errors.displacement)
+        } else {
+            String::new()
+        },
         percent(errors.momentum),
     ]
 }

@@ -62,6 +62,17 @@ pub enum RunError {
         /// Time step of the run \[s\].
         time_step: f64,
     },
+    /// A motion beyond the range of numbers, of a method without time steps.
+    #[error(
+        "structure {structure} at t = {time:.4} s: its motion is beyond the range of numbers; use masses, stiffnesses and \
+         a record of usual size"
+    )]
+    OutOfNumbers {
+        /// Index of the structure, from the left.
+        structure: usize,
+        /// Instant \[s\].
+        time: f64,
+    },
     /// Newton's method did not reach equilibrium.
     #[error(
         "structures {first} to {last} at t = {time:.4} s: no equilibrium after {iterations} Newton iterations \

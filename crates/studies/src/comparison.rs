@@ -38,7 +38,7 @@ pub struct PairErrors {
     pub collisions: (usize, usize),
     /// Of the time of the first collision, absolute \[s\].
     pub first_time: Option<f64>,
-    /// The same, relative to that time \[–\].
+    /// The same, relative to that time \[–\], or to 1 s where it is 0.
     pub first_time_relative: Option<f64>,
     /// Of the impulse of the first collision.
     pub first_impulse: Option<f64>,
@@ -70,7 +70,10 @@ impl RunErrors {
     ///
     /// `walls` says of every structure whether it is a wall, which has no peaks of its own.
     pub fn between(run: &Outcome, exact: &Outcome, walls: &[bool]) -> Self {
+        let momenta = (0..walls.len()).map(|index| exact.momentum.of(index));
+        let largest = momenta.fold(0.0, f64::max);
         let structure = |(index, &wall): (usize, &bool)| {
+            let momentum = exact.momentum.of(index);
             let (of_run, of_exact) = (run.peaks.of(index), exact.peaks.of(index));
             let peak = |run: Peak, exact: Peak| {
                 if wall {
@@ -83,7 +86,11 @@ impl RunErrors {
                 displacement: peak(of_run.displacement, of_exact.displacement),
                 displacement_time: (of_run.displacement.time - of_exact.displacement.time).abs(),
                 restoring_force: peak(of_run.restoring_force, of_exact.restoring_force),
-                momentum: relative(run.momentum.of(index), exact.momentum.of(index)),
+                momentum: relative_to(
+                    run.momentum.of(index),
+                    momentum,
+                    momentum.max(ZERO * largest),
+                ),
             }
         };
         let pair = |index| PairErrors::between(&of_pair(run, index), &of_pair(exact, index));
@@ -163,7 +170,9 @@ impl PairErrors {
             rests,
             collisions: (run.len(), exact.len()),
             first_time: error(start, |run, exact| (run - exact).abs()),
-            first_time_relative: error(start, relative),
+            first_time_relative: error(start, |run, exact| {
+                relative_to(run, exact, if exact > 0.0 { exact } else { 1.0 })
+            }),
             first_impulse: unless_resting(error(
                 |all| all.first().map(|first| first.impulse),
                 relative,
@@ -189,13 +198,20 @@ fn of_pair(outcome: &Outcome, pair: usize) -> Vec<&Collision> {
     all.filter(|collision| collision.pair == pair).collect()
 }
 
-/// Distance relative to the exact magnitude; infinite where that is 0 and the other is not.
-pub(crate) fn relative(run: f64, exact: f64) -> f64 {
+/// Part of a row's largest momentum below which one is zero: forces from both sides cancel but for rounding.
+const ZERO: f64 = 1e-9;
+
+/// Distance relative to a scale; 0 of equal numbers.
+fn relative_to(run: f64, exact: f64, scale: f64) -> f64 {
     let distance = (run - exact).abs();
     if distance == 0.0 {
         0.0
     } else {
-        // A momentum, peak or time of exactly 0 gives infinity here.
-        distance / exact.abs()
+        distance / scale
     }
+}
+
+/// Distance relative to the exact magnitude; infinite where that is 0 and the other is not.
+pub(crate) fn relative(run: f64, exact: f64) -> f64 {
+    relative_to(run, exact, exact.abs())
 }

@@ -109,7 +109,7 @@ impl<R: Recorder> Run<'_, R> {
         let (power, len) = self.expand_corrected((first, last), time);
         let within = self.pairs_within(first, last);
         for node in first..=last {
-            self.fill_start(node)?;
+            self.fill_start(node, time)?;
         }
         let members = &self.members[first..=last];
         let stop = self.excitation.segment(time).end.min(self.end);
@@ -200,7 +200,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Completes the state of a node at the start of its piece.
-    fn fill_start(&mut self, node: usize) -> Result<(), RunError> {
+    fn fill_start(&mut self, node: usize, time: f64) -> Result<(), RunError> {
         let (left, right) = self.forces_on(node);
         let force = |pair: Option<usize>| pair.map_or(0.0, |pair| self.contacts[pair].force[0]);
         let (left, right) = (force(left), -force(right));
@@ -211,10 +211,9 @@ impl<R: Recorder> Run<'_, R> {
         if member.state.acceleration.is_finite() {
             return Ok(());
         }
-        Err(RunError::Diverged {
+        Err(RunError::OutOfNumbers {
             structure: node,
-            time: self.bodies[self.body_of[node]].start,
-            time_step: 0.0,
+            time,
         })
     }
 

@@ -35,8 +35,8 @@ use member::Member;
 pub struct Exact {
     /// Relative size of what a piece in compliant contact leaves out \[–\], 1e-16 ..= 1e-3.
     ///
-    /// Free flight and impulsive contact are always carried to rounding. Twice the digits cost about twice the work of
-    /// the contacts.
+    /// Free flight and impulsive contact are always carried to rounding. On a scene of two
+    /// structures with ten viscoelastic collisions 1e-4 takes 2230 pieces, 1e-8 2288, 1e-16 2694.
     pub tolerance: f64,
     /// What happens when several pairs touch at the same instant.
     pub simultaneous_impacts: SimultaneousImpacts,

@@ -11,6 +11,8 @@ pub(crate) struct Case {
     pub(crate) structures: Vec<[f64; 4]>,
     /// Gap \[m\] and law of every pair.
     pub(crate) contacts: Vec<(f64, ContactLaw)>,
+    /// Velocities at the start \[m/s\].
+    pub(crate) velocities: Vec<f64>,
     /// Samples every 0.01 s \[m/s²\].
     pub(crate) ground: Vec<f64>,
 }
@@ -31,7 +33,7 @@ pub(crate) const SI: Units = Units {
 
 impl Case {
     pub(crate) fn row(&self, units: Units) -> Row<ElastoPlastic> {
-        let node = |&[mass, period, ratio, yields]: &[f64; 4]| {
+        let node = |(&[mass, period, ratio, yields], velocity): (&[f64; 4], &f64)| {
             let omega = 2.0 * std::f64::consts::PI / (period * units.time);
             let mass = mass * units.mass;
             let stiffness = mass * omega * omega;
@@ -39,7 +41,10 @@ impl Case {
                 stiffness,
                 yield_force: stiffness * yields * units.length,
             };
-            Node::structure(mass, 2.0 * ratio * omega * mass, column)
+            Node {
+                initial_velocity: velocity * units.length / units.time,
+                ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
+            }
         };
         let pair = |(left, &(gap, law)): (usize, &(f64, ContactLaw))| Pair {
             left,
@@ -48,7 +53,11 @@ impl Case {
             law,
         };
         Row::new(
-            self.structures.iter().map(node).collect(),
+            self.structures
+                .iter()
+                .zip(&self.velocities)
+                .map(node)
+                .collect(),
             self.contacts.iter().enumerate().map(pair).collect(),
         )
         .expect("the row is valid")
@@ -59,9 +68,9 @@ fn power_of_ten(exponents: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     exponents.prop_map(|exponent| libm::pow(10.0, exponent))
 }
 
-/// At e = 1 neighbours that press against each other would bounce for ever.
+/// The whole range of e; near 1 neighbours that press against each other may bounce without end.
 pub(crate) fn stereomechanical() -> BoxedStrategy<ContactLaw> {
-    prop_oneof![Just(0.0), 0.0..0.95_f64]
+    prop_oneof![2 => Just(0.0), 4 => 0.0..0.95_f64, 1 => 0.95..=1.0_f64, 1 => Just(1.0)]
         .prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }))
         .boxed()
 }
@@ -103,9 +112,13 @@ pub(crate) fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Val
         let structures = prop::collection::vec(structure(), n);
         let contacts = prop::collection::vec((gap(), law()), n - 1);
         let ground = prop::collection::vec(-8.0..8.0_f64, 2..60);
-        (structures, contacts, ground).prop_map(|(structures, contacts, ground)| Case {
+        let moving = prop::collection::vec(-0.5..0.5_f64, n);
+        let velocities = prop_oneof![3 => Just(vec![0.0; n]), 1 => moving];
+        let all = (structures, contacts, velocities, ground);
+        all.prop_map(|(structures, contacts, velocities, ground)| Case {
             structures,
             contacts,
+            velocities,
             ground,
         })
     })

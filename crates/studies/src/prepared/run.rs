@@ -183,9 +183,9 @@ impl Prepared {
                 };
                 return StudyError::Scene { scene, source };
             }
-            RunError::Diverged { structure, .. } | RunError::TooStiff { structure, .. } => {
-                structure..structure + 1
-            }
+            RunError::Diverged { structure, .. }
+            | RunError::TooStiff { structure, .. }
+            | RunError::OutOfNumbers { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. } => left..right + 1,

@@ -5,6 +5,7 @@ use super::pareto::cheapest;
 use super::quantities::Quantity;
 use super::table::setting;
 use crate::contenders::{REFERENCE, RIVAL};
+use crate::ladder::price;
 use crate::tables::to_csv;
 
 /// Error asked of the exact method \[–\].
@@ -23,6 +24,7 @@ pub(super) fn table(races: &[Race]) -> String {
         "central_difference_work",
         "work_of_exact_over_central_difference",
         "exact_needs_less_work",
+        "time_of_exact_over_central_difference_at_25_evaluations_a_piece",
         "why",
     ];
     let mut rows = Vec::new();
@@ -42,11 +44,16 @@ fn row(race: &Race, name: &str, quantities: &[Quantity]) -> Vec<String> {
     let needs = |key, allowed| {
         let entrant = race.of(key)?;
         let (rung, cost) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
-        Some((setting(entrant.contender, rung.setting), cost))
+        let price = rung.outcome.as_ref().map_or(0, |run| price(run.work));
+        Some((setting(entrant.contender, rung.setting), cost, price))
     };
     let (exact, stepping) = (needs(REFERENCE, EXACT), needs(RIVAL, STEPPING));
     let ratio = match (&exact, &stepping) {
-        (Some((_, exact)), Some((_, stepping))) => Some(*exact as f64 / *stepping as f64),
+        (Some((_, exact, _)), Some((_, stepping, _))) => Some(*exact as f64 / *stepping as f64),
+        _ => None,
+    };
+    let time = match (&exact, &stepping) {
+        (Some((.., exact)), Some((.., stepping))) => Some(*exact as f64 / *stepping as f64),
         _ => None,
     };
     let (cheaper, why) = match (&exact, &stepping, ratio) {
@@ -64,11 +71,13 @@ fn row(race: &Race, name: &str, quantities: &[Quantity]) -> Vec<String> {
     let mut row = vec![race.scene.clone(), name.into()];
     for needed in [exact, stepping] {
         row.extend(match needed {
-            Some((setting, cost)) => [setting, cost.to_string()],
+            Some((setting, cost, _)) => [setting, cost.to_string()],
             None => ["never".into(), String::new()],
         });
     }
     row.push(ratio.map(|ratio| format!("{ratio:.3}")).unwrap_or_default());
-    row.extend([cheaper.to_string(), why.to_string()]);
+    row.push(cheaper.to_string());
+    row.push(time.map(|time| format!("{time:.3}")).unwrap_or_default());
+    row.push(why.to_string());
     row
 }

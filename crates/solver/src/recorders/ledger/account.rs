@@ -11,8 +11,10 @@ pub(super) struct Account {
     damping: f64,
     stiffness: f64,
     yield_force: f64,
-    /// Whether its first span has come.
+    /// Whether its first span or impact has come.
     open: bool,
+    /// Strain energy in which it begins \[J\].
+    first_strain: f64,
     pub(super) terms: Terms,
     /// Kinetic energy of the start.
     first_kinetic: f64,
@@ -84,6 +86,11 @@ impl Account {
             stiffness: node.column.stiffness(),
             yield_force: node.column.yield_force(),
             open: false,
+            first_strain: {
+                let memory = Column::Memory::default();
+                let force = node.column.respond(node.initial_displacement, memory).force;
+                strain(force, node.column.stiffness())
+            },
             terms: Terms::default(),
             first_kinetic: 0.0,
             first_momentum: 0.0,
@@ -99,7 +106,7 @@ impl Account {
             return Acting::default();
         }
         if !self.open {
-            self.start(&span.start);
+            self.start(span.start.velocity, self.strain(&span.start));
         }
         let (works, impulses) = match span.path {
             Path::Cubic(weighed) => self.weighed(span, weighed),
@@ -122,6 +129,9 @@ impl Account {
     /// Books an impact: the impulse on the structure \[N·s\], its velocities before and after \[m/s\].
     pub(super) fn impact(&mut self, impulse: f64, (before, after): (f64, f64)) {
         if self.mass > 0.0 {
+            if !self.open {
+                self.start(before, self.first_strain);
+            }
             self.impulses.impacts += impulse;
             self.terms.impact -= 0.5 * impulse * (before + after);
             self.terms.kinetic = 0.5 * self.mass * (after * after);
@@ -148,11 +158,12 @@ impl Account {
         })
     }
 
-    fn start(&mut self, state: &State) {
+    /// Opens at a velocity and a strain energy: of the first span, or before an impact at the very start.
+    fn start(&mut self, velocity: f64, strain: f64) {
         self.open = true;
-        self.first_kinetic = self.kinetic(state);
-        self.first_momentum = self.mass * state.velocity;
-        self.terms.initial = self.first_kinetic + self.strain(state);
+        self.first_kinetic = 0.5 * self.mass * (velocity * velocity);
+        self.first_momentum = self.mass * velocity;
+        self.terms.initial = self.first_kinetic + strain;
     }
 
     fn kinetic(&self, state: &State) -> f64 {
@@ -160,12 +171,7 @@ impl Account {
     }
 
     fn strain(&self, state: &State) -> f64 {
-        // Free masses have no stiffness.
-        if self.stiffness > 0.0 {
-            0.5 * state.restoring_force * state.restoring_force / self.stiffness
-        } else {
-            0.0
-        }
+        strain(state.restoring_force, self.stiffness)
     }
 
     /// Of a step: each impulse, as the method weighed it, times the mean velocity, so that the sum of works is the
@@ -264,5 +270,15 @@ impl Account {
     pub(super) fn momentum_magnitude(&self) -> f64 {
         let sums = self.impulses.all().iter().map(|sum| sum.abs()).sum::<f64>();
         self.first_momentum.abs() + self.momentum.abs() + sums
+    }
+}
+
+/// Strain energy \[J\] of a column under a force.
+fn strain(force: f64, stiffness: f64) -> f64 {
+    // Free masses have no stiffness.
+    if stiffness > 0.0 {
+        0.5 * force * force / stiffness
+    } else {
+        0.0
     }
 }
