@@ -1,4 +1,4 @@
-//! Tasks of the project: `cargo xtask reproduce`, `cargo xtask check` and `cargo xtask bench`.
+//! Tasks of the project: `cargo xtask reproduce`, `check`, `bench` and `fuzz`.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -7,6 +7,7 @@
 
 mod bench;
 mod check;
+mod fuzz;
 mod reproduce;
 mod results;
 
@@ -36,6 +37,12 @@ enum Task {
     /// Time every method on the scenes of two structures and write ratios, with the accuracy of each, into
     /// results/wall-time.csv; no part of `check`.
     Bench,
+    /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
+    Fuzz {
+        /// How long each target runs [s].
+        #[arg(long, default_value_t = 60)]
+        seconds: u32,
+    },
 }
 
 fn main() -> ExitCode {
@@ -43,6 +50,7 @@ fn main() -> ExitCode {
         Task::Reproduce { check } => reproduce::run(&root(), check),
         Task::Check => check::run(&root()),
         Task::Bench => bench::run(&root()),
+        Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,0 +1,52 @@
+//! Fuzzing of readers and scene files, by cargo-fuzz and libFuzzer.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// Where the targets lie, from the top folder.
+const TARGETS: &str = "fuzz/fuzz_targets";
+/// Seconds after which one input counts as a hang.
+const HANG: u32 = 10;
+/// Memory of a run \[MB\].
+const MEMORY: u32 = 1024;
+
+/// Runs every target for so many seconds; what is found stays in fuzz/artifacts.
+pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
+    for target in targets(root)? {
+        println!("── {target}: {seconds} s");
+        // Without a sanitizer it runs on stable Rust; there is no unsafe code for one to watch.
+        let arguments = ["fuzz", "run", "--sanitizer", "none", &target, "--"];
+        let limits = [
+            format!("-max_total_time={seconds}"),
+            format!("-timeout={HANG}"),
+            format!("-rss_limit_mb={MEMORY}"),
+            format!("-malloc_limit_mb={MEMORY}"),
+        ];
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let status = Command::new(cargo)
+            .args(arguments)
+            .args(limits)
+            .current_dir(root)
+            .status()
+            .map_err(|error| format!("cannot start cargo: {error}"))?;
+        if !status.success() {
+            return Err(format!(
+                "{target}: a finding in fuzz/artifacts/{target}, or cargo-fuzz is missing (`cargo install cargo-fuzz`)"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Names of the targets, in order.
+fn targets(root: &Path) -> Result<Vec<String>, String> {
+    let fail = |error: std::io::Error| format!("{TARGETS}: {error}");
+    let mut names = Vec::new();
+    for entry in fs::read_dir(root.join(TARGETS)).map_err(fail)? {
+        let path = entry.map_err(fail)?.path();
+        names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+    }
+    names.sort();
+    Ok(names)
+}
