@@ -27,3 +27,21 @@ pub(crate) fn require(
         })
     }
 }
+
+/// Refuses a stiffness that is not > 0 and finite.
+pub(crate) fn require_stiffness(name: &'static str, found: f64) -> Result<(), ParameterError> {
+    let valid = found > 0.0 && found.is_finite();
+    require(valid, name, found, "a finite number > 0")
+}
+
+/// Refuses a damping that is not ≥ 0 and finite.
+pub(crate) fn require_damping(name: &'static str, found: f64) -> Result<(), ParameterError> {
+    let valid = found >= 0.0 && found.is_finite();
+    require(valid, name, found, "a finite number >= 0")
+}
+
+/// Refuses an e that no damping of a compliant law delivers: it takes infinite damping to e = 0.
+pub(crate) fn require_restitution(found: f64) -> Result<(), ParameterError> {
+    let valid = found > 0.0 && found <= 1.0;
+    require(valid, "restitution", found, "more than 0, up to 1")
+}

@@ -1,63 +1,67 @@
 //! Contact laws of structural pounding: what two neighbours do to each other while they touch.
 //!
 //! One file per law. A law is a value with its parameters; it knows no time step, no row and no record.
-//! Two kinds exist: *impulsive* laws change velocities at an instant ([`Stereomechanical`]), *compliant* laws
-//! give a force that depends on the [`Overlap`] ([`NonlinearViscoelastic`]).
+//! Two kinds exist: *impulsive* laws change velocities at an instant ([`Stereomechanical`]), *compliant* laws give a
+//! force that depends on the [`Overlap`]. Every compliant law is one [`Form`], F = K δ^n + C δ^κ δ̇ ≥ 0.
 //!
-//! # The laws of the paper (its equation (4) and Table 3)
-//!
-//! | Law | While touching |
+//! | Law | While touching (v₀ the approach speed, m the reduced mass) |
 //! |---|---|
-//! | Stereomechanical impact | impulse P = (1+e) · m₁m₂/(m₁+m₂) · δ̇, δ̇ the rate of approach; once per impact |
-//! | Nonlinear viscoelastic, approach (δ̇ > 0) | F = β̄ δ^1.5 + c̄ δ̇ with c̄ = 2 ξ̄ √(β̄ √δ · m₁m₂/(m₁+m₂)) |
-//! | Nonlinear viscoelastic, restitution (δ̇ ≤ 0) | F = β̄ δ^1.5 |
+//! | [`Stereomechanical`] | impulse P = (1+e) m δ̇; once per impact |
+//! | [`LinearSpring`], [`Hertz`] | kδ, β̄ δ^1.5 |
+//! | [`KelvinVoigt`] | kδ + cδ̇, c = 2ξ̄ √(km), clamped |
+//! | [`ModifiedLinearViscoelastic`] | the same on approach (δ̇ > 0), else kδ |
+//! | [`NonlinearViscoelastic`] | β̄ δ^1.5 + cδ̇, c = 2ξ̄ √(β̄ √δ m) on approach, else β̄ δ^1.5 |
+//! | [`HertzDamp`], by four formulas | β̄ δ^1.5 (1 + aδ̇/v₀), clamped |
+//! | [`ModifiedKelvin`] | kδ (1 + aδ̇/v₀), clamped |
+//! | [`PantWijeyewickrema`] | the same on approach, else kδ |
+//! | [`KuwabaraKono`] | β̄ δ^1.5 + A √δ δ̇, clamped |
 //!
-//! Table 3 prints the power as 3 and the root otherwise; the published forces follow from the form above,
-//! which is Jankowski's (2005).
+//! What a law delivers to a [`FreePair`] is known three ways: [`ContactLaw::restitution`] and the other closed forms,
+//! [`FreeImpact`] by numerical integration, and the solver. [`LawName`] lists the laws with their sources and
+//! calibrates them ([`Calibration`]).
+//!
+//! The paper's laws are its equation (4) and Table 3. That table prints the power as 3 and the root otherwise; the
+//! published forces follow from the form above, which is Jankowski's (2005).
 //!
 //! Left out: finding contacts, time stepping, anything with more than two bodies.
 
+mod approach_damper;
+mod calibration;
 mod error;
+mod form;
+mod free_impact;
+mod free_pair;
+mod hertz;
+mod hertz_damp;
+mod kelvin_voigt;
+mod kuwabara_kono;
+mod law;
+mod law_name;
+mod linear_spring;
+mod modified_kelvin;
+mod modified_linear_viscoelastic;
 mod nonlinear_viscoelastic;
+mod oscillator;
 mod overlap;
+mod pant_wijeyewickrema;
+mod search;
 mod stereomechanical;
 
+pub use calibration::Calibration;
 pub use error::ParameterError;
+pub use form::{Action, Form, Power, Term};
+pub use free_impact::FreeImpact;
+pub use free_pair::FreePair;
+pub use hertz::Hertz;
+pub use hertz_damp::{HertzDamp, HertzDampFormula};
+pub use kelvin_voigt::KelvinVoigt;
+pub use kuwabara_kono::KuwabaraKono;
+pub use law::{Clamp, ContactLaw};
+pub use law_name::{CalibrationError, Description, LawName};
+pub use linear_spring::LinearSpring;
+pub use modified_kelvin::ModifiedKelvin;
+pub use modified_linear_viscoelastic::ModifiedLinearViscoelastic;
 pub use nonlinear_viscoelastic::NonlinearViscoelastic;
 pub use overlap::{ContactForce, Overlap, reduced_mass};
+pub use pant_wijeyewickrema::PantWijeyewickrema;
 pub use stereomechanical::Stereomechanical;
-
-use serde::{Deserialize, Serialize};
-
-/// A contact law with its parameters, as a scene names it.
-///
-/// It is matched only while a pair touches.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ContactLaw {
-    /// Velocity jump at an instant; see [`Stereomechanical`].
-    Stereomechanical(Stereomechanical),
-    /// Hertz spring with a damper that acts on approach; see [`NonlinearViscoelastic`].
-    NonlinearViscoelastic(NonlinearViscoelastic),
-}
-
-impl ContactLaw {
-    /// Checks the parameters against their valid range.
-    ///
-    /// # Errors
-    /// [`ParameterError`] names the parameter, what was found and what is allowed.
-    pub fn check(&self) -> Result<(), ParameterError> {
-        match self {
-            Self::Stereomechanical(law) => law.check(),
-            Self::NonlinearViscoelastic(law) => law.check(),
-        }
-    }
-
-    /// Coefficient of restitution that the law delivers to a free pair, exactly \[–\].
-    pub fn restitution(&self) -> f64 {
-        match self {
-            Self::Stereomechanical(law) => law.restitution,
-            Self::NonlinearViscoelastic(law) => law.restitution(),
-        }
-    }
-}

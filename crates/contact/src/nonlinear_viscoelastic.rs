@@ -1,7 +1,8 @@
 use serde::{Deserialize, Serialize};
 
-use crate::error::{ParameterError, require};
-use crate::{ContactForce, Overlap};
+use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
+use crate::form::{Action, Form, Power, Term};
+use crate::{Calibration, ContactForce, Overlap, oscillator};
 
 /// Nonlinear viscoelastic impact element: a Hertz spring, and a damper that acts on approach only.
 ///
@@ -19,6 +20,51 @@ pub struct NonlinearViscoelastic {
 }
 
 impl NonlinearViscoelastic {
+    /// The element of this stiffness \[N/m^1.5\] for an e in (0, 1\].
+    ///
+    /// The literature's formula is ξ̄ = (9√5/2) (1−e²)/(e (e(9π−16) + 16)): R. Jankowski, *Earthquake Engng Struct. Dyn.*
+    /// 35 (2006) 517.
+    ///
+    /// # Errors
+    /// [`ParameterError`] for a stiffness or an e out of range.
+    pub fn calibrated(
+        impact_stiffness: f64,
+        restitution: f64,
+        calibration: Calibration,
+    ) -> Result<Self, ParameterError> {
+        require_restitution(restitution)?;
+        let root = 5.0_f64.sqrt();
+        let impact_damping_ratio = match calibration {
+            Calibration::Literature => {
+                let e = restitution;
+                let slope = 9.0 * std::f64::consts::PI - 16.0;
+                4.5 * root * (1.0 - e * e) / (e * (e * slope + 16.0))
+            }
+            Calibration::Exact => 0.5 * root * oscillator::ratio(restitution),
+        };
+        let law = Self {
+            impact_stiffness,
+            impact_damping_ratio,
+        };
+        law.check().map(|()| law)
+    }
+
+    /// The force as a form, for a reduced mass \[kg\].
+    pub fn form(&self, reduced_mass: f64) -> Form {
+        let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
+        Form {
+            spring: Term {
+                coefficient: self.impact_stiffness,
+                power: Power::ThreeHalves,
+            },
+            damper: Term {
+                coefficient: self.impact_damping_ratio * critical,
+                power: Power::Quarter,
+            },
+            action: Action::Approach,
+        }
+    }
+
     /// Force and tangents while a pair touches.
     ///
     /// Precondition: `overlap.deformation` > 0. The tangents jump at δ̇ = 0, and ∂F/∂δ grows without bound as
@@ -49,8 +95,12 @@ impl NonlinearViscoelastic {
     /// With s = δ^2.5 as the variable the approach is a linear damped oscillator of damping ratio ζ, whence the
     /// relation; it holds for every approach speed.
     pub fn restitution(&self) -> f64 {
-        let zeta = 2.0 * self.impact_damping_ratio / 5.0_f64.sqrt();
-        libm::exp(-zeta * arc_over_chord(zeta))
+        oscillator::given_back(2.0 * self.impact_damping_ratio / 5.0_f64.sqrt())
+    }
+
+    /// Part of the kinetic energy \[–\] of a free pair that the spring holds at the largest deformation.
+    pub(crate) fn stored(&self) -> f64 {
+        self.restitution() * self.restitution()
     }
 
     /// Checks β̄ > 0 and ξ̄ ≥ 0, both finite.
@@ -58,36 +108,8 @@ impl NonlinearViscoelastic {
     /// # Errors
     /// [`ParameterError`] for the first parameter out of range.
     pub fn check(&self) -> Result<(), ParameterError> {
-        require(
-            self.impact_stiffness > 0.0 && self.impact_stiffness.is_finite(),
-            "impact_stiffness_n_per_m1_5",
-            self.impact_stiffness,
-            "a finite number > 0",
-        )?;
-        require(
-            self.impact_damping_ratio >= 0.0 && self.impact_damping_ratio.is_finite(),
-            "impact_damping_ratio",
-            self.impact_damping_ratio,
-            "a finite number >= 0",
-        )
-    }
-}
-
-/// acos ζ/√(1−ζ²), continued through ζ = 1 (where it is 0/0 and equals 1) as acosh ζ/√(ζ²−1).
-fn arc_over_chord(zeta: f64) -> f64 {
-    let below = 1.0 - zeta;
-    if below.abs() < 1e-3 {
-        // Σ n!/(2n+1)!! (1−ζ)^n; the first term left out is below 1e-18 here.
-        let mut sum = 0.0;
-        for n in (1..=6).rev() {
-            let n = f64::from(n);
-            sum = (1.0 + sum) * below * n / (2.0 * n + 1.0);
-        }
-        1.0 + sum
-    } else if below > 0.0 {
-        libm::acos(zeta) / (below * (1.0 + zeta)).sqrt()
-    } else {
-        libm::acosh(zeta) / (-below * (1.0 + zeta)).sqrt()
+        require_stiffness("impact_stiffness_n_per_m1_5", self.impact_stiffness)?;
+        require_damping("impact_damping_ratio", self.impact_damping_ratio)
     }
 }
 
@@ -113,6 +135,7 @@ mod tests {
                 deformation,
                 rate,
                 reduced_mass,
+                approach_speed: speed,
             })
             .force
         };
@@ -179,7 +202,7 @@ mod tests {
             rate in prop_oneof![-2.0..-1e-3_f64, 1e-3..2.0_f64],
             ratio in 0.0..2.0_f64,
         ) {
-            let at = |deformation, rate| law(ratio).respond(&Overlap { deformation, rate, reduced_mass: 7e4 });
+            let at = |deformation, rate| law(ratio).respond(&Overlap { deformation, rate, reduced_mass: 7e4, approach_speed: 0.0 });
             let here = at(deformation, rate);
             let (hx, hv) = (1e-5 * deformation, 1e-5 * rate.abs());
             let stiffness = (at(deformation + hx, rate).force - at(deformation - hx, rate).force) / (2.0 * hx);
@@ -193,7 +216,7 @@ mod tests {
         fn limit_never_pulls(
             deformation in 1e-12..1.0_f64, rate in -10.0..10.0_f64, ratio in 0.0..5.0_f64, reduced_mass in 1.0..1e9_f64,
         ) {
-            let force = law(ratio).respond(&Overlap { deformation, rate, reduced_mass }).force;
+            let force = law(ratio).respond(&Overlap { deformation, rate, reduced_mass, approach_speed: 0.0 }).force;
             prop_assert!(force > 0.0, "{force}");
         }
     }

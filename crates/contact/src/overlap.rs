@@ -7,6 +7,8 @@ pub struct Overlap {
     pub rate: f64,
     /// Reduced mass of the pair \[kg\], > 0; see [`reduced_mass`].
     pub reduced_mass: f64,
+    /// Rate of deformation at the first touch of the present contact v₀ \[m/s\], ≥ 0; 0 where the pair did not approach.
+    pub approach_speed: f64,
 }
 
 /// Force of a compliant law and its consistent tangents.

@@ -13,6 +13,7 @@ mod contact;
 
 use serde::{Deserialize, Serialize};
 
+use crate::approach::Approaches;
 use crate::error::require;
 use crate::impacts::Impacts;
 use crate::span::Load;
@@ -171,6 +172,7 @@ struct Run<'a, Column: RestoringForce> {
     /// States at a node with velocity jumps.
     states: Vec<State>,
     jumps: Impacts,
+    approaches: Approaches,
     work: Work,
 }
 
@@ -267,6 +269,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             bodies,
             impulses: vec![0.0; row.pairs().len()],
             jumps: Impacts::new(row),
+            approaches: Approaches::new(row.pairs().len()),
             work: Work::default(),
         }
     }

@@ -10,7 +10,7 @@
 //! it with a minus sign), but would destroy it: a mass hit at once from both sides, e = 1, is not turned round, and its
 //! neighbours go on approaching.
 
-use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_contact::Stereomechanical;
 
 use crate::together::Together;
 use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
@@ -38,10 +38,7 @@ pub(crate) struct Impacts {
 
 /// The impulsive law of a pair, if it has one.
 pub(crate) fn impulsive(pair: &Pair) -> Option<Stereomechanical> {
-    match pair.law {
-        ContactLaw::Stereomechanical(law) => Some(law),
-        ContactLaw::NonlinearViscoelastic(_) => None,
-    }
+    pair.law.impulsive()
 }
 
 impl Impacts {

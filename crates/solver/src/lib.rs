@@ -28,6 +28,7 @@
 //!
 //! Left out: files, printing, units other than SI, contact search (neighbours are known).
 
+mod approach;
 mod central_difference;
 mod clock;
 mod column;

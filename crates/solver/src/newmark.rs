@@ -3,8 +3,7 @@
 //! Source: N. M. Newmark, *J. Engng Mech. Div. ASCE* 85 (1959) 67; Chopra, *Dynamics of Structures*, 5.4 and 5.7. The
 //! paper compares itself with a result of this method at Δt = 0.005 s.
 
-use pounding_contact::ContactLaw;
-
+use crate::approach::speed;
 use crate::error::require;
 use crate::impacts::Impacts;
 use crate::newton::{self, Failure, Slopes, Trial};
@@ -168,8 +167,13 @@ pub(crate) fn balance<Column: RestoringForce>(
     for index in 0..scratch.trials.len() {
         solve(&mut scratch.trials, index, index)?;
     }
+    for pair in row.pairs() {
+        if pair.deformation(&scratch.states) <= 0.0 {
+            scratch.trials[pair.left].approach_speed = None;
+        }
+    }
     scratch.touching.fill(false);
-    while mark_overlaps(row, &scratch.trials, &mut scratch.touching) {
+    while mark_overlaps(row, &mut scratch.trials, &mut scratch.touching) {
         let mut pair = 0;
         while pair < row.pairs().len() {
             if !scratch.touching[pair] {
@@ -193,20 +197,20 @@ pub(crate) fn balance<Column: RestoringForce>(
 }
 
 /// Marks the compliant pairs that overlap and were not marked yet; true when there are any.
+///
+/// Those that touch first approach as they do without each other's force.
 fn mark_overlaps<Column: RestoringForce>(
     row: &Row<Column>,
-    trials: &[Trial<Column::Memory>],
+    trials: &mut [Trial<Column::Memory>],
     touching: &mut [bool],
 ) -> bool {
     let mut grown = false;
     for (pair, touching) in row.pairs().iter().zip(touching) {
-        let compliant = match pair.law {
-            ContactLaw::NonlinearViscoelastic(_) => true,
-            ContactLaw::Stereomechanical(_) => false,
-        };
         let deformation =
             trials[pair.left].displacement - trials[pair.right].displacement - pair.gap;
-        if compliant && !*touching && deformation > 0.0 {
+        if pair.law.is_compliant() && !*touching && deformation > 0.0 {
+            let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+            speed(&mut trials[pair.left].approach_speed, rate);
             *touching = true;
             grown = true;
         }

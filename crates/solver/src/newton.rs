@@ -6,7 +6,7 @@
 //! A correction is halved until the residual falls: the damper of the viscoelastic element starts like δ^(1/4), and a
 //! full correction can jump out of contact and back for ever.
 
-use pounding_contact::{ContactLaw, Overlap};
+use pounding_contact::Overlap;
 
 use crate::{Node, Pair, Response, RestoringForce, Row, State, Work};
 
@@ -37,6 +37,8 @@ pub(crate) struct Trial<Memory> {
     pub(crate) velocity: f64,
     /// The columns' answer there.
     pub(crate) response: Response<Memory>,
+    /// Approach speed of the present contact with the right neighbour \[m/s\]; nothing while apart.
+    pub(crate) approach_speed: Option<f64>,
     /// Memory of the columns at the start of the step.
     pub(crate) memory: Memory,
     /// Pounding force from the left neighbour \[N\].
@@ -71,6 +73,7 @@ impl<Memory: Copy + Default> Trial<Memory> {
                 tangent: 0.0,
                 memory: Memory::default(),
             },
+            approach_speed: None,
             memory: Memory::default(),
             force_from_left: 0.0,
             force_from_right: 0.0,
@@ -281,18 +284,25 @@ fn couple<Column: RestoringForce>(
 ) {
     let (left, right) = (&trials[pair.left], &trials[pair.right]);
     let deformation = left.displacement - right.displacement - pair.gap;
-    let law = match pair.law {
-        ContactLaw::NonlinearViscoelastic(law) => law,
-        // Impulsive contact acts between steps.
-        ContactLaw::Stereomechanical(_) => return,
-    };
-    if deformation > 0.0 {
+    // Impulsive contact acts between steps; a compliant pair that this step brings together may touch a little earlier.
+    let near = deformation > 0.0 || left.approach_speed.is_some();
+    if near && pair.law.is_compliant() {
         let rate = left.velocity - right.velocity;
-        let contact = law.respond(&Overlap {
+        let overlap = Overlap {
             deformation,
             rate,
             reduced_mass: row.reduced_mass(pair),
-        });
+            // A structure alone sees no pair; those that overlap then were marked, with their speed.
+            approach_speed: left.approach_speed.unwrap_or(0.0),
+        };
+        let contact = if deformation > 0.0 {
+            pair.law.respond(&overlap)
+        } else {
+            pair.law.before_touch(&overlap)
+        };
+        let Some(contact) = contact else {
+            return;
+        };
         let rounding = ROUNDING
             * (contact.stiffness * (left.displacement.abs() + right.displacement.abs() + pair.gap)
                 + contact.damping * (left.velocity.abs() + right.velocity.abs()));

@@ -7,6 +7,7 @@
 //! they remembered at the start of the step and remember the end of it, so that a yielding column costs the method its
 //! order. The ground acceleration half way through a step is the record's own.
 
+use crate::approach::Approaches;
 use crate::impacts::Impacts;
 use crate::span::Load;
 use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
@@ -70,6 +71,7 @@ struct Scratch<Memory> {
     slopes: Vec<(f64, f64)>,
     /// What acts on each structure in the stages.
     loads: Vec<[Load; 4]>,
+    approaches: Approaches,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -109,6 +111,7 @@ impl<Memory: Copy> Scratch<Memory> {
             stages: states.clone(),
             slopes: vec![(0.0, 0.0); states.len()],
             loads: vec![[nothing; 4]; states.len()],
+            approaches: Approaches::new(row.pairs().len()),
             states,
             memories,
         }
@@ -134,7 +137,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 stage.displacement = state.displacement + ahead * stage.velocity;
                 stage.velocity = state.velocity + ahead * stage.acceleration;
             }
-            row.push(&mut self.stages);
+            row.push(&mut self.stages, &mut self.approaches);
             let nodes = row.nodes().iter().zip(&self.memories);
             for ((node, memory), stage) in nodes.zip(&mut self.stages) {
                 // What the columns would remember of a stage is forgotten.
@@ -170,7 +173,8 @@ impl<Memory: Copy> Scratch<Memory> {
             end.displacement = start.displacement + sixth * slopes.0;
             end.velocity = start.velocity + sixth * slopes.1;
         }
-        row.push(&mut self.stages);
+        row.push(&mut self.stages, &mut self.approaches);
+        self.approaches.forget_parted(row.pairs(), &self.stages);
         for (structure, node) in row.nodes().iter().enumerate() {
             let end = &mut self.stages[structure];
             if !end.displacement.is_finite() {

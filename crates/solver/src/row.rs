@@ -1,5 +1,6 @@
-use pounding_contact::{ContactLaw, Overlap, reduced_mass};
+use pounding_contact::{ContactForce, ContactLaw, Overlap, reduced_mass};
 
+use crate::approach::Approaches;
 use crate::{ModelError, RestoringForce, State};
 
 /// One structure of a row (SDOF), or a fixed wall.
@@ -159,26 +160,25 @@ impl<Column: RestoringForce> Row<Column> {
     }
 
     /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
-    pub(crate) fn push(&self, states: &mut [State]) {
+    pub(crate) fn push(&self, states: &mut [State], approaches: &mut Approaches) {
         for state in states.iter_mut() {
             (state.force_from_left, state.force_from_right) = (0.0, 0.0);
         }
-        for pair in &self.pairs {
+        for (index, pair) in self.pairs.iter().enumerate() {
             let deformation = pair.deformation(states);
-            if deformation > 0.0 {
-                let law = match pair.law {
-                    ContactLaw::NonlinearViscoelastic(law) => law,
-                    // Impulsive contact acts between steps.
-                    ContactLaw::Stereomechanical(_) => continue,
-                };
+            // Impulsive contact acts between steps.
+            if deformation > 0.0 && pair.law.is_compliant() {
+                let rate = pair.rate(states);
                 let overlap = Overlap {
                     deformation,
-                    rate: pair.rate(states),
+                    rate,
                     reduced_mass: self.reduced_mass(pair),
+                    approach_speed: approaches.of(index, rate),
                 };
-                let force = law.respond(&overlap).force;
-                states[pair.left].force_from_right = -force;
-                states[pair.right].force_from_left = force;
+                if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
+                    states[pair.left].force_from_right = -force;
+                    states[pair.right].force_from_left = force;
+                }
             }
         }
     }

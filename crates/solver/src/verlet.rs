@@ -13,6 +13,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::approach::Approaches;
 use crate::impacts::{Impacts, impulsive};
 use crate::span::Load;
 use crate::{
@@ -84,6 +85,7 @@ struct Scratch<Memory> {
     impacts: Impacts,
     /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
     closings: Vec<f64>,
+    approaches: Approaches,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -114,6 +116,9 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         for body in &mut scratch.bodies {
             body.since = 0.0;
         }
+        scratch
+            .approaches
+            .forget_parted(row.pairs(), &scratch.states);
         work.touching_steps += row.n_overlaps(&scratch.states);
         let Scratch {
             impacts, states, ..
@@ -139,6 +144,7 @@ fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Colu
         states,
         impacts: Impacts::new(row),
         closings: vec![f64::INFINITY; row.pairs().len()],
+        approaches: Approaches::new(row.pairs().len()),
     }
 }
 
@@ -232,7 +238,7 @@ impl<Memory: Copy> Scratch<Memory> {
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        row.push(&mut self.ends);
+        row.push(&mut self.ends, &mut self.approaches);
         self.share(row.pairs(), instant);
         let (ground, time) = step.at(instant);
         for (structure, node) in row.nodes().iter().enumerate() {

@@ -1,7 +1,5 @@
 //! Checks a scene, field by field, before anything is built from it.
 
-use pounding_contact::ContactLaw;
-
 use crate::{Damping, Method, Scene, SceneError, Sdof, Structure};
 
 /// Refuses a value that is not `valid`.
@@ -105,7 +103,7 @@ fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
             .map_err(|error| SceneError::OutOfRange {
                 place: format!(
                     "contacts[{index}].law.{}.{}",
-                    law_name(&contact.law),
+                    contact.law.name(),
                     error.parameter
                 ),
                 found: error.found,
@@ -113,14 +111,6 @@ fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
             })?;
     }
     Ok(())
-}
-
-/// Name of a contact law as scene files spell it.
-fn law_name(law: &ContactLaw) -> &'static str {
-    match law {
-        ContactLaw::Stereomechanical(_) => "stereomechanical",
-        ContactLaw::NonlinearViscoelastic(_) => "nonlinear_viscoelastic",
-    }
 }
 
 fn check_structure(index: usize, structure: &Sdof) -> Result<(), SceneError> {

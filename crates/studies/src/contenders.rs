@@ -1,6 +1,5 @@
 //! The methods that compete, in the trade and for advice: to add one is a line.
 
-use pounding_contact::ContactLaw;
 use pounding_solver::{ImpactRule, Newmark, SimultaneousImpacts, Start, VerletImpacts};
 
 use crate::figures::is_impulsive;
@@ -187,10 +186,7 @@ impl Contender {
 /// Whether a contact of the scene has a force over time, and not only impulses.
 pub(crate) fn is_compliant(scene: &Scene) -> bool {
     let mut contacts = scene.contacts.iter().flatten();
-    contacts.any(|contact| match contact.law {
-        ContactLaw::NonlinearViscoelastic(_) => true,
-        ContactLaw::Stereomechanical(_) => false,
-    })
+    contacts.any(|contact| contact.law.is_compliant())
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Contact in the central difference method: pounding forces at a node, impacts, and who sub-steps.
 
-use pounding_contact::{ContactLaw, Overlap};
+use pounding_contact::Overlap;
 
-use super::{ImpactRule, Instant, Run};
-use crate::{Impact, Recorder, RestoringForce, Velocities};
+use super::{Body, ImpactRule, Instant, Run};
+use crate::{Impact, Pair, Recorder, RestoringForce, Velocities};
 
 impl<Column: RestoringForce> Run<'_, Column> {
     /// Contact at a node, each pair alone; true when an impulsive pair is hit, or is closed and may jump.
@@ -24,50 +24,47 @@ impl<Column: RestoringForce> Run<'_, Column> {
             let (left, right) = (&bodies[pair.left], &bodies[pair.right]);
             let deformation = left.displacement - right.displacement - pair.gap;
             // Structures of which one does not sub-step meet at whole nodes only.
-            if deformation < 0.0 || (fine && !(left.fine && right.fine)) {
+            if fine && !(left.fine && right.fine) {
                 continue;
             }
             let overlaps = deformation > 0.0;
+            if !overlaps {
+                self.approaches.forget(index);
+            }
+            if deformation < 0.0 {
+                continue;
+            }
             self.work.touching_steps += u64::from(overlaps);
             let reduced_mass = self.row.reduced_mass(pair);
-            match pair.law {
-                ContactLaw::NonlinearViscoelastic(law) if overlaps => {
-                    let [left_step, right_step] =
-                        [left, right].map(|body| self.steps[usize::from(body.fine)]);
-                    let rate = if left.fine == right.fine {
-                        (left.increment - right.increment) / left_step
-                    } else {
-                        left.increment / left_step - right.increment / right_step
-                    };
+            match (pair.law.impulsive(), self.impacts) {
+                (None, _) if overlaps => {
+                    let steps = [left, right].map(|body| self.steps[usize::from(body.fine)]);
+                    let rate = rate(left, right, steps);
                     let overlap = Overlap {
                         deformation,
                         rate,
                         reduced_mass,
+                        approach_speed: self.approaches.of(index, rate),
                     };
-                    let force = law.respond(&overlap).force;
-                    let excess = 0.5 * force;
-                    bodies[pair.left].excess.1 = -excess * (left_step - left_step.min(right_step));
-                    bodies[pair.right].excess.0 = excess * (right_step - left_step.min(right_step));
-                    bodies[pair.left].force_from_right = -force;
-                    bodies[pair.right].force_from_left = force;
-                }
-                ContactLaw::NonlinearViscoelastic(_) => {}
-                ContactLaw::Stereomechanical(law) => match self.impacts {
-                    ImpactRule::AsPublished => {
-                        let rate = left.velocity - right.velocity;
-                        if overlaps && rate > 0.0 {
-                            let impulse = law.impulse(rate, reduced_mass);
-                            self.impulses[index] = impulse;
-                            bodies[pair.left].impulse -= impulse;
-                            bodies[pair.right].impulse += impulse;
-                            hit = true;
-                        }
+                    if let Some(contact) = pair.law.respond(&overlap) {
+                        push(bodies, pair, contact.force, steps);
                     }
-                    ImpactRule::VelocityJump => {
-                        self.jumps.touching[index] = true;
+                }
+                (None, _) => {}
+                (Some(law), ImpactRule::AsPublished) => {
+                    let rate = left.velocity - right.velocity;
+                    if overlaps && rate > 0.0 {
+                        let impulse = law.impulse(rate, reduced_mass);
+                        self.impulses[index] = impulse;
+                        bodies[pair.left].impulse -= impulse;
+                        bodies[pair.right].impulse += impulse;
                         hit = true;
                     }
-                },
+                }
+                (Some(_), ImpactRule::VelocityJump) => {
+                    self.jumps.touching[index] = true;
+                    hit = true;
+                }
             }
         }
         hit
@@ -143,4 +140,23 @@ impl<Column: RestoringForce> Run<'_, Column> {
             }
         }
     }
+}
+
+/// Backward difference of the deformation \[m/s\], for steps of these lengths.
+fn rate<Memory>(left: &Body<Memory>, right: &Body<Memory>, steps: [f64; 2]) -> f64 {
+    if left.fine == right.fine {
+        (left.increment - right.increment) / steps[0]
+    } else {
+        left.increment / steps[0] - right.increment / steps[1]
+    }
+}
+
+/// Gives a pair its force; on both neighbours it acts for half of the shorter step.
+fn push<Memory>(bodies: &mut [Body<Memory>], pair: &Pair, force: f64, steps: [f64; 2]) {
+    let [left, right] = steps;
+    let excess = 0.5 * force;
+    bodies[pair.left].excess.1 = -excess * (left - left.min(right));
+    bodies[pair.right].excess.0 = excess * (right - left.min(right));
+    bodies[pair.left].force_from_right = -force;
+    bodies[pair.right].force_from_left = force;
 }

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use pounding_contact::ContactLaw;
-
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{Branch, Member};
@@ -186,11 +184,9 @@ impl<R: Recorder> Run<'_, R> {
     fn find_partings(&mut self, first: usize, last: usize) {
         let within = self.pairs_within(first, last);
         for contact in &mut self.contacts[within] {
-            let ContactLaw::NonlinearViscoelastic(law) = contact.law else {
+            let Some(left) = contact.rough_remainder() else {
                 continue;
             };
-            let deformation = contact.deformation.max(0.0);
-            let left = 0.4 * law.impact_stiffness * deformation * deformation * deformation.sqrt();
             let momentum = contact.reduced_mass * contact.rate * contact.rate;
             let over = contact.rate < 0.0 && left <= self.settings.tolerance * momentum;
             if contact.link == Link::Touching(Phase::Restitution) && over {
@@ -327,6 +323,8 @@ impl<R: Recorder> Run<'_, R> {
                 | Event::Peak(_)
                 | Event::Fade(_)
                 | Event::Reversal(_)
+                | Event::Clamp(_)
+                | Event::Grip(_)
                 | Event::Part(_) => {}
             }
         }

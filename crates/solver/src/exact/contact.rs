@@ -1,6 +1,6 @@
 //! What is known of a pair between events: whether it touches, its deformation, its force.
 
-use pounding_contact::{ContactLaw, NonlinearViscoelastic};
+use pounding_contact::{Action, ContactLaw, Form, Power as Exponent, Term};
 
 use crate::exact::member::Member;
 use crate::exact::noise::noise;
@@ -23,6 +23,8 @@ pub(super) enum Link {
 pub(super) enum Phase {
     Approach,
     Restitution,
+    /// The law would pull; there is no force until it would push again.
+    Clamped,
     /// What is left of the force is below the tolerance; the neighbours part.
     Parting,
 }
@@ -32,6 +34,8 @@ pub(super) enum Phase {
 pub(super) struct Contact {
     pub(super) law: ContactLaw,
     pub(super) reduced_mass: f64,
+    /// Force of the present contact, which may know its approach speed; nothing before the first one.
+    pub(super) form: Option<Form>,
     pub(super) link: Link,
     /// The instant of `deformation` and `rate`.
     pub(super) time: f64,
@@ -47,6 +51,8 @@ pub(super) struct Contact {
     pub(super) alike: usize,
     /// The force is known to have an extremum.
     pub(super) peaked: bool,
+    /// Instant at which the force before the clamp last changed its sign.
+    crossed: f64,
     /// The next touch that the pieces on both sides lead to; infinite without one.
     pub(super) meets: f64,
     /// The same in the variable of `series`, not rounded to what time can tell apart.
@@ -60,8 +66,10 @@ pub(super) struct Contact {
     pub(super) series: Deformation,
     /// Pounding force, in the variable of its body.
     pub(super) force: [f64; CAPACITY],
+    /// What has the sign of the force before the clamp.
+    pub(super) pull: [f64; CAPACITY],
     spring: [f64; CAPACITY],
-    quarter: [f64; CAPACITY],
+    damper: [f64; CAPACITY],
 }
 
 /// Deformation as a series in x − `offset`, with t = `origin` + x^p.
@@ -79,6 +87,7 @@ impl Contact {
         Self {
             law,
             reduced_mass,
+            form: None,
             link: Link::Apart,
             time: 0.0,
             deformation,
@@ -88,6 +97,7 @@ impl Contact {
             faded: false,
             alike: 0,
             peaked: false,
+            crossed: f64::NEG_INFINITY,
             meets: f64::INFINITY,
             meets_at: 0.0,
             hit: f64::NEG_INFINITY,
@@ -101,17 +111,46 @@ impl Contact {
                 power: Power::One,
             },
             force: [0.0; CAPACITY],
+            pull: [0.0; CAPACITY],
             spring: [0.0; CAPACITY],
-            quarter: [0.0; CAPACITY],
+            damper: [0.0; CAPACITY],
+        }
+    }
+
+    /// Begins compliant contact, at the rate of the touch.
+    pub(super) fn begin(&mut self) {
+        self.form = self.law.form(self.reduced_mass, self.rate.max(0.0));
+        self.link = Link::Touching(Phase::Approach);
+    }
+
+    /// Whether the force would fall below zero were it not clamped.
+    pub(super) fn can_pull(&self) -> bool {
+        let damped = |form: Form| form.action == Action::Both && form.damper.coefficient > 0.0;
+        self.form.is_some_and(damped)
+    }
+
+    /// The force before the clamp has changed its sign.
+    pub(super) fn cross(&mut self, phase: Phase) {
+        (self.link, self.crossed) = (Link::Touching(phase), self.time);
+    }
+
+    /// Phase of compliant contact at a deformation and rate that have jumped.
+    pub(super) fn phase(&self) -> Phase {
+        let pulls = |form: &Form| {
+            form.action == Action::Both && form.unclamped(self.deformation, self.rate) < 0.0
+        };
+        if self.rate > 0.0 {
+            Phase::Approach
+        } else if self.form.as_ref().is_some_and(pulls) {
+            Phase::Clamped
+        } else {
+            Phase::Restitution
         }
     }
 
     /// Coefficient of restitution of an impulsive law; nothing for a compliant one.
     pub(super) fn restitution(&self) -> Option<f64> {
-        match self.law {
-            ContactLaw::Stereomechanical(law) => Some(law.restitution),
-            ContactLaw::NonlinearViscoelastic(_) => None,
-        }
+        self.law.impulsive().map(|law| law.restitution)
     }
 
     /// Coefficient `n` of the deformation, from the motion of both sides.
@@ -140,23 +179,54 @@ impl Contact {
 
     /// Finds coefficient `n` of a compliant force; those below `n` and what they imply are known.
     pub(super) fn find_force(&mut self, sides: &[Member], power: Power, n: usize) {
-        self.force[n] = match (self.link, self.law) {
-            (Link::Touching(Phase::Approach), ContactLaw::NonlinearViscoelastic(law)) => {
-                self.spring(&law, sides, power, n) + self.damper(&law, sides, power, n)
+        let (Link::Touching(phase), Some(form)) = (self.link, self.form) else {
+            self.force[n] = 0.0;
+            return;
+        };
+        if phase == Phase::Parting {
+            self.force[n] = self.remainder(&form, power, n);
+            return;
+        }
+        if form.action == Action::Both {
+            self.pull[n] = self.pull(&form, sides, power, n);
+        }
+        self.force[n] = if phase == Phase::Clamped {
+            0.0
+        } else {
+            let spring = self.spring(form.spring, sides, power, n);
+            if phase == Phase::Approach || form.action == Action::Both {
+                spring + self.damper(form.damper, sides, power, n)
+            } else {
+                spring
             }
-            (Link::Touching(Phase::Restitution), ContactLaw::NonlinearViscoelastic(law)) => {
-                self.spring(&law, sides, power, n)
-            }
-            (Link::Touching(Phase::Parting), ContactLaw::NonlinearViscoelastic(law)) => {
-                self.remainder(&law, power, n)
-            }
-            _ => 0.0,
         };
     }
 
+    /// The force before the clamp divided by δ^κ, K δ^(n−κ) + C δ̇, which has the same sign.
+    ///
+    /// n − κ is 0 or 1 in every law that would pull: no root, so that it stays smooth where the deformation vanishes.
+    fn pull(&self, form: &Form, sides: &[Member], power: Power, n: usize) -> f64 {
+        // Known to be zero, and not what rounding made of that.
+        if n == 0 && self.crossed >= self.time {
+            return 0.0;
+        }
+        let Form { spring, damper, .. } = form;
+        let pushes = if spring.power != damper.power {
+            self.deformation(sides, power, n)
+        } else if n == 0 {
+            1.0
+        } else {
+            0.0
+        };
+        spring.coefficient * pushes + damper.coefficient * self.rate(sides, power, n)
+    }
+
     /// What is left of the force when a pair parts falls to zero in a line; its impulse is below the tolerance.
-    fn remainder(&self, law: &NonlinearViscoelastic, power: Power, n: usize) -> f64 {
-        let force = law.impact_stiffness * self.deformation * self.deformation.sqrt();
+    fn remainder(&self, form: &Form, power: Power, n: usize) -> f64 {
+        let mut force = form.spring.coefficient * self.deformation * self.deformation.sqrt();
+        if form.action == Action::Both {
+            force = (force + form.damper.at(self.deformation) * self.rate).max(0.0);
+        }
         if n == 0 {
             force
         } else if n == power.order() {
@@ -183,6 +253,14 @@ impl Contact {
         self.alike > 0
     }
 
+    /// Energy \[J\] that the spring still holds where its force is not smooth at the parting; nothing where it is.
+    pub(super) fn rough_remainder(&self) -> Option<f64> {
+        let Term { coefficient, power } = self.form?.spring;
+        let deformation = self.deformation.max(0.0);
+        (power == Exponent::ThreeHalves)
+            .then(|| 0.4 * coefficient * deformation * deformation * deformation.sqrt())
+    }
+
     /// The power of x with which the deformation begins; nothing as long as it is not known.
     fn leading(&self, sides: &[Member], power: Power, n: usize) -> Option<usize> {
         if self.deformation > 0.0 {
@@ -195,68 +273,77 @@ impl Contact {
             .find(|&index| self.deformation(sides, power, index) > 0.0)
     }
 
-    /// β̄ δ^(3/2): with δ = x^q D it is x^(3q/2) D^(3/2).
-    fn spring(
-        &mut self,
-        law: &NonlinearViscoelastic,
-        sides: &[Member],
-        power: Power,
-        n: usize,
-    ) -> f64 {
+    /// K δ^n: with δ = x^q D it is x^(nq) D^n.
+    fn spring(&mut self, spring: Term, sides: &[Member], power: Power, n: usize) -> f64 {
         let Some(leading) = self.leading(sides, power, n) else {
             return 0.0;
         };
-        let shift = 3 * leading / 2;
+        let shift = times(spring.power, leading);
         if n < shift {
             return 0.0;
         }
-        let first = self.deformation(sides, power, leading);
         let m = n - shift;
-        self.spring[m] = if m == 0 {
-            first * first.sqrt()
-        } else {
-            let term = |k: usize| {
-                (1.5 * k as f64 - (m - k) as f64)
-                    * self.deformation(sides, power, leading + k)
-                    * self.spring[m - k]
-            };
-            (1..=m).map(term).sum::<f64>() / (m as f64 * first)
-        };
-        law.impact_stiffness * self.spring[m]
+        self.spring[m] = self.coefficient(spring.power, &self.spring, (sides, power), (leading, m));
+        spring.coefficient * self.spring[m]
     }
 
-    /// c̄ δ̇ = 2 ξ̄ √(β̄ m) δ^(1/4) δ̇.
-    fn damper(
-        &mut self,
-        law: &NonlinearViscoelastic,
-        sides: &[Member],
-        power: Power,
-        n: usize,
-    ) -> f64 {
+    /// C δ^κ δ̇.
+    fn damper(&mut self, damper: Term, sides: &[Member], power: Power, n: usize) -> f64 {
+        if damper.power == Exponent::Zero {
+            return damper.coefficient * self.rate(sides, power, n);
+        }
         let Some(leading) = self.leading(sides, power, n) else {
             return 0.0;
         };
         // The rate begins with the power leading − p, which is how far the root need not be known.
-        let (shift, behind) = (leading / 4, leading.saturating_sub(power.order()));
+        let (shift, behind) = (
+            times(damper.power, leading),
+            leading.saturating_sub(power.order()),
+        );
         if n < shift + behind {
             return 0.0;
         }
         let last = n - shift - behind;
+        self.damper[last] =
+            self.coefficient(damper.power, &self.damper, (sides, power), (leading, last));
+        let product = |k: usize| self.damper[k] * self.rate(sides, power, n - shift - k);
+        damper.coefficient * (0..=last).map(product).sum::<f64>()
+    }
+
+    /// Coefficient `m` of D^exponent, δ = x^q D, from those `before` it (J. C. P. Miller's recurrence).
+    fn coefficient(
+        &self,
+        exponent: Exponent,
+        before: &[f64; CAPACITY],
+        (sides, power): (&[Member], Power),
+        (leading, m): (usize, usize),
+    ) -> f64 {
+        if exponent == Exponent::One {
+            return self.deformation(sides, power, leading + m);
+        }
         let first = self.deformation(sides, power, leading);
-        let m = last;
-        self.quarter[m] = if m == 0 {
-            first.sqrt().sqrt()
-        } else {
-            let term = |k: usize| {
-                (0.25 * k as f64 - (m - k) as f64)
-                    * self.deformation(sides, power, leading + k)
-                    * self.quarter[m - k]
-            };
-            (1..=m).map(term).sum::<f64>() / (m as f64 * first)
+        if m == 0 {
+            return exponent.of(first);
+        }
+        let value = exponent.value();
+        let term = |k: usize| {
+            (value * k as f64 - (m - k) as f64)
+                * self.deformation(sides, power, leading + k)
+                * before[m - k]
         };
-        let product = |k: usize| self.quarter[k] * self.rate(sides, power, n - shift - k);
-        let coefficient =
-            2.0 * law.impact_damping_ratio * (law.impact_stiffness * self.reduced_mass).sqrt();
-        coefficient * (0..=last).map(product).sum::<f64>()
+        (1..=m).map(term).sum::<f64>() / (m as f64 * first)
+    }
+}
+
+/// The power of x with which δ^exponent begins where δ begins with x^`leading`.
+///
+/// At a touch `leading` is a multiple of four, so that every exponent leads to a whole power; later it is 0.
+fn times(exponent: Exponent, leading: usize) -> usize {
+    match exponent {
+        Exponent::Zero => 0,
+        Exponent::Quarter => leading / 4,
+        Exponent::Half => leading / 2,
+        Exponent::One => leading,
+        Exponent::ThreeHalves => 3 * leading / 2,
     }
 }

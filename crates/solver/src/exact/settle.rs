@@ -1,6 +1,6 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
-use crate::exact::contact::{Contact, Link, Phase};
+use crate::exact::contact::{Contact, Link};
 use crate::exact::noise::{clean, noise};
 use crate::exact::{CHATTER, Run};
 use crate::span::Power;
@@ -29,7 +29,7 @@ impl<R: Recorder> Run<'_, R> {
                 contact.touching = false;
                 // A graze within rounding is none.
                 if contact.rate >= 0.0 {
-                    contact.link = Link::Touching(Phase::Approach);
+                    contact.begin();
                 }
                 pair += 1;
                 continue;
@@ -335,11 +335,7 @@ impl Contact {
     fn push(&mut self, jump: f64) {
         self.rate += jump;
         if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
-            self.link = Link::Touching(if self.rate > 0.0 {
-                Phase::Approach
-            } else {
-                Phase::Restitution
-            });
+            self.link = Link::Touching(self.phase());
         }
     }
 }

@@ -24,6 +24,10 @@ pub(super) enum Event {
     Fade(usize),
     /// The rate of deformation of a pair changes its sign.
     Reversal(usize),
+    /// The law of a pair would pull from here on.
+    Clamp(usize),
+    /// The law of a pair that would pull pushes again.
+    Grip(usize),
     /// A pair parts.
     Part(usize),
 }
@@ -157,12 +161,19 @@ impl<R: Recorder> Run<'_, R> {
                     Event::Reversal(pair),
                 );
             }
-            Link::Touching(Phase::Restitution | Phase::Parting) => {
-                watch.rise(
-                    len,
-                    |n| contact.rate(sides, power, n),
-                    Event::Reversal(pair),
-                );
+            Link::Touching(phase) => {
+                if phase == Phase::Clamped {
+                    watch.rise(len, |n| contact.pull[n], Event::Grip(pair));
+                } else {
+                    watch.rise(
+                        len,
+                        |n| contact.rate(sides, power, n),
+                        Event::Reversal(pair),
+                    );
+                }
+                if phase == Phase::Restitution && contact.can_pull() {
+                    watch.rise(len, |n| -contact.pull[n], Event::Clamp(pair));
+                }
                 watch.rise(
                     len,
                     |n| -contact.deformation(sides, power, n),
@@ -202,11 +213,15 @@ impl<R: Recorder> Run<'_, R> {
                         contact.link = Link::Touching(Phase::Approach);
                     }
                     // What was left of the deformation is below the tolerance: a new touch may begin.
-                    Link::Touching(Phase::Parting) | Link::Apart | Link::Resting => {
+                    Link::Touching(Phase::Parting | Phase::Clamped)
+                    | Link::Apart
+                    | Link::Resting => {
                         (contact.link, contact.deformation) = (Link::Apart, 0.0);
                     }
                 }
             }
+            Event::Clamp(pair) => self.contacts[pair].cross(Phase::Clamped),
+            Event::Grip(pair) => self.contacts[pair].cross(Phase::Restitution),
             Event::Part(pair) => {
                 let contact = &mut self.contacts[pair];
                 (contact.link, contact.deformation) = (Link::Apart, 0.0);

@@ -146,7 +146,7 @@ fn reference_a_free_viscoelastic_impact_takes_what_its_restitution_says() {
     )
     .unwrap();
     let energy = 0.5 * (75e3 * 3e6 / 3.075e6) * 0.5 * 0.5;
-    let restitution = VISCOELASTIC.restitution();
+    let restitution = VISCOELASTIC.restitution().unwrap();
     let expected = energy * (1.0 - restitution * restitution);
     for (name, method) in METHODS {
         let ledger = book(&row, method, &[0.0], clock(1e-6, 0.1));

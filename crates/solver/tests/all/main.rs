@@ -4,6 +4,7 @@ mod allocations;
 mod audit;
 mod chopra;
 mod common;
+mod every_law;
 mod exact;
 mod exact_laws;
 mod found;

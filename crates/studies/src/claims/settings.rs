@@ -104,8 +104,8 @@ pub(super) fn restitution(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             .next()
             .map(|contact| contact.law))
     };
-    let [asked, delivered] =
-        [law("table-2")?, law("table-4")?].map(|law| law.map_or(f64::NAN, |law| law.restitution()));
+    let [asked, delivered] = [law("table-2")?, law("table-4")?]
+        .map(|law| law.and_then(|law| law.restitution()).unwrap_or(f64::NAN));
     Ok(Claim {
         claim: "The impact damping ratio 0.35 belongs to the restitution 0.65",
         place: "3.2",

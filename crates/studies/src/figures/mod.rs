@@ -83,13 +83,9 @@ fn points(outcome: &Outcome, index: usize, quantity: impl Fn(&State) -> f64) -> 
 
 /// Whether any contact of the scene is impulsive.
 pub(crate) fn is_impulsive(scene: &Scene) -> bool {
-    use pounding_contact::ContactLaw;
     scene
         .contacts
         .iter()
         .flatten()
-        .any(|contact| match contact.law {
-            ContactLaw::Stereomechanical(_) => true,
-            ContactLaw::NonlinearViscoelastic(_) => false,
-        })
+        .any(|contact| !contact.law.is_compliant())
 }

@@ -165,7 +165,7 @@ mod tests {
             gap: 0.0,
             law: ContactLaw::NonlinearViscoelastic(law),
         };
-        let model = Model::new(&Row::new(nodes, vec![pair]).unwrap());
+        let model = Model::new(&Row::new(nodes, vec![pair]).unwrap()).unwrap();
         let mut phases = Phases::new(&model);
         phases.pairs[0].contact = Contact::Restitution;
         Motion {

@@ -99,7 +99,7 @@ pub fn run<Column: PiecewiseLinear>(
         });
     }
     let interval = excitation.time_step();
-    let mut runner = Runner::new(Model::new(row), fineness, interval);
+    let mut runner = Runner::new(Model::new(row)?, fineness, interval);
     let mut samples = excitation.samples().windows(2);
     let mut segment = 0_u32;
     loop {

@@ -3,6 +3,8 @@
 use pounding_contact::ContactLaw;
 use pounding_solver::{PiecewiseLinear, Row};
 
+use super::SecondRouteError;
+
 /// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
 ///
 /// After it follow displacement and velocity of each structure, then the impulse of the present collision of each
@@ -62,7 +64,9 @@ pub(super) enum Law {
 }
 
 impl Model {
-    pub(super) fn new<Column: PiecewiseLinear>(row: &Row<Column>) -> Self {
+    pub(super) fn new<Column: PiecewiseLinear>(
+        row: &Row<Column>,
+    ) -> Result<Self, SecondRouteError> {
         let structures: Vec<_> = row
             .nodes()
             .iter()
@@ -75,7 +79,7 @@ impl Model {
                 initial_velocity: node.initial_velocity,
             })
             .collect();
-        let neighbours = |pair: &pounding_solver::Pair| {
+        let neighbours = |(index, pair): (usize, &pounding_solver::Pair)| {
             let inverse_mass = |index: usize| structures[index].inverse_mass;
             let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
             let law = match pair.law {
@@ -88,17 +92,31 @@ impl Model {
                         * law.impact_damping_ratio
                         * (law.impact_stiffness * reduced_mass).sqrt(),
                 },
+                ContactLaw::LinearSpring(_)
+                | ContactLaw::Hertz(_)
+                | ContactLaw::KelvinVoigt(_)
+                | ContactLaw::ModifiedLinearViscoelastic(_)
+                | ContactLaw::HertzDamp(_)
+                | ContactLaw::ModifiedKelvin(_)
+                | ContactLaw::PantWijeyewickrema(_)
+                | ContactLaw::KuwabaraKono(_) => {
+                    return Err(SecondRouteError::UnknownLaw {
+                        pair: index,
+                        law: pair.law.name(),
+                    });
+                }
             };
-            Neighbours {
+            Ok(Neighbours {
                 left: pair.left,
                 right: pair.right,
                 gap: pair.gap,
                 reduced_mass,
                 law,
-            }
+            })
         };
-        let pairs = row.pairs().iter().map(neighbours).collect();
-        Self { structures, pairs }
+        let pairs = row.pairs().iter().enumerate().map(neighbours);
+        let pairs = pairs.collect::<Result<_, _>>()?;
+        Ok(Self { structures, pairs })
     }
 
     /// Number of unknowns.

@@ -1,0 +1,88 @@
+//! Dampers that know the approach speed, F = S(δ)(1 + aδ̇/v₀): what their laws share.
+//!
+//! From m δ̇ dδ̇ = −F dδ the spring stores m v₀² [φ(a) − u² φ(au)] when the rate is u v₀, φ(x) = (x − ln(1+x))/x²,
+//! whatever the spring S. At parting nothing is stored: φ(a) = e² φ(−ea), which is a(1+e) = ln[(1+a)/(1−ea)]. Where the
+//! damper acts on approach alone, all that is stored comes back: e² = 2φ(a).
+//!
+//! Near a = 0 these are differences of nearly equal numbers; with φ(x) = ½ − xψ(x) they are not.
+
+use crate::form::{Action, Form, Term};
+use crate::search::root;
+
+/// Arguments below this go by series.
+const SMALL: f64 = 0.25;
+
+/// Approach speed \[m/s\] below which these laws are springs.
+///
+/// Neighbours that are pressed together after a touch this slow would meet a damper a million times as strong as the spring:
+/// the laws were made for collisions, and have nothing to say of pressing.
+pub(crate) const SLOWEST: f64 = 1e-6;
+
+/// The force: `spring` (1 + aδ̇/v₀); the spring alone where v₀ is below [`SLOWEST`].
+pub(crate) fn form(spring: Term, (factor, speed): (f64, f64), action: Action) -> Form {
+    let damper = Term {
+        coefficient: if speed < SLOWEST {
+            0.0
+        } else {
+            spring.coefficient * factor / speed
+        },
+        power: spring.power,
+    };
+    Form {
+        spring,
+        damper,
+        action,
+    }
+}
+
+/// 2φ(a): part of the kinetic energy \[–\] that is stored at the largest deformation.
+pub(crate) fn stored(factor: f64) -> f64 {
+    if factor < SMALL {
+        1.0 - 2.0 * factor * psi(factor)
+    } else {
+        2.0 * (factor - libm::log1p(factor)) / (factor * factor)
+    }
+}
+
+/// e that a damper of both phases delivers.
+pub(crate) fn restitution(factor: f64) -> f64 {
+    // 1 − ea > 0: the force of a free impact never falls to zero before the parting.
+    let most = if factor > 1.0 { 1.0 / factor } else { 1.0 };
+    root(0.0, most, |restitution| balance(factor, restitution))
+}
+
+/// Factor a with which a damper of both phases delivers e, in (0, 1].
+pub(crate) fn factor(restitution: f64) -> f64 {
+    root(0.0, 1.0 / restitution, |factor| {
+        balance(factor, restitution)
+    })
+}
+
+/// Factor a with which a damper of the approach alone delivers e, in (0, 1].
+pub(crate) fn factor_on_approach(restitution: f64) -> f64 {
+    let lost = 0.5 * (1.0 - restitution) * (1.0 + restitution);
+    // φ(a) < 1/a.
+    let most = 2.0 / (restitution * restitution);
+    root(0.0, most, |factor| factor * psi(factor) - lost)
+}
+
+/// e² φ(−ea) − φ(a), increasing in both arguments.
+fn balance(factor: f64, restitution: f64) -> f64 {
+    let cube = restitution * restitution * restitution;
+    factor * (cube * psi(-restitution * factor) + psi(factor))
+        - 0.5 * (1.0 - restitution) * (1.0 + restitution)
+}
+
+/// ψ(x) = (ln(1+x) − x + x²/2)/x³, 1/3 at x = 0; infinite at x = −1.
+fn psi(x: f64) -> f64 {
+    if x.abs() < SMALL {
+        // Σ (−x)^n/(n+3); the first term left out is below 1e-17 here.
+        let mut sum = 0.0;
+        for n in (0..28).rev() {
+            sum = 1.0 / f64::from(n + 3) - x * sum;
+        }
+        sum
+    } else {
+        (libm::log1p(x) - x + 0.5 * x * x) / (x * x * x)
+    }
+}

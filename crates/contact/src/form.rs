@@ -1,0 +1,126 @@
+use crate::ContactForce;
+
+/// The form that every compliant law shares: F = K δ^n + C δ^κ δ̇, never below 0.
+///
+/// A law gives K, C and the powers; the reduced mass and the approach speed of the pair are in C already.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Form {
+    /// K \[N/m^n\] and n.
+    pub spring: Term,
+    /// C \[N·s/m^(1+κ)\] and κ.
+    pub damper: Term,
+    /// When the damper acts.
+    pub action: Action,
+}
+
+/// A coefficient times a power of the deformation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Term {
+    /// The coefficient, ≥ 0.
+    pub coefficient: f64,
+    /// The power.
+    pub power: Power,
+}
+
+/// Powers of the deformation in the laws of the literature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Power {
+    /// 0.
+    Zero,
+    /// 1/4.
+    Quarter,
+    /// 1/2.
+    Half,
+    /// 1.
+    One,
+    /// 3/2.
+    ThreeHalves,
+}
+
+/// When a damper acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Action {
+    /// While approaching and while parting.
+    Both,
+    /// While approaching (δ̇ > 0) alone.
+    Approach,
+}
+
+impl Power {
+    /// The power as a number.
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Zero => 0.0,
+            Self::Quarter => 0.25,
+            Self::Half => 0.5,
+            Self::One => 1.0,
+            Self::ThreeHalves => 1.5,
+        }
+    }
+
+    /// This power of x ≥ 0, by products and square roots.
+    pub fn of(self, x: f64) -> f64 {
+        match self {
+            Self::Zero => 1.0,
+            Self::Quarter => x.sqrt().sqrt(),
+            Self::Half => x.sqrt(),
+            Self::One => x,
+            Self::ThreeHalves => x * x.sqrt(),
+        }
+    }
+}
+
+impl Term {
+    /// Value at a deformation ≥ 0.
+    pub fn at(&self, deformation: f64) -> f64 {
+        self.coefficient * self.power.of(deformation)
+    }
+}
+
+impl Form {
+    /// The force before it is clamped \[N\]; below 0 the law would pull.
+    pub fn unclamped(&self, deformation: f64, rate: f64) -> f64 {
+        self.spring.at(deformation) + self.damping(deformation, rate) * rate
+    }
+
+    /// Force and tangents at δ > 0; all are 0 where the law would pull.
+    pub(crate) fn respond(&self, deformation: f64, rate: f64) -> ContactForce {
+        let spring = self.spring.at(deformation);
+        let damping = self.damping(deformation, rate);
+        let force = spring + damping * rate;
+        if force < 0.0 {
+            return ContactForce {
+                force: 0.0,
+                stiffness: 0.0,
+                damping: 0.0,
+            };
+        }
+        let slope = self.spring.power.value() * spring + self.damper.power.value() * damping * rate;
+        ContactForce {
+            force,
+            stiffness: slope / deformation,
+            damping,
+        }
+    }
+
+    /// The same at δ ≤ 0, where the damper acts from the touch on; nothing elsewhere.
+    pub(crate) fn before_touch(&self, deformation: f64, rate: f64) -> Option<ContactForce> {
+        let (stiffness, damping) = (self.spring.coefficient, self.damper.coefficient);
+        let force = stiffness * deformation + damping * rate;
+        let jumps = self.damper.power == Power::Zero && self.spring.power == Power::One;
+        (jumps && force > 0.0).then_some(ContactForce {
+            force,
+            stiffness,
+            damping,
+        })
+    }
+
+    /// ∂F/∂δ̇ before the clamp.
+    fn damping(&self, deformation: f64, rate: f64) -> f64 {
+        if self.action == Action::Both || rate > 0.0 {
+            self.damper.at(deformation)
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,36 @@
+use crate::form::{Power, Term};
+
+/// Two masses on which nothing acts but their collision.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreePair {
+    /// Reduced mass m \[kg\], > 0; see [`crate::reduced_mass`].
+    pub reduced_mass: f64,
+    /// Approach speed at the first touch v₀ \[m/s\], > 0.
+    pub approach_speed: f64,
+}
+
+impl FreePair {
+    /// Impulse of the collision \[N·s\] for an e \[–\]: H = m (1+e) v₀, whatever the law.
+    pub fn impulse(&self, restitution: f64) -> f64 {
+        self.reduced_mass * (1.0 + restitution) * self.approach_speed
+    }
+
+    /// Energy lost \[J\] for an e \[–\]: ½ m v₀² (1−e²).
+    pub fn energy_lost(&self, restitution: f64) -> f64 {
+        let lost = (1.0 - restitution) * (1.0 + restitution);
+        0.5 * self.reduced_mass * self.approach_speed * self.approach_speed * lost
+    }
+
+    /// Deformation \[m\] at which a spring stores a part \[–\] of the kinetic energy.
+    pub(crate) fn deformation(&self, spring: Term, stored: f64) -> f64 {
+        let (m, v) = (self.reduced_mass, self.approach_speed);
+        // K δ^(n+1)/(n+1) = ½ m v₀² · stored.
+        let power = spring.power.value() + 1.0;
+        let ratio = 0.5 * power * stored * m * v * v / spring.coefficient;
+        if spring.power == Power::One {
+            ratio.sqrt()
+        } else {
+            libm::pow(ratio, 1.0 / power)
+        }
+    }
+}

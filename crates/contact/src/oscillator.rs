@@ -1,0 +1,52 @@
+//! The approach as a quarter swing of a damped oscillator: what the laws with a damping ratio share.
+//!
+//! An oscillator of damping ratio ζ that starts at rest position with velocity v₀ comes to rest first at ωt = acos ζ/√(1−ζ²),
+//! and then stores the energy of the velocity v₀ D(ζ), D = exp(−ζ acos ζ/√(1−ζ²)). Beyond ζ = 1 acosh takes the place
+//! of acos.
+
+use crate::search::root;
+
+/// D(ζ) \[–\]: velocity that the spring can give back at the largest deformation, per approach speed.
+pub(crate) fn given_back(ratio: f64) -> f64 {
+    libm::exp(-ratio * arc_over_chord(ratio))
+}
+
+/// Damping ratio ζ with D(ζ) = `given_back`, in (0, 1].
+pub(crate) fn ratio(given_back: f64) -> f64 {
+    let exponent = libm::log(given_back);
+    // D(ζ) < 1/ζ, so that the root lies below 1/D.
+    root(0.0, 1.0 / given_back, |ratio| {
+        ratio * arc_over_chord(ratio) + exponent
+    })
+}
+
+/// Peak of the damped force kδ + cδ̇ during the approach, per √(km) v₀ \[–\].
+///
+/// The force swings as the deformation does, ahead of it by 2 acos ζ; it peaks at ωt√(1−ζ²) = 3 acos ζ − π, which is
+/// the first touch from ζ = 1/2 on.
+pub(crate) fn peak_force(ratio: f64) -> f64 {
+    if ratio >= 0.5 {
+        return 2.0 * ratio;
+    }
+    let arc = libm::acos(ratio);
+    let chord = (1.0 - ratio * ratio).sqrt();
+    libm::exp(-ratio / chord * (3.0 * arc - std::f64::consts::PI))
+}
+
+/// acos ζ/√(1−ζ²), continued through ζ = 1 (where it is 0/0 and equals 1) as acosh ζ/√(ζ²−1).
+fn arc_over_chord(zeta: f64) -> f64 {
+    let below = 1.0 - zeta;
+    if below.abs() < 1e-3 {
+        // Σ n!/(2n+1)!! (1−ζ)^n; the first term left out is below 1e-18 here.
+        let mut sum = 0.0;
+        for n in (1..=6).rev() {
+            let n = f64::from(n);
+            sum = (1.0 + sum) * below * n / (2.0 * n + 1.0);
+        }
+        1.0 + sum
+    } else if below > 0.0 {
+        libm::acos(zeta) / (below * (1.0 + zeta)).sqrt()
+    } else {
+        libm::acosh(zeta) / (-below * (1.0 + zeta)).sqrt()
+    }
+}
