@@ -12,20 +12,19 @@ use crate::search::root;
 /// Arguments below this go by series.
 const SMALL: f64 = 0.25;
 
-/// Approach speed \[m/s\] below which these laws are springs.
+/// Approach speed that slower touches count as in laws with δ̇/v₀ \[m/s\].
 ///
-/// Neighbours that are pressed together after a touch this slow would meet a damper a million times as strong as the spring:
-/// the laws were made for collisions, and have nothing to say of pressing.
-pub(crate) const SLOWEST: f64 = 1e-6;
+/// As v₀ → 0 their damper grows without bound: neighbours that touch at a micrometre per second and are then pressed
+/// together by the ground would stick for minutes, by a factor that was fitted to collisions of centimetres per second and
+/// more. A pair that falls together through 0.05 µm, less than any face is even, reaches this speed; with the damper
+/// bounded there, what is slower bounces back more and more elastically, as real bodies do. A bound, and no switch: methods
+/// that know v₀ to a step's accuracy must find nearly the same force.
+pub const SLOWEST_APPROACH: f64 = 1e-3;
 
-/// The force: `spring` (1 + aδ̇/v₀); the spring alone where v₀ is below [`SLOWEST`].
+/// The force: `spring` (1 + aδ̇/v₀), v₀ not below [`SLOWEST_APPROACH`].
 pub(crate) fn form(spring: Term, (factor, speed): (f64, f64), action: Action) -> Form {
     let damper = Term {
-        coefficient: if speed < SLOWEST {
-            0.0
-        } else {
-            spring.coefficient * factor / speed
-        },
+        coefficient: spring.coefficient * factor / speed.max(SLOWEST_APPROACH),
         power: spring.power,
     };
     Form {

@@ -2,15 +2,16 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form, Power, Term};
+use crate::given::given;
 use crate::{Calibration, approach_damper};
 
 /// Hertz-damp: a Hertz spring times a factor of the rate, F = max(0, β̄ δ^1.5 (1 + a δ̇/v₀)), v₀ the approach speed.
 ///
 /// One force with four [`HertzDampFormula`]s for a. In a free impact the factor stays above 0; the clamp acts where
-/// something else drives the pair apart faster than v₀/a. A pair that touches at v₀ = 0 (below 1 µm/s) meets the spring
-/// alone: warn of collisions that begin so slowly, the law has no damping for them.
+/// something else drives the pair apart faster than v₀/a. Slower touches count as
+/// [`crate::SLOWEST_APPROACH`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Words")]
 pub struct HertzDamp {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m1_5")]
@@ -18,6 +19,13 @@ pub struct HertzDamp {
     /// Impact damping factor a \[–\], ≥ 0.
     pub impact_damping_factor: f64,
 }
+
+given!(
+    HertzDamp,
+    "impact_stiffness_n_per_m1_5",
+    impact_damping_factor,
+    |k, e, calibration| { HertzDamp::calibrated(k, e, (calibration, HertzDampFormula::HertzDamp)) }
+);
 
 /// Formulas of the literature for the factor a of [`HertzDamp`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

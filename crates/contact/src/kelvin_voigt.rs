@@ -2,6 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form};
+use crate::given::given;
 use crate::linear_spring::linear;
 use crate::{Calibration, oscillator};
 
@@ -11,7 +12,7 @@ use crate::{Calibration, oscillator};
 /// collision; with it, more comes back than the literature's formula says. Source: S. A. Anagnostopoulos, *Earthquake
 /// Engng Struct. Dyn.* 16 (1988) 443.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Words")]
 pub struct KelvinVoigt {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]
@@ -19,6 +20,13 @@ pub struct KelvinVoigt {
     /// Impact damping ratio ξ̄ \[–\], ≥ 0.
     pub impact_damping_ratio: f64,
 }
+
+given!(
+    KelvinVoigt,
+    "impact_stiffness_n_per_m",
+    impact_damping_ratio,
+    KelvinVoigt::calibrated
+);
 
 impl KelvinVoigt {
     /// The element of this stiffness \[N/m\] for an e in (0, 1\].

@@ -95,6 +95,20 @@ impl ContactLaw {
         self.impulsive().is_none()
     }
 
+    /// Whether the damper depends on the approach speed, as δ̇/v₀.
+    pub const fn knows_approach_speed(&self) -> bool {
+        match self {
+            Self::HertzDamp(_) | Self::ModifiedKelvin(_) | Self::PantWijeyewickrema(_) => true,
+            Self::Stereomechanical(_)
+            | Self::LinearSpring(_)
+            | Self::Hertz(_)
+            | Self::KelvinVoigt(_)
+            | Self::ModifiedLinearViscoelastic(_)
+            | Self::NonlinearViscoelastic(_)
+            | Self::KuwabaraKono(_) => false,
+        }
+    }
+
     /// Force and tangents of a compliant law while a pair touches; nothing for an impulsive one.
     ///
     /// Precondition: `overlap.deformation` > 0. Tangents jump at δ̇ = 0 and where the force is clamped, and may grow
@@ -136,6 +150,7 @@ impl ContactLaw {
 
     /// Coefficient of restitution that the law delivers to a free pair, exactly \[–\].
     ///
+    /// Laws with δ̇/v₀ deliver it from [`crate::SLOWEST_APPROACH`] on, and more to slower pairs.
     /// Nothing for [`KuwabaraKono`], whose e depends on the pair: [`crate::FreeImpact`] finds it.
     pub fn restitution(&self) -> Option<f64> {
         match self {

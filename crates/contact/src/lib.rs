@@ -23,6 +23,9 @@
 //! The paper's laws are its equation (4) and Table 3. That table prints the power as 3 and the root otherwise; the
 //! published forces follow from the form above, which is Jankowski's (2005).
 //!
+//! Files give a law by its damping, or by the `restitution` that it is to deliver and a `calibration`, `exact` (the
+//! default) or `literature`.
+//!
 //! Left out: finding contacts, time stepping, anything with more than two bodies.
 
 mod approach_damper;
@@ -31,6 +34,7 @@ mod error;
 mod form;
 mod free_impact;
 mod free_pair;
+mod given;
 mod hertz;
 mod hertz_damp;
 mod kelvin_voigt;
@@ -47,6 +51,7 @@ mod pant_wijeyewickrema;
 mod search;
 mod stereomechanical;
 
+pub use approach_damper::SLOWEST_APPROACH;
 pub use calibration::Calibration;
 pub use error::ParameterError;
 pub use form::{Action, Form, Power, Term};

@@ -2,16 +2,17 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form, Power, Term};
+use crate::given::given;
 use crate::{Calibration, approach_damper};
 
 /// Modified Kelvin element: a linear spring times a factor of the rate, F = max(0, kδ (1 + a δ̇/v₀)), v₀ the approach
 /// speed.
 ///
 /// In a free impact the factor stays above 0; the clamp acts where something else drives the pair apart faster than v₀/a.
-/// A pair that touches at v₀ = 0 (below 1 µm/s) meets the spring alone: warn of collisions that begin so slowly. Source: K. Ye, L. Li
-/// and H. Zhu, *Earthquake Engng Struct. Dyn.* 38 (2009) 1135.
+/// Slower touches count as [`crate::SLOWEST_APPROACH`]. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38
+/// (2009) 1135.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Words")]
 pub struct ModifiedKelvin {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]
@@ -19,6 +20,13 @@ pub struct ModifiedKelvin {
     /// Impact damping factor a \[–\], ≥ 0.
     pub impact_damping_factor: f64,
 }
+
+given!(
+    ModifiedKelvin,
+    "impact_stiffness_n_per_m",
+    impact_damping_factor,
+    ModifiedKelvin::calibrated
+);
 
 impl ModifiedKelvin {
     /// The element of this stiffness \[N/m\] for an e in (0, 1\].

@@ -2,6 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form};
+use crate::given::given;
 use crate::linear_spring::linear;
 use crate::{Calibration, oscillator};
 
@@ -10,7 +11,7 @@ use crate::{Calibration, oscillator};
 /// Approach (δ̇ > 0): F = kδ + cδ̇ with c = 2ξ̄ √(k m), m the reduced mass; restitution: F = kδ. The force never pulls.
 /// Source: S. Mahmoud and R. Jankowski, *Iran. J. Sci. Technol.* 35 (2011) 51.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Words")]
 pub struct ModifiedLinearViscoelastic {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]
@@ -18,6 +19,13 @@ pub struct ModifiedLinearViscoelastic {
     /// Impact damping ratio ξ̄ \[–\], ≥ 0.
     pub impact_damping_ratio: f64,
 }
+
+given!(
+    ModifiedLinearViscoelastic,
+    "impact_stiffness_n_per_m",
+    impact_damping_ratio,
+    ModifiedLinearViscoelastic::calibrated
+);
 
 impl ModifiedLinearViscoelastic {
     /// The element of this stiffness \[N/m\] for an e in (0, 1\].

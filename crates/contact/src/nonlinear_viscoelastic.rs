@@ -2,6 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form, Power, Term};
+use crate::given::given;
 use crate::{Calibration, ContactForce, Overlap, oscillator};
 
 /// Nonlinear viscoelastic impact element: a Hertz spring, and a damper that acts on approach only.
@@ -10,7 +11,7 @@ use crate::{Calibration, ContactForce, Overlap, oscillator};
 /// The force never pulls. Source: R. Jankowski, *Earthquake Engng Struct. Dyn.* 34 (2005) 595; the paper, Table 3
 /// (misprinted there, see the crate's front page).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Words")]
 pub struct NonlinearViscoelastic {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m1_5")]
@@ -18,6 +19,13 @@ pub struct NonlinearViscoelastic {
     /// Impact damping ratio ξ̄ \[–\], ≥ 0.
     pub impact_damping_ratio: f64,
 }
+
+given!(
+    NonlinearViscoelastic,
+    "impact_stiffness_n_per_m1_5",
+    impact_damping_ratio,
+    NonlinearViscoelastic::calibrated
+);
 
 impl NonlinearViscoelastic {
     /// The element of this stiffness \[N/m^1.5\] for an e in (0, 1\].

@@ -2,15 +2,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form, Power, Term};
+use crate::given::given;
 use crate::{Calibration, approach_damper};
 
 /// Element of Pant and Wijeyewickrema: a linear spring, and on approach a factor of the rate.
 ///
-/// Approach (δ̇ > 0): F = kδ (1 + a δ̇/v₀), v₀ the approach speed; restitution: F = kδ. The force never pulls. A pair that
-/// touches at v₀ = 0 (below 1 µm/s) meets the spring alone: warn of collisions that begin so slowly. Source: D. R. Pant and
-/// A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
+/// Approach (δ̇ > 0): F = kδ (1 + a δ̇/v₀), v₀ the approach speed; restitution: F = kδ. The force never pulls. Slower
+/// touches count as [`crate::SLOWEST_APPROACH`]. Source: D. R. Pant and A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Words")]
 pub struct PantWijeyewickrema {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]
@@ -18,6 +18,13 @@ pub struct PantWijeyewickrema {
     /// Impact damping factor a \[–\], ≥ 0.
     pub impact_damping_factor: f64,
 }
+
+given!(
+    PantWijeyewickrema,
+    "impact_stiffness_n_per_m",
+    impact_damping_factor,
+    PantWijeyewickrema::calibrated
+);
 
 impl PantWijeyewickrema {
     /// The element of this stiffness \[N/m\] for an e in (0, 1\].

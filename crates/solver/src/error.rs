@@ -147,6 +147,26 @@ pub enum RunError {
         /// Pieces it would need.
         pieces: f64,
     },
+    /// A touch so slow that its law's damper δ̇/v₀ holds neighbours that press against each other almost still.
+    #[error(
+        "structures {left} and {right} at t = {time} s: they touched at {approach_speed:e} m/s and press against each \
+         other; the damper of {law}, which grows with 1/v₀, is too strong there to be followed (after {pieces} pieces of \
+         one contact): use less impact stiffness or damping, a law without the approach speed, or a stepping method"
+    )]
+    CrawlsInContact {
+        /// Index of the left structure.
+        left: usize,
+        /// Index of the right structure.
+        right: usize,
+        /// The instant \[s\].
+        time: f64,
+        /// Rate of deformation at the touch \[m/s\].
+        approach_speed: f64,
+        /// Name of the law.
+        law: &'static str,
+        /// Pieces of the motion in this contact.
+        pieces: u32,
+    },
     /// Too many events.
     #[error(
         "t = {time:e} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \

@@ -3,6 +3,7 @@
 use crate::{PAIR, damped, law};
 use pounding_contact::{
     Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap,
+    SLOWEST_APPROACH,
 };
 use proptest::prelude::*;
 
@@ -66,17 +67,16 @@ proptest! {
     }
 
     #[test]
-    fn limit_no_approach_speed_leaves_the_spring(
+    fn limit_slower_touches_count_as_the_slowest(
         law in any_law(), deformation in 1e-9..1.0_f64, rate in -1.0..1.0_f64,
-        speed in prop_oneof![Just(0.0), Just(f64::MIN_POSITIVE), 0.0..1e-6_f64],
+        speed in prop_oneof![Just(0.0), Just(f64::MIN_POSITIVE), 0.0..SLOWEST_APPROACH],
     ) {
-        let knows_speed = matches!(
-            law, ContactLaw::HertzDamp(_) | ContactLaw::ModifiedKelvin(_) | ContactLaw::PantWijeyewickrema(_)
-        );
-        prop_assume!(knows_speed);
-        let spring = law.form(1.0, 1.0).unwrap().spring.at(deformation);
-        let found = respond(&law, (deformation, rate), speed).force;
-        prop_assert!((found - spring).abs() <= 0.0, "{found} {spring}");
+        let motion = (deformation, rate);
+        let [found, known] = [speed, SLOWEST_APPROACH].map(|speed| respond(&law, motion, speed));
+        prop_assert_eq!(found, known);
+        let faster = respond(&law, motion, 2.0 * SLOWEST_APPROACH);
+        let is_damped = known.force > 0.0 && known.damping > 0.0;
+        prop_assert!(!is_damped || law.knows_approach_speed() == (faster.damping < known.damping));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod calibration;
 mod delivered;
 mod force;
+mod given;
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 

@@ -69,6 +69,26 @@ fn extreme_field_missing() {
 }
 
 #[test]
+fn extreme_law_given_twice() {
+    let message = refused("law_twice", |scene| {
+        scene["contacts"][0]["law"] = json!({"hertz_damp": {
+            "impact_stiffness_n_per_m1_5": 2.75e9, "impact_damping_factor": 0.5, "restitution": 0.65,
+        }});
+    });
+    assert_snapshot!(message, @"error: scene.json: contacts[0].law.hertz_damp: found both `impact_damping_factor` and `restitution`, allowed one of them at line 11 column 7");
+}
+
+#[test]
+fn extreme_restitution_beyond_one() {
+    let message = refused("restitution", |scene| {
+        scene["contacts"][0]["law"] = json!({"hertz_damp": {
+            "impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 1.2,
+        }});
+    });
+    assert_snapshot!(message, @"error: scene.json: contacts[0].law.hertz_damp: restitution: found 1.2, allowed more than 0, up to 1 at line 10 column 7");
+}
+
+#[test]
 fn extreme_field_of_other_type() {
     let message = refused("other_type", |scene| {
         scene["structures"][1]["sdof"]["mass_kg"] = json!("3000 t");
@@ -87,9 +107,9 @@ fn extreme_method_unknown() {
 #[test]
 fn extreme_contact_law_unknown() {
     let message = refused("unknown_law", |scene| {
-        scene["contacts"][0]["law"] = json!({"hertz": {}});
+        scene["contacts"][0]["law"] = json!({"rubber": {}});
     });
-    assert_snapshot!(message, @"error: scene.json: contacts[0].law: unknown variant `hertz`, expected `stereomechanical` or `nonlinear_viscoelastic` at line 6 column 15");
+    assert_snapshot!(message, @"error: scene.json: contacts[0].law: unknown variant `rubber`, expected one of `stereomechanical`, `linear_spring`, `hertz`, `kelvin_voigt`, `modified_linear_viscoelastic`, `nonlinear_viscoelastic`, `hertz_damp`, `modified_kelvin`, `pant_wijeyewickrema`, `kuwabara_kono` at line 6 column 16");
 }
 
 #[test]

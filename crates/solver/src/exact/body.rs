@@ -33,6 +33,8 @@ const IN_CONTACT: usize = 32;
 const AT_TOUCH: usize = 56;
 /// Coefficients beyond this magnitude are left out: the next one might not be finite.
 const LARGEST: f64 = 1e250;
+/// Pieces of one contact of a law with δ̇/v₀ after which a run gives up.
+const MOST_IN_CONTACT: u32 = 100_000;
 
 impl Body {
     /// A structure alone at t = 0.
@@ -104,6 +106,7 @@ impl<R: Recorder> Run<'_, R> {
             return Ok(());
         }
         self.find_partings(first, last);
+        self.count_pieces(first, last, time)?;
         let (power, len) = self.expand_corrected((first, last), time);
         let within = self.pairs_within(first, last);
         for node in first..=last {
@@ -178,6 +181,28 @@ impl<R: Recorder> Run<'_, R> {
             member.clear_standstill(power.order());
         }
         (power, len)
+    }
+
+    /// Ends the run where a contact goes on and on: each piece is as short as the relaxation of its damper.
+    fn count_pieces(&mut self, first: usize, last: usize, time: f64) -> Result<(), RunError> {
+        let within = self.pairs_within(first, last);
+        for (contact, left) in self.contacts[within].iter_mut().zip(first..) {
+            if !(contact.law.knows_approach_speed() && matches!(contact.link, Link::Touching(_))) {
+                continue;
+            }
+            contact.pieces += 1;
+            if contact.pieces > MOST_IN_CONTACT {
+                return Err(RunError::CrawlsInContact {
+                    left,
+                    right: left + 1,
+                    time,
+                    approach_speed: contact.approach_speed,
+                    law: contact.law.name(),
+                    pieces: contact.pieces,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// Restitution whose remaining impulse is below the tolerance is over.

@@ -36,6 +36,10 @@ pub(super) struct Contact {
     pub(super) reduced_mass: f64,
     /// Force of the present contact, which may know its approach speed; nothing before the first one.
     pub(super) form: Option<Form>,
+    /// Rate of deformation at the touch.
+    pub(super) approach_speed: f64,
+    /// Pieces of the present contact, where its law knows that speed.
+    pub(super) pieces: u32,
     pub(super) link: Link,
     /// The instant of `deformation` and `rate`.
     pub(super) time: f64,
@@ -88,6 +92,8 @@ impl Contact {
             law,
             reduced_mass,
             form: None,
+            approach_speed: 0.0,
+            pieces: 0,
             link: Link::Apart,
             time: 0.0,
             deformation,
@@ -119,7 +125,8 @@ impl Contact {
 
     /// Begins compliant contact, at the rate of the touch.
     pub(super) fn begin(&mut self) {
-        self.form = self.law.form(self.reduced_mass, self.rate.max(0.0));
+        (self.approach_speed, self.pieces) = (self.rate.max(0.0), 0);
+        self.form = self.law.form(self.reduced_mass, self.approach_speed);
         self.link = Link::Touching(Phase::Approach);
     }
 

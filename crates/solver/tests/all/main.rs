@@ -18,4 +18,5 @@ mod moreau_jean;
 mod order;
 mod random_rows;
 mod refusals;
+mod slow_touches;
 mod touches;

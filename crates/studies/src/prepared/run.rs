@@ -188,7 +188,8 @@ impl Prepared {
             | RunError::OutOfNumbers { structure, .. } => structure..structure + 1,
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
-            RunError::BouncesWithoutEnd { left, right, .. } => left..right + 1,
+            RunError::BouncesWithoutEnd { left, right, .. }
+            | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
         StudyError::Run {
