@@ -165,9 +165,9 @@ mod tests {
             gap: 0.0,
             law: ContactLaw::NonlinearViscoelastic(law),
         };
-        let model = Model::new(&Row::new(nodes, vec![pair]).unwrap()).unwrap();
+        let model = Model::new(&Row::new(nodes, vec![pair]).unwrap());
         let mut phases = Phases::new(&model);
-        phases.pairs[0].contact = Contact::Restitution;
+        phases.pairs[0].contact = Contact::Restitution { rising: -1.0 };
         Motion {
             model,
             phases,

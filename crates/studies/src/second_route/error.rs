@@ -11,16 +11,6 @@ pub enum SecondRouteError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
-    /// A contact law that this route does not know.
-    #[error(
-        "second route: pair {pair}: found the law {law}, allowed stereomechanical, nonlinear_viscoelastic"
-    )]
-    UnknownLaw {
-        /// Index of the pair in its row.
-        pair: usize,
-        /// Name of the law.
-        law: &'static str,
-    },
     /// The motion is no longer finite.
     #[error("second route: the motion is no longer finite at t = {time} s")]
     NotFinite {

@@ -1,6 +1,9 @@
 //! Events: instants at which the equations of motion, or what is recorded of them, change.
 
-use super::model::{Law, TIME, velocity};
+use pounding_contact::SLOWEST_APPROACH;
+
+use super::law::Law;
+use super::model::{TIME, velocity};
 use super::motion::Motion;
 use super::phases::{Columns, Contact};
 use super::variable::Variable;
@@ -22,8 +25,12 @@ pub(super) enum Event {
     Touch(usize),
     /// A pair parts.
     Part(usize),
-    /// The pounding force of a pair has a maximum or minimum on approach.
+    /// The pounding force of a pair has a maximum or minimum while its damper acts.
     ForcePeak(usize),
+    /// The formula of a pair begins to pull.
+    Clamp(usize),
+    /// It pushes again.
+    Grip(usize),
 }
 
 /// Lists the events that the present phases allow while a step runs in a variable.
@@ -55,9 +62,18 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
         match phase.contact {
             // Deformation grows only while the rate is positive, and every change of its sign ends a step.
             Contact::Apart if phase.direction > 0.0 => events.push(Event::Touch(index)),
-            Contact::Restitution if parting != Some(index) => events.push(Event::Part(index)),
+            Contact::Apart => {}
             Contact::Approach { .. } => events.push(Event::ForcePeak(index)),
-            Contact::Apart | Contact::Restitution => {}
+            Contact::Restitution { .. } => {
+                if parting != Some(index) {
+                    events.push(Event::Part(index));
+                }
+                if matches!(motion.model.pairs[index].law, Law::Compliant(law) if law.is_damped_throughout())
+                {
+                    events.extend([Event::ForcePeak(index), Event::Clamp(index)]);
+                }
+            }
+            Contact::Clamped => events.extend([Event::Part(index), Event::Grip(index)]),
         }
     }
 }
@@ -86,12 +102,16 @@ impl Event {
             Self::Touch(pair) => -model.deformation(pair, y),
             Self::Part(pair) => model.deformation(pair, y),
             Self::ForcePeak(pair) => {
-                let Contact::Approach { rising, .. } = phases.pairs[pair].contact else {
+                let (Contact::Approach { rising, .. } | Contact::Restitution { rising }) =
+                    phases.pairs[pair].contact
+                else {
                     return 0.0;
                 };
                 motion.slope((Variable::Time, 0.0), y, scratch);
                 rising * motion.force_rate(pair, y, scratch)
             }
+            Self::Clamp(pair) => motion.grip(pair, y),
+            Self::Grip(pair) => -motion.grip(pair, y),
         }
     }
 
@@ -120,7 +140,7 @@ impl Event {
                 phase.direction = -phase.direction;
                 if phase.contact.touches() {
                     phase.contact = if phase.direction < 0.0 {
-                        Contact::Restitution
+                        Contact::Restitution { rising: -1.0 }
                     } else {
                         Contact::Approach {
                             touch: None,
@@ -130,17 +150,34 @@ impl Event {
                 }
             }
             Self::Touch(pair) => {
-                if matches!(model.pairs[pair].law, Law::Compliant { .. }) {
-                    phases.pairs[pair].contact = Contact::Approach {
+                if matches!(model.pairs[pair].law, Law::Compliant(_)) {
+                    let phase = &mut phases.pairs[pair];
+                    phase.contact = Contact::Approach {
                         touch: Some(y[TIME]),
                         rising: 1.0,
                     };
+                    phase.approach_speed = model.rate(pair, y).max(SLOWEST_APPROACH);
                 }
             }
             Self::Part(pair) => phases.pairs[pair].contact = Contact::Apart,
             Self::ForcePeak(pair) => {
-                if let Contact::Approach { rising, .. } = &mut phases.pairs[pair].contact {
+                if let Contact::Approach { rising, .. } | Contact::Restitution { rising } =
+                    &mut phases.pairs[pair].contact
+                {
                     *rising = -*rising;
+                }
+            }
+            // At once with a parting or a reversal the phase is another one already.
+            Self::Clamp(pair) => {
+                let contact = &mut phases.pairs[pair].contact;
+                if matches!(contact, Contact::Restitution { .. }) {
+                    *contact = Contact::Clamped;
+                }
+            }
+            Self::Grip(pair) => {
+                let contact = &mut phases.pairs[pair].contact;
+                if matches!(contact, Contact::Clamped) {
+                    *contact = Contact::Restitution { rising: 1.0 };
                 }
             }
         }

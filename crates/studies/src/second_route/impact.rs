@@ -4,7 +4,8 @@
 //! separate, no impulse for the others, and again while a touching pair still approaches. W is then an M-matrix and
 //! −(1+e) u⁻ ≥ 0, so the impulses that solve W P = −(1+e) u⁻ are ≥ 0 without a search.
 
-use super::model::{Law, Model, displacement, velocity};
+use super::law::Law;
+use super::model::{Model, displacement, velocity};
 use super::scales::Scales;
 use super::state::State;
 
@@ -93,7 +94,7 @@ fn restitute(model: &Model, touching: &[usize], y: &[f64]) -> Vec<(usize, f64)> 
         .collect();
     let wanted = |pair: usize| match model.pairs[pair].law {
         Law::Impulsive { restitution } => (1.0 + restitution) * model.rate(pair, y),
-        Law::Compliant { .. } => 0.0,
+        Law::Compliant(_) => 0.0,
     };
     solve(model, &active, wanted)
 }

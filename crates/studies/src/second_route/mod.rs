@@ -18,6 +18,7 @@ mod dormand_prince;
 mod error;
 mod events;
 mod impact;
+mod law;
 mod model;
 mod motion;
 mod phases;
@@ -99,7 +100,7 @@ pub fn run<Column: PiecewiseLinear>(
         });
     }
     let interval = excitation.time_step();
-    let mut runner = Runner::new(Model::new(row)?, fineness, interval);
+    let mut runner = Runner::new(Model::new(row), fineness, interval);
     let mut samples = excitation.samples().windows(2);
     let mut segment = 0_u32;
     loop {

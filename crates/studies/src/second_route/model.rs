@@ -1,9 +1,8 @@
 //! The row as plain numbers, and where each of them stands in the vector of unknowns.
 
-use pounding_contact::ContactLaw;
 use pounding_solver::{PiecewiseLinear, Row};
 
-use super::SecondRouteError;
+use super::law::Law;
 
 /// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
 ///
@@ -49,24 +48,8 @@ pub(super) struct Neighbours {
     pub law: Law,
 }
 
-/// What happens while they touch.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Law {
-    /// A velocity jump.
-    Impulsive { restitution: f64 },
-    /// F = β̄ δ^1.5, on approach + c̄ δ̇ with c̄ = 2 ξ̄ √(β̄ m) δ^(1/4).
-    Compliant {
-        /// β̄ \[N/m^1.5\].
-        impact_stiffness: f64,
-        /// 2 ξ̄ √(β̄ m) \[N·s/m^1.25\].
-        damping_factor: f64,
-    },
-}
-
 impl Model {
-    pub(super) fn new<Column: PiecewiseLinear>(
-        row: &Row<Column>,
-    ) -> Result<Self, SecondRouteError> {
+    pub(super) fn new<Column: PiecewiseLinear>(row: &Row<Column>) -> Self {
         let structures: Vec<_> = row
             .nodes()
             .iter()
@@ -79,44 +62,19 @@ impl Model {
                 initial_velocity: node.initial_velocity,
             })
             .collect();
-        let neighbours = |(index, pair): (usize, &pounding_solver::Pair)| {
+        let neighbours = |pair: &pounding_solver::Pair| {
             let inverse_mass = |index: usize| structures[index].inverse_mass;
             let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
-            let law = match pair.law {
-                ContactLaw::Stereomechanical(law) => Law::Impulsive {
-                    restitution: law.restitution,
-                },
-                ContactLaw::NonlinearViscoelastic(law) => Law::Compliant {
-                    impact_stiffness: law.impact_stiffness,
-                    damping_factor: 2.0
-                        * law.impact_damping_ratio
-                        * (law.impact_stiffness * reduced_mass).sqrt(),
-                },
-                ContactLaw::LinearSpring(_)
-                | ContactLaw::Hertz(_)
-                | ContactLaw::KelvinVoigt(_)
-                | ContactLaw::ModifiedLinearViscoelastic(_)
-                | ContactLaw::HertzDamp(_)
-                | ContactLaw::ModifiedKelvin(_)
-                | ContactLaw::PantWijeyewickrema(_)
-                | ContactLaw::KuwabaraKono(_) => {
-                    return Err(SecondRouteError::UnknownLaw {
-                        pair: index,
-                        law: pair.law.name(),
-                    });
-                }
-            };
-            Ok(Neighbours {
+            Neighbours {
                 left: pair.left,
                 right: pair.right,
                 gap: pair.gap,
                 reduced_mass,
-                law,
-            })
+                law: Law::of(pair.law, reduced_mass),
+            }
         };
-        let pairs = row.pairs().iter().enumerate().map(neighbours);
-        let pairs = pairs.collect::<Result<_, _>>()?;
-        Ok(Self { structures, pairs })
+        let pairs = row.pairs().iter().map(neighbours).collect();
+        Self { structures, pairs }
     }
 
     /// Number of unknowns.

@@ -1,6 +1,7 @@
 //! Equations of motion between two events.
 
-use super::model::{Law, Model, TIME, displacement, velocity};
+use super::law::{Law, Touching};
+use super::model::{Model, TIME, displacement, velocity};
 use super::phases::{Columns, Contact, Phases, sign};
 use super::variable::Variable;
 
@@ -83,20 +84,22 @@ impl Motion {
 
     /// Pounding force of a pair \[N\].
     pub(super) fn pounding_force(&self, pair: usize, deformation: f64, rate: f64) -> f64 {
-        let Law::Compliant {
-            impact_stiffness,
-            damping_factor,
-        } = self.model.pairs[pair].law
-        else {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
             return 0.0;
         };
-        // Trial steps may overshoot parting.
-        let root = deformation.max(0.0).sqrt();
-        let spring = impact_stiffness * root * root * root;
+        let touching = self.touching(pair, deformation, rate);
         match self.phases.pairs[pair].contact {
-            Contact::Apart => 0.0,
-            Contact::Approach { .. } => spring + damping_factor * root.sqrt() * rate,
-            Contact::Restitution => spring,
+            Contact::Apart | Contact::Clamped => 0.0,
+            Contact::Approach { .. } => force.on_approach(touching),
+            Contact::Restitution { .. } => force.on_return(touching),
+        }
+    }
+
+    fn touching(&self, pair: usize, deformation: f64, rate: f64) -> Touching {
+        Touching {
+            deformation,
+            rate,
+            approach_speed: self.phases.pairs[pair].approach_speed,
         }
     }
 
@@ -138,22 +141,24 @@ impl Motion {
         }
     }
 
-    /// Rate of a pair's pounding force on approach, times its deformation \[N·m/s\].
+    /// Rate of a pair's pounding force, times its deformation \[N·m/s\].
     ///
-    /// `slope` is the derivative of the unknowns `y` with respect to time. The factor δ takes away the pole at first
-    /// touch.
+    /// `slope` is the derivative of the unknowns `y` with respect to time. After the approach the damper has to act, too.
     pub(super) fn force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
-        let Law::Compliant {
-            impact_stiffness,
-            damping_factor,
-        } = self.model.pairs[pair].law
-        else {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
             return 0.0;
         };
-        let deformation = self.model.deformation(pair, y).max(0.0);
-        let (rate, acceleration) = (self.model.rate(pair, y), self.model.rate(pair, slope));
-        let root = deformation.sqrt();
-        1.5 * impact_stiffness * root * deformation * rate
-            + damping_factor * root.sqrt() * (deformation * acceleration + 0.25 * rate * rate)
+        let (deformation, rate) = (self.model.deformation(pair, y), self.model.rate(pair, y));
+        let touching = self.touching(pair, deformation, rate);
+        force.rate_on_approach(touching, self.model.rate(pair, slope))
+    }
+
+    /// Negative where the formula of a pair would pull after the approach.
+    pub(super) fn grip(&self, pair: usize, y: &[f64]) -> f64 {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
+            return 1.0;
+        };
+        let (deformation, rate) = (self.model.deformation(pair, y), self.model.rate(pair, y));
+        force.grip(self.touching(pair, deformation, rate))
     }
 }

@@ -1,5 +1,7 @@
 //! What is decided by events and stays as it is between them.
 
+use pounding_contact::SLOWEST_APPROACH;
+
 use super::model::{Model, displacement, velocity};
 
 /// Sign of a number as a factor, 1 or −1.
@@ -37,20 +39,28 @@ pub(super) struct PairPhase {
     /// Sign of the deformation rate.
     pub direction: f64,
     pub contact: Contact,
+    /// Deformation rate at the first touch of the present contact \[m/s\], not below [`SLOWEST_APPROACH`].
+    pub approach_speed: f64,
 }
 
 /// Phase of a contact; impulsive pairs always stand apart.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Contact {
     Apart,
-    /// The damper acts.
+    /// The deformation grows.
     Approach {
         /// First touch on the clock of the segment \[s\] (negative when earlier); nothing after a second approach.
         touch: Option<f64>,
         /// Sign of the force's rate.
         rising: f64,
     },
-    Restitution,
+    /// The deformation falls.
+    Restitution {
+        /// Sign of the force's rate.
+        rising: f64,
+    },
+    /// The formula would pull: no force.
+    Clamped,
 }
 
 impl Contact {
@@ -83,6 +93,7 @@ impl Phases {
             PairPhase {
                 direction: sign(speed(pair.left) - speed(pair.right)),
                 contact: Contact::Apart,
+                approach_speed: SLOWEST_APPROACH,
             }
         };
         Self {

@@ -64,12 +64,12 @@ pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Varia
     let pairs = &motion.phases.pairs;
     let touches = pairs.iter().filter_map(|phase| match phase.contact {
         Contact::Approach { touch, .. } => touch,
-        Contact::Apart | Contact::Restitution => None,
+        Contact::Apart | Contact::Restitution { .. } | Contact::Clamped => None,
     });
     if let Some(touch) = touches.max_by(f64::total_cmp) {
         return Variable::since(touch, y[TIME]);
     }
-    let returns = |phase: &PairPhase| matches!(phase.contact, Contact::Restitution);
+    let returns = |phase: &PairPhase| matches!(phase.contact, Contact::Restitution { .. });
     if !pairs.iter().any(returns) {
         return Variable::Time;
     }

@@ -1,6 +1,7 @@
 //! What the second route reports.
 
-use super::model::{Law, displacement, velocity};
+use super::law::Law;
+use super::model::{displacement, velocity};
 use super::motion::Motion;
 use super::state::State;
 
@@ -110,13 +111,13 @@ impl Record {
         }
     }
 
-    /// A compliant pair touches.
-    pub(super) fn touch(&mut self, pair: usize, time: f64) {
+    /// A compliant pair touches, with a force that may jump there.
+    pub(super) fn touch(&mut self, pair: usize, time: f64, force: f64) {
         self.response.collisions[pair].push(Collision {
             start: time,
             end: time,
             impulse: 0.0,
-            peak_force: Some(0.0),
+            peak_force: Some(force),
         });
     }
 
@@ -162,7 +163,7 @@ impl Record {
     pub(super) fn finish(mut self, motion: &Motion, state: &State, time: f64) -> Response {
         for (index, pair) in motion.model.pairs.iter().enumerate() {
             let goes_on = motion.phases.pairs[index].contact.touches();
-            if goes_on && matches!(pair.law, Law::Compliant { .. }) {
+            if goes_on && matches!(pair.law, Law::Compliant(_)) {
                 self.part(index, state.high[motion.model.impulse(index)], time);
             }
         }

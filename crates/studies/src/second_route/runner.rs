@@ -3,7 +3,8 @@
 use super::dormand_prince::DormandPrince;
 use super::events::{self, Event};
 use super::impact;
-use super::model::{Law, Model, TIME, displacement, velocity};
+use super::law::Law;
+use super::model::{Model, TIME, displacement, velocity};
 use super::motion::{Motion, Segment};
 use super::phases::Phases;
 use super::plan::{self, Plan};
@@ -306,16 +307,19 @@ impl Runner {
                 }
                 Event::Touch(pair) => match self.motion.model.pairs[pair].law {
                     Law::Impulsive { .. } => collides = true,
-                    Law::Compliant { .. } => {
+                    Law::Compliant(_) => {
                         self.state.set(self.motion.model.impulse(pair), 0.0);
-                        self.record.touch(pair, time);
+                        let force = self.motion.present_force(pair, &self.state.high);
+                        self.record.touch(pair, time, force);
                     }
                 },
                 Event::Turn(_)
                 | Event::Yield(_)
                 | Event::Balance(_)
                 | Event::Reversal(_)
-                | Event::ForcePeak(_) => {}
+                | Event::ForcePeak(_)
+                | Event::Clamp(_)
+                | Event::Grip(_) => {}
             }
         }
         if collides {

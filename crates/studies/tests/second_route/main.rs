@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod impacts;
+mod laws;
 mod limits;
 mod scenes;
 
