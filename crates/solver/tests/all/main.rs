@@ -15,6 +15,7 @@ mod ledger_faults;
 mod limit;
 mod momentum;
 mod moreau_jean;
+mod newton_counts;
 mod order;
 mod random_rows;
 mod refusals;
