@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use pounding::studies::Quantity;
+use pounding::contact::{Calibration, LawName};
+use pounding::studies::{Quantity, StepMethod};
 
 const EXAMPLE: &str = "\
 Example:
@@ -19,6 +20,15 @@ Examples:
     --quantity momentum
 
 A scene with \"method\": {\"accuracy\": 0.01} asks for the same when it is run.";
+
+const USAGE: &str = "pounding certify <LAW> --restitution <E> --masses <LEFT> <RIGHT>
+                        --speed <V0> [OPTIONS]";
+
+const CERTIFY: &str = "\
+Examples:
+  pounding certify hertz_damp --restitution 0.65 --masses 75e3 3e6 --speed 0.3
+  pounding certify kelvin_voigt --restitution 0.65 --masses 75e3 3e6 \\
+    --speed 0.3 --calibration literature --time-step 0.001";
 
 /// Earthquake-induced structural pounding.
 #[derive(Debug, Parser)]
@@ -53,6 +63,93 @@ pub(crate) enum Task {
         #[arg(long, value_enum, default_value_t = OfWhat::All)]
         quantity: OfWhat,
     },
+    /// List the contact laws: forces, formulas, parameters, sources.
+    Laws,
+    /// Print what a contact law and a method deliver to a free impact.
+    #[command(after_help = CERTIFY, override_usage = USAGE)]
+    Certify(Certify),
+}
+
+/// A free impact to be certified.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Certify {
+    /// The law; `pounding laws` lists them.
+    #[arg(value_name = "LAW", value_parser = law)]
+    pub(crate) law: LawName,
+    /// Coefficient of restitution asked for.
+    #[arg(long, value_name = "E")]
+    pub(crate) restitution: f64,
+    /// Masses of the neighbours [kg].
+    #[arg(long, required = true, num_args = 2, value_names = ["LEFT", "RIGHT"], value_parser = positive)]
+    pub(crate) masses: Vec<f64>,
+    /// Approach speed [m/s].
+    #[arg(long, value_name = "V0", value_parser = positive)]
+    pub(crate) speed: f64,
+    /// Impact stiffness [N/m or N/m^1.5]; 9.35e7 or 2.75e9 where not given.
+    #[arg(long, value_name = "K", value_parser = positive)]
+    pub(crate) stiffness: Option<f64>,
+    /// How the damping is chosen.
+    #[arg(long, value_enum, default_value_t = By::Exact)]
+    pub(crate) calibration: By,
+    /// Time step of the methods [s]; without it none is tried.
+    #[arg(long, value_name = "DT", value_parser = positive)]
+    pub(crate) time_step: Option<f64>,
+    /// The method; without it all are tried.
+    #[arg(long, value_name = "METHOD", value_parser = method, requires = "time_step")]
+    pub(crate) method: Option<StepMethod>,
+    /// What to print.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+}
+
+/// How the damping of a law is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum By {
+    /// By the relation that holds exactly.
+    Exact,
+    /// By the formula of the literature.
+    Literature,
+}
+
+impl From<By> for Calibration {
+    fn from(by: By) -> Self {
+        match by {
+            By::Exact => Self::Exact,
+            By::Literature => Self::Literature,
+        }
+    }
+}
+
+/// What is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For a reader.
+    Text,
+    /// For a table.
+    Csv,
+    /// For a program.
+    Json,
+}
+
+/// A finite number > 0.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err("allowed is a finite number > 0".into()),
+    }
+}
+
+/// A law by its name.
+fn law(name: &str) -> Result<LawName, String> {
+    let names = LawName::ALL.map(|law| law.description().name);
+    LawName::from_name(name).ok_or_else(|| format!("allowed are {}", names.join(", ")))
+}
+
+/// A method with time steps by its name.
+fn method(name: &str) -> Result<StepMethod, String> {
+    let names: Vec<_> = StepMethod::all().map(StepMethod::name).collect();
+    let named = StepMethod::all().find(|method| method.name() == name);
+    named.ok_or_else(|| format!("allowed are {}", names.join(", ")))
 }
 
 /// The quantity whose error counts.

@@ -2,6 +2,7 @@
 
 mod advice;
 mod arguments;
+mod certificate;
 mod progress;
 mod summary;
 mod text;
@@ -27,6 +28,8 @@ fn main() -> ExitCode {
             let quantity = quantity.into();
             ask(&scene, Goal { error, quantity })
         }
+        Task::Laws => Ok(certificate::laws()),
+        Task::Certify(asked) => certificate::certify(&asked),
     };
     match text.and_then(|text| print(&text)) {
         Ok(()) => ExitCode::SUCCESS,

@@ -47,6 +47,39 @@ pub(crate) const REFERENCE: &str = "exact";
 /// The stepping method that the exact one is held against.
 pub(crate) const RIVAL: &str = "central_difference_velocity_jump";
 
+/// A method with a time step, by name.
+#[derive(Debug, Clone, Copy)]
+pub struct StepMethod(&'static Contender);
+
+impl StepMethod {
+    /// Every method with a time step, in the order of tables.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let steps = |contender: &&Contender| contender.knob == Knob::TimeStep;
+        CONTENDERS.iter().filter(steps).map(Self)
+    }
+
+    /// Those of them that are not the same as another one under an impulsive law, or a compliant one.
+    pub fn differing(impulsive: bool) -> impl Iterator<Item = Self> {
+        let differs = move |method: &Self| impulsive || method.0.differs != Differs::InImpacts;
+        Self::all().filter(differs)
+    }
+
+    /// Name in tables.
+    pub fn name(self) -> &'static str {
+        self.0.key
+    }
+
+    /// Name in text.
+    pub fn label(self) -> &'static str {
+        self.0.label
+    }
+
+    /// The method at a time step \[s\].
+    pub fn at(self, time_step: f64) -> Method {
+        (self.0.method)(time_step)
+    }
+}
+
 /// Every contender, in the order of tables and legends.
 pub(crate) const CONTENDERS: &[Contender] = &[
     Contender {

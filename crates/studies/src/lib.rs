@@ -8,6 +8,7 @@
 
 mod advice;
 mod agreement;
+mod certificate;
 mod check;
 mod claims;
 mod comparison;
@@ -31,9 +32,11 @@ pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
+pub use certificate::{Certificate, CertificateError, Collision, Delivered, Wanted};
 pub use claims::{Claim, Finding, Survival, claims, claims_csv};
 pub use comparison::{PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
+pub use contenders::StepMethod;
 pub use error::{SceneError, StudyError};
 pub use figures::figure_png;
 pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};

@@ -43,6 +43,8 @@ fn reference_help() {
     assert_snapshot!("help_run", printed(&help));
     let help = pounding(Path::new(HERE), &["advise", "--help"]);
     assert_snapshot!("help_advise", printed(&help));
+    let help = pounding(Path::new(HERE), &["certify", "--help"]);
+    assert_snapshot!("help_certify", printed(&help));
 }
 
 #[test]
