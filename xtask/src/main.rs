@@ -39,7 +39,7 @@ enum Task {
     Bench,
     /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
     Fuzz {
-        /// How long each target runs [s].
+        /// How long each target runs, in seconds.
         #[arg(long, default_value_t = 60)]
         seconds: u32,
     },
