@@ -64,12 +64,14 @@ fn comparison(timed: &[Timed<'_>], home: &Path) -> Result<String, String> {
         let held = |one: &Timed<'_>| if one.holds { "" } else { ", not held" };
         writeln!(
             text,
-            "  {}: {work:.3} of the work, {wall_time:.3} of the wall time (errors {:.1e}{} and {:.1e}{})",
+            "  {}: {work:.3} of the work, {wall_time:.3} of the wall time (errors {:.1e}{} and {:.1e}{}); a piece takes as \
+             long as {:.0} force evaluations",
             exact.scene,
             exact.error,
             held(exact),
             base.error,
-            held(base)
+            held(base),
+            wall_time / work
         )
         .expect("a string takes all");
     }

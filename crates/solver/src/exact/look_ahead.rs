@@ -233,11 +233,10 @@ impl Contact {
 
     /// Puts the carried deformation and rate at the head of the series, and clears what is known to be zero.
     fn begin_series(&self, coefficients: &mut [f64], (power, offset): (Power, f64)) {
+        coefficients[0] = self.deformation;
         if offset > 0.0 {
-            coefficients[0] = self.deformation;
             return;
         }
-        coefficients[0] = self.deformation;
         if let Some(place) = coefficients.get_mut(power.order()) {
             *place = self.rate;
         }

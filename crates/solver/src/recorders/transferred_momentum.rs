@@ -66,3 +66,50 @@ impl Recorder for TransferredMomentum {
         self.add(impact.right, impact.impulse, impact.time);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{State, Velocities, Weighed};
+
+    fn step(start: f64, end: f64, impulse_from_left: f64) -> Span<'static> {
+        Span {
+            structure: 1,
+            start_time: start,
+            end_time: end,
+            start: State::default(),
+            end: State::default(),
+            impulse_from_left,
+            impulse_from_right: 0.0,
+            path: Path::Cubic(Weighed::default()),
+        }
+    }
+
+    fn impact(time: f64, impulse: f64) -> Impact {
+        let velocities = Velocities {
+            left: 0.0,
+            right: 0.0,
+        };
+        Impact {
+            pair: 1,
+            left: 1,
+            right: 2,
+            time,
+            impulse,
+            before: velocities,
+            after: velocities,
+        }
+    }
+
+    #[test]
+    fn limit_an_impact_counts_net_of_the_forces_of_its_step() {
+        let mut momentum = TransferredMomentum::new(3);
+        for n in 0..3 {
+            let (start, end) = (f64::from(n), f64::from(n + 1));
+            momentum.span(&step(start, end, 5.0));
+            momentum.impact(&impact(end, 4.0));
+        }
+        assert!((momentum.of(1) - 3.0).abs() < 1e-15, "{}", momentum.of(1));
+        assert!((momentum.of(2) - 12.0).abs() < 1e-15, "{}", momentum.of(2));
+    }
+}

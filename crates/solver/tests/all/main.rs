@@ -21,3 +21,4 @@ mod random_rows;
 mod refusals;
 mod slow_touches;
 mod touches;
+mod very_start;

@@ -17,7 +17,6 @@ use rayon::prelude::*;
 use crate::claims::{Exactly, Survival, survivals, verdicts};
 use crate::noise::Noise;
 use crate::{Completed, Method, Output, PublishedValues, StudyError};
-use pounding_solver::{Exact, SimultaneousImpacts};
 use quantities::{Quantities, quantities};
 use scenes::Scenes;
 
@@ -58,8 +57,8 @@ impl Converged {
     /// # Errors
     /// The first [`StudyError`] in the order of the runs.
     pub(crate) fn new(completed: &[Completed], n_runs: usize) -> Result<Self, StudyError> {
-        let scenes = Scenes::of(completed, &STUDIES, |_| exact())?;
-        let of_claims = Scenes::of(completed, &[OF_CLAIMS], |_| exact())?;
+        let scenes = Scenes::of(completed, &STUDIES, |_| Method::EXACT)?;
+        let of_claims = Scenes::of(completed, &[OF_CLAIMS], |_| Method::EXACT)?;
         let finer = TIME_STEPS
             .into_par_iter()
             .map(|step| {
@@ -107,14 +106,6 @@ impl Converged {
     /// What became of the claims, in their order.
     pub(crate) fn survivals(&self) -> &[Survival] {
         &self.survivals
-    }
-}
-
-/// The method of the converged tables.
-fn exact() -> Method {
-    Method::Exact {
-        tolerance: Exact::default().tolerance,
-        simultaneous_impacts: SimultaneousImpacts::default(),
     }
 }
 

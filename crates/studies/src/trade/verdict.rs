@@ -40,44 +40,56 @@ pub(super) fn table(races: &[Race]) -> String {
     to_csv(&header.map(String::from), &rows)
 }
 
+/// What a method needs for an error.
+struct Need {
+    setting: String,
+    work: u64,
+    /// In force evaluations of equal time.
+    price: u64,
+}
+
+fn need(race: &Race, key: &str, quantities: &[Quantity], allowed: f64) -> Option<Need> {
+    let entrant = race.of(key)?;
+    let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
+    let run = rung.outcome.as_ref().ok()?;
+    Some(Need {
+        setting: setting(entrant.contender, rung.setting),
+        work,
+        price: price(run.work),
+    })
+}
+
 fn row(race: &Race, name: &str, quantities: &[Quantity]) -> Vec<String> {
-    let needs = |key, allowed| {
-        let entrant = race.of(key)?;
-        let (rung, cost) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
-        let price = rung.outcome.as_ref().map_or(0, |run| price(run.work));
-        Some((setting(entrant.contender, rung.setting), cost, price))
+    let exact = need(race, REFERENCE, quantities, EXACT);
+    let stepping = need(race, RIVAL, quantities, STEPPING);
+    let both = exact.as_ref().zip(stepping.as_ref());
+    let ratio =
+        |of: fn(&Need) -> u64| both.map(|(exact, stepping)| of(exact) as f64 / of(stepping) as f64);
+    let (work, time) = (ratio(|need| need.work), ratio(|need| need.price));
+    let less = match work {
+        Some(ratio) => ratio < 1.0,
+        None => exact.is_some(),
     };
-    let (exact, stepping) = (needs(REFERENCE, EXACT), needs(RIVAL, STEPPING));
-    let ratio = match (&exact, &stepping) {
-        (Some((_, exact, _)), Some((_, stepping, _))) => Some(*exact as f64 / *stepping as f64),
-        _ => None,
-    };
-    let time = match (&exact, &stepping) {
-        (Some((.., exact)), Some((.., stepping))) => Some(*exact as f64 / *stepping as f64),
-        _ => None,
-    };
-    let (cheaper, why) = match (&exact, &stepping, ratio) {
-        (None, _, _) => ("no", "the exact method does not reach 1e-6"),
-        (Some(_), None, _) => (
-            "yes",
-            "the central difference method does not hold 1 % on this ladder",
-        ),
-        (Some(_), Some(_), Some(ratio)) if ratio < 1.0 => ("yes", ""),
-        (Some(_), Some(_), _) => (
-            "no",
-            "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample",
-        ),
+    let why = match (work, time) {
+        (Some(work), _) if work >= 1.0 => {
+            "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample"
+        }
+        (_, Some(time)) if time >= 1.0 => "less work, but a piece takes as long as 25 evaluations",
+        (Some(_), _) => "",
+        (None, _) if exact.is_none() => "the exact method does not reach 1e-6",
+        (None, _) => "the central difference method does not hold 1 % on this ladder",
     };
     let mut row = vec![race.scene.clone(), name.into()];
-    for needed in [exact, stepping] {
+    for needed in [&exact, &stepping] {
         row.extend(match needed {
-            Some((setting, cost, _)) => [setting, cost.to_string()],
+            Some(need) => [need.setting.clone(), need.work.to_string()],
             None => ["never".into(), String::new()],
         });
     }
-    row.push(ratio.map(|ratio| format!("{ratio:.3}")).unwrap_or_default());
-    row.push(cheaper.to_string());
-    row.push(time.map(|time| format!("{time:.3}")).unwrap_or_default());
-    row.push(why.to_string());
+    let printed = |ratio: Option<f64>| ratio.map_or(String::new(), |ratio| format!("{ratio:.3}"));
+    row.push(printed(work));
+    row.push(if less { "yes" } else { "no" }.into());
+    row.push(printed(time));
+    row.push(why.into());
     row
 }
