@@ -13,6 +13,13 @@ Example:
 A scene is one entry of `scenes` in a file of studies/; the path of its record
 is relative to the folder of the file that holds the scene.";
 
+const CHECK: &str = "\
+Example:
+  pounding check studies/examples/two-structures.json
+
+The collisions to expect are those of the exact run, which takes some
+milliseconds.";
+
 const ADVISE: &str = "\
 Examples:
   pounding advise studies/examples/two-structures.json --error 1%
@@ -49,6 +56,16 @@ pub(crate) enum Task {
         /// Do not measure the errors; saves the exact run.
         #[arg(long)]
         no_error: bool,
+        /// Run though a structure grows without bound at this time step.
+        #[arg(long)]
+        force: bool,
+    },
+    /// Print what would run, and what its time step can follow.
+    #[command(after_help = CHECK)]
+    Check {
+        /// The scene, a JSON file.
+        #[arg(value_name = "SCENE.json")]
+        scene: PathBuf,
     },
     /// Find the cheapest method and time step for an accuracy.
     #[command(after_help = ADVISE)]

@@ -3,6 +3,7 @@
 mod advice;
 mod arguments;
 mod certificate;
+mod plan;
 mod progress;
 mod summary;
 mod text;
@@ -13,13 +14,17 @@ use std::process::ExitCode;
 
 use arguments::{Arguments, Task};
 use clap::Parser;
-use pounding::studies::{Goal, Method, Prepared, RunErrors, Scene, StudyError, advise, read_json};
+use pounding::studies::{Goal, Method, Prepared, Scene, SceneError, StudyError, advise, read_json};
 use progress::Progress;
-use summary::Errors;
 
 fn main() -> ExitCode {
     let text = match Arguments::parse().task {
-        Task::Run { scene, no_error } => run(&scene, no_error),
+        Task::Run {
+            scene,
+            no_error,
+            force,
+        } => run(&scene, no_error, force),
+        Task::Check { scene } => check(&scene),
         Task::Advise {
             scene,
             error,
@@ -44,27 +49,46 @@ fn main() -> ExitCode {
 }
 
 /// Runs a scene; returns the summary.
-fn run(path: &Path, no_error: bool) -> Result<String, String> {
+fn run(path: &Path, no_error: bool, force: bool) -> Result<String, String> {
+    let message = |error: StudyError| error.in_file(path).to_string();
+    let scene = read_json(path).map_err(message)?;
+    let progress = Progress::new();
+    let step = |of| progress.step(of);
+    let prepared = if force {
+        Prepared::forcing(&scene, folder(path), &step)
+    } else {
+        Prepared::watched(&scene, folder(path), &step)
+    };
+    let prepared = prepared.map_err(|error| hint(error, path))?;
+    let review = prepared.review(!no_error).map_err(message)?;
+    Ok(summary::of(&prepared, &review))
+}
+
+/// The message of a scene that is refused; of an unstable one, with what runs it all the same.
+fn hint(error: StudyError, path: &Path) -> String {
+    let unstable = matches!(
+        &error,
+        StudyError::Scene {
+            source: SceneError::Unstable { .. },
+            ..
+        }
+    );
+    let message = error.in_file(path).to_string();
+    if unstable {
+        format!("{message}; --force runs it all the same")
+    } else {
+        message
+    }
+}
+
+/// Checks a scene; returns what would run.
+fn check(path: &Path) -> Result<String, String> {
     let message = |error: StudyError| error.in_file(path).to_string();
     let scene = read_json(path).map_err(message)?;
     let progress = Progress::new();
     let prepared =
         Prepared::watched(&scene, folder(path), &|of| progress.step(of)).map_err(message)?;
-    let outcome = prepared.run(None).map_err(message)?;
-    let errors = if matches!(prepared.scene().method, Method::Exact { .. }) {
-        Errors::Exact
-    } else if no_error {
-        Errors::NotMeasured
-    } else {
-        match prepared.exact().and_then(|exact| exact.run(None)) {
-            Ok(exact) => {
-                let errors = RunErrors::between(&outcome, &exact, &prepared.walls());
-                Errors::Measured(errors, exact.work)
-            }
-            Err(error) => Errors::Unknown(error.to_string()),
-        }
-    };
-    Ok(summary::of(&prepared, &outcome, &errors))
+    Ok(plan::of(&prepared))
 }
 
 /// Runs a scene with every method; returns the advice.

@@ -5,38 +5,22 @@ use pounding::solver::{
     Collision, ImpactRule, Peak, SimultaneousImpacts, Start, VerletImpacts, Work,
 };
 use pounding::studies::{
-    Method, Outcome, PairErrors, Prepared, Quantity, RunErrors, Scene, Sdof, Structure,
-    StructureErrors, digits,
+    Errors, Method, Outcome, PairErrors, Prepared, Quantity, Review, RunErrors, Scene, Sdof,
+    Structure, StructureErrors, Warning, digits,
 };
 
 use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
 
-/// What is known of the error of a run.
-#[derive(Debug)]
-pub(crate) enum Errors {
-    /// The run is the exact method's.
-    Exact,
-    /// Its user did not want to know.
-    NotMeasured,
-    /// The exact run failed, for this reason.
-    Unknown(String),
-    /// Distance from the exact run, and what that cost.
-    Measured(RunErrors, Work),
-}
-
-impl Errors {
-    fn measured(&self) -> Option<&RunErrors> {
-        match self {
-            Self::Measured(errors, _) => Some(errors),
-            Self::Exact | Self::NotMeasured | Self::Unknown(_) => None,
-        }
-    }
-}
-
 /// Summary of a run.
-pub(crate) fn of(prepared: &Prepared, outcome: &Outcome, errors: &Errors) -> String {
+pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
     let scene = prepared.scene();
-    let measured = errors.measured();
+    let Review {
+        outcome, errors, ..
+    } = review;
+    let measured = match errors {
+        Errors::Measured(errors, _) => Some(errors),
+        Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => None,
+    };
     [
         paragraph("Scene", &scene.name),
         paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
@@ -44,13 +28,29 @@ pub(crate) fn of(prepared: &Prepared, outcome: &Outcome, errors: &Errors) -> Str
         structures(scene, outcome, measured),
         pairs(scene, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
+        warnings(&review.warnings),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ]
     .join("\n")
 }
 
+/// What a user should know before believing the numbers.
+pub(crate) fn warnings(warnings: &[Warning]) -> String {
+    if warnings.is_empty() {
+        return paragraph("Warnings", "none");
+    }
+    let mut lines: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    if warnings
+        .iter()
+        .any(|one| matches!(one, Warning::Error { .. }))
+    {
+        lines.push("`pounding advise` finds a method and time step for an accuracy".into());
+    }
+    paragraph("Warnings", &lines.join("\n"))
+}
+
 /// The method, its settings and how it was chosen.
-fn method_lines(prepared: &Prepared) -> String {
+pub(crate) fn method_lines(prepared: &Prepared) -> String {
     let scene = prepared.scene();
     let method = scene.method;
     let duration = digits(scene.duration_s);
@@ -107,13 +107,7 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
                 }
                 _ => format!("the exact run has no {of}, or this run has none"),
             };
-            let rests = if errors.pairs.iter().any(|pair| pair.rests) {
-                "\nrests: in the exact run the pair comes to rest in contact, where this run has an impact in every step; \
-                 their number and impulses depend on the step and are not compared"
-            } else {
-                ""
-            };
-            format!("below each number, its distance from the exact run;\n{largest}{rests}")
+            format!("below each number, its distance from the exact run;\n{largest}")
         }
     }
 }
@@ -187,7 +181,7 @@ fn words(start: Start) -> &'static str {
 }
 
 /// File, use and peak of the record, and what its file says of itself.
-fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
+pub(crate) fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
     let used = &scene.record;
     let (time, peak) = record.peak();
     let mut lines = vec![

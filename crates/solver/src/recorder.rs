@@ -35,6 +35,8 @@ pub struct Touch {
     pub pair: usize,
     /// Instant \[s\].
     pub time: f64,
+    /// Rate of deformation at which the pair approaches v₀ \[m/s\], ≥ 0.
+    pub approach_speed: f64,
     /// Half the width of the interval in which rounding leaves the instant \[s\], ≥ 0; infinite where a pair that moves
     /// alike touches.
     ///

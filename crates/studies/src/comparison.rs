@@ -65,6 +65,67 @@ pub enum Quantity {
     All,
 }
 
+/// A number that is printed of structures or pairs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Number {
+    /// Transferred momentum of a structure.
+    Momentum,
+    /// Its peak displacement.
+    Displacement,
+    /// Its peak shear force.
+    ShearForce,
+    /// Number of collisions of a pair.
+    Collisions,
+    /// Time of its first collision.
+    FirstTouch,
+    /// Impulse of its first collision.
+    FirstImpulse,
+    /// Largest impulse of a collision.
+    LargestImpulse,
+    /// Its peak pounding force.
+    PoundingForce,
+}
+
+impl Number {
+    /// Every printed number.
+    pub const ALL: [Self; 8] = [
+        Self::Momentum,
+        Self::Displacement,
+        Self::ShearForce,
+        Self::Collisions,
+        Self::FirstTouch,
+        Self::FirstImpulse,
+        Self::LargestImpulse,
+        Self::PoundingForce,
+    ];
+
+    /// Its name in text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Momentum => "momentum",
+            Self::Displacement => "displacement",
+            Self::ShearForce => "shear force",
+            Self::Collisions => "collisions",
+            Self::FirstTouch => "first touch",
+            Self::FirstImpulse => "first impulse",
+            Self::LargestImpulse => "largest impulse",
+            Self::PoundingForce => "pounding force",
+        }
+    }
+
+    /// The quantity that it belongs to.
+    fn quantity(self) -> Quantity {
+        match self {
+            Self::Momentum => Quantity::Momentum,
+            Self::Displacement => Quantity::Displacement,
+            Self::ShearForce | Self::PoundingForce => Quantity::Force,
+            Self::Collisions => Quantity::All,
+            Self::FirstTouch => Quantity::Time,
+            Self::FirstImpulse | Self::LargestImpulse => Quantity::Impulse,
+        }
+    }
+}
+
 impl RunErrors {
     /// Compares a run with the exact one.
     ///
@@ -103,46 +164,36 @@ impl RunErrors {
     /// Largest relative error of a quantity \[–\], and of what; infinite where the numbers of collisions differ or only
     /// one of the runs has the quantity.
     pub fn largest(&self, quantity: Quantity) -> (f64, &'static str) {
-        let structures = self.structures.iter().flat_map(|errors| {
-            [
-                (Quantity::Momentum, errors.momentum, "momentum"),
-                (Quantity::Displacement, errors.displacement, "displacement"),
-                (Quantity::Force, errors.restoring_force, "shear force"),
-            ]
-        });
-        let pairs = self.pairs.iter().flat_map(|errors| {
-            let count = if errors.differ() { f64::INFINITY } else { 0.0 };
-            let error = |value: Option<f64>| value.unwrap_or(0.0);
-            [
-                (Quantity::All, count, "collisions"),
-                (
-                    Quantity::Time,
-                    error(errors.first_time_relative),
-                    "first touch",
-                ),
-                (
-                    Quantity::Impulse,
-                    error(errors.first_impulse),
-                    "first impulse",
-                ),
-                (
-                    Quantity::Impulse,
-                    error(errors.largest_impulse),
-                    "largest impulse",
-                ),
-                (Quantity::Force, error(errors.peak_force), "pounding force"),
-            ]
-        });
-        structures
-            .chain(pairs)
-            .filter(|(of, ..)| quantity == Quantity::All || *of == quantity)
-            .map(|(_, error, name)| (error, name))
+        Number::ALL
+            .into_iter()
+            .filter(|number| quantity == Quantity::All || number.quantity() == quantity)
+            .map(|number| (self.of(number), number.words()))
             .fold(
                 (0.0, ""),
                 |largest, next| {
                     if next.0 > largest.0 { next } else { largest }
                 },
             )
+    }
+
+    /// Largest relative error of a printed number, over all structures or pairs \[–\].
+    pub fn of(&self, number: Number) -> f64 {
+        let structures = |error: fn(&StructureErrors) -> f64| {
+            self.structures.iter().map(error).fold(0.0, f64::max)
+        };
+        let pairs = |error: fn(&PairErrors) -> Option<f64>| {
+            self.pairs.iter().filter_map(error).fold(0.0, f64::max)
+        };
+        match number {
+            Number::Momentum => structures(|errors| errors.momentum),
+            Number::Displacement => structures(|errors| errors.displacement),
+            Number::ShearForce => structures(|errors| errors.restoring_force),
+            Number::Collisions => pairs(|errors| errors.differ().then_some(f64::INFINITY)),
+            Number::FirstTouch => pairs(|errors| errors.first_time_relative),
+            Number::FirstImpulse => pairs(|errors| errors.first_impulse),
+            Number::LargestImpulse => pairs(|errors| errors.largest_impulse),
+            Number::PoundingForce => pairs(|errors| errors.peak_force),
+        }
     }
 }
 
@@ -199,15 +250,19 @@ fn of_pair(outcome: &Outcome, pair: usize) -> Vec<&Collision> {
 }
 
 /// Part of a row's largest momentum below which one is zero: forces from both sides cancel but for rounding.
-const ZERO: f64 = 1e-9;
+pub(crate) const ZERO: f64 = 1e-9;
 
-/// Distance relative to a scale; 0 of equal numbers.
-fn relative_to(run: f64, exact: f64, scale: f64) -> f64 {
+/// Distance relative to a scale; 0 of equal numbers, infinite of what is not a number.
+pub(crate) fn relative_to(run: f64, exact: f64, scale: f64) -> f64 {
     let distance = (run - exact).abs();
     if distance == 0.0 {
-        0.0
+        return 0.0;
+    }
+    let relative = distance / scale;
+    if relative.is_nan() {
+        f64::INFINITY
     } else {
-        distance / scale
+        relative
     }
 }
 

@@ -2,7 +2,8 @@
 
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Damping as SolverDamping, Exact, ImpactRule, Rk4, SimultaneousImpacts, Start, VerletImpacts,
+    Damping as SolverDamping, Exact, ImpactRule, Oscillation, SimultaneousImpacts, Start,
+    VerletImpacts,
 };
 use serde::{Deserialize, Serialize};
 
@@ -28,17 +29,23 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Structure and time step \[s\] from which on the method is unstable for it; nothing for a method without limit.
-    ///
-    /// T/π = 2/ω for the central difference and the Verlet method, T/(2π√(γ/2 − β)) for Newmark's with β < γ/2,
-    /// whatever the damping; the Runge–Kutta method's depends on it. Contact can ask for less.
-    pub(crate) fn critical_time_step(&self) -> Option<(usize, f64)> {
-        let limits = self.structures.iter().enumerate();
-        limits
-            .filter_map(|(index, structure)| match structure {
-                Structure::Sdof(structure) => Some((index, self.method.limit(structure)?)),
+    /// Of every structure and wall the time step \[s\] from which on it grows without bound, though it touch nobody;
+    /// nothing for a wall, and for a method without such a limit.
+    pub(crate) fn critical_time_steps(&self) -> impl Iterator<Item = Option<f64>> {
+        let integrator = self.method.time_step().map(|_| self.method.integrator());
+        self.structures
+            .iter()
+            .map(move |structure| match structure {
+                Structure::Sdof(sdof) => integrator?.critical_time_step(&sdof.oscillation()),
                 Structure::Wall => None,
             })
+    }
+
+    /// The least of them and its structure.
+    pub(crate) fn critical_time_step(&self) -> Option<(usize, f64)> {
+        let limits = self.critical_time_steps().enumerate();
+        limits
+            .filter_map(|(index, limit)| Some((index, limit?)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
@@ -119,6 +126,14 @@ impl Sdof {
         self.damping
             .to_solver()
             .ratio(self.mass_kg, self.stiffness_n_per_m)
+    }
+
+    /// Its free oscillation.
+    pub fn oscillation(&self) -> Oscillation {
+        Oscillation {
+            angular_frequency: (self.stiffness_n_per_m / self.mass_kg).sqrt(),
+            damping_ratio: self.damping_ratio(),
+        }
     }
 
     /// Natural period T = 2π√(m/k) \[s\].
@@ -315,26 +330,5 @@ impl Method {
     pub(crate) fn step(&self) -> f64 {
         self.time_step()
             .expect("a study that shows steps was refused scenes without them")
-    }
-
-    /// Time step \[s\] from which on the method is unstable for a structure that stands alone, if there is one.
-    fn limit(&self, structure: &Sdof) -> Option<f64> {
-        let factor = match *self {
-            Self::CentralDifference { .. } | Self::VelocityVerlet { .. } => 1.0,
-            Self::Newmark { beta, gamma, .. } if beta < 0.5 * gamma => {
-                0.5 / (0.5 * gamma - beta).sqrt()
-            }
-            Self::Newmark { .. }
-            | Self::Hht { .. }
-            | Self::MoreauJean { .. }
-            | Self::Exact { .. }
-            | Self::Accuracy(_) => return None,
-            Self::Rk4 { .. } => {
-                let omega = 2.0 * std::f64::consts::PI / structure.period();
-                let limit = Rk4::critical_time_step(omega, structure.damping_ratio());
-                return Some(limit);
-            }
-        };
-        Some(factor * structure.period() / std::f64::consts::PI)
     }
 }

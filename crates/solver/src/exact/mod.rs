@@ -208,6 +208,7 @@ impl<R: Recorder> Run<'_, R> {
         self.recorder.touch(&Touch {
             pair,
             time,
+            approach_speed: contact.rate.max(0.0),
             uncertainty,
         });
     }

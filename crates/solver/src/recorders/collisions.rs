@@ -12,6 +12,9 @@ pub struct Collision {
     /// What rounding leaves open of the start \[s\], as in [`Touch::uncertainty`](Touch#structfield.uncertainty); nothing
     /// where no gap closed at the start, and for a stepping method, which knows it to a step.
     pub uncertainty: Option<f64>,
+    /// Rate of deformation at the start v₀ \[m/s\], ≥ 0; nothing where a compliant pair did not approach, and for a stepping
+    /// method, which does not know it.
+    pub approach_speed: Option<f64>,
     /// Last instant with a pounding force, or the instant of the impact \[s\].
     pub end: f64,
     /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit.
@@ -27,8 +30,8 @@ pub struct Collisions {
     pair_of_left: Vec<Option<usize>>,
     /// For each pair, the index of its collision that goes on.
     open: Vec<Option<usize>>,
-    /// Instant and uncertainty of the last touch of every pair.
-    touches: Vec<Option<(f64, f64)>>,
+    /// The last touch of every pair.
+    touches: Vec<Option<Touch>>,
     found: Vec<Collision>,
 }
 
@@ -54,10 +57,10 @@ impl Collisions {
 
     /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
     fn uncertainty(&self, start: f64) -> Option<f64> {
-        let then = |(time, _): &&(f64, f64)| time.total_cmp(&start).is_eq();
-        let touches = self.touches.iter().flatten().filter(then);
+        let touches = self.touches.iter().flatten();
         touches
-            .map(|(_, uncertainty)| *uncertainty)
+            .filter(|touch| touch.begins(start))
+            .map(|touch| touch.uncertainty)
             .reduce(f64::max)
     }
 }
@@ -87,6 +90,9 @@ impl Recorder for Collisions {
                 pair,
                 start: first,
                 uncertainty: self.uncertainty(first),
+                approach_speed: self.touches[pair]
+                    .filter(|touch| touch.begins(first))
+                    .map(|touch| touch.approach_speed),
                 end: first,
                 peak_force: Some(start),
                 impulse: 0.0,
@@ -113,6 +119,7 @@ impl Recorder for Collisions {
             pair: impact.pair,
             start: impact.time,
             uncertainty: self.uncertainty(impact.time),
+            approach_speed: Some((impact.before.left - impact.before.right).max(0.0)),
             end: impact.time,
             peak_force: None,
             impulse: impact.impulse,
@@ -120,6 +127,13 @@ impl Recorder for Collisions {
     }
 
     fn touch(&mut self, touch: &Touch) {
-        self.touches[touch.pair] = Some((touch.time, touch.uncertainty));
+        self.touches[touch.pair] = Some(*touch);
+    }
+}
+
+impl Touch {
+    /// Whether it happens at this very instant.
+    fn begins(&self, start: f64) -> bool {
+        self.time.total_cmp(&start).is_eq()
     }
 }

@@ -4,6 +4,7 @@ mod allocations;
 mod audit;
 mod chopra;
 mod common;
+mod contact_limits;
 mod every_law;
 mod exact;
 mod exact_laws;

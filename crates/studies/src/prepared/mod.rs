@@ -12,7 +12,7 @@ use crate::advice::{Advice, Goal, advise};
 use crate::{Method, Quantity, RecordUse, Scene, SceneError, Structure, StudyError, check};
 use model::Model;
 pub use run::Outcome;
-pub(crate) use run::Recorders;
+pub(crate) use run::{Audited, Recorders};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]
@@ -21,6 +21,10 @@ pub struct Prepared {
     scene: Scene,
     /// How that method was found.
     advice: Option<Advice>,
+    /// Whether it runs though its time step or its results are refused.
+    forced: bool,
+    /// Why its time step is refused.
+    unstable: Option<SceneError>,
     model: Model,
     record: Record,
     clock: Clock,
@@ -48,6 +52,21 @@ impl Prepared {
         base: &Path,
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
+        let mut prepared = Self::forcing(scene, base, done)?;
+        prepared.forced = false;
+        prepared.stable()
+    }
+
+    /// The same, but a time step beyond the limit of stability is taken, and [`Self::review`] reports a run that breaks a
+    /// law of mechanics; both with a [`Warning`](crate::Warning).
+    ///
+    /// # Errors
+    /// Those of [`Self::new`] but [`SceneError::Unstable`].
+    pub fn forcing(
+        scene: &Scene,
+        base: &Path,
+        done: &(impl Fn(usize) + Sync),
+    ) -> Result<Self, StudyError> {
         let in_scene = |source| StudyError::Scene {
             scene: scene.name.clone(),
             source,
@@ -65,6 +84,8 @@ impl Prepared {
         let mut prepared = Self {
             scene: scene.clone(),
             advice: None,
+            forced: true,
+            unstable: check::free_limit(scene).err(),
             model,
             record,
             clock: method.clock(scene.duration_s),
@@ -84,6 +105,47 @@ impl Prepared {
     /// # Errors
     /// [`StudyError`] when the method does not fit the scene, such as a time step beyond its stability limit.
     pub(crate) fn with_method(&self, other: Method) -> Result<Self, StudyError> {
+        let prepared = self.with_any_method(other)?;
+        prepared.stable()
+    }
+
+    /// Another scene, shaken by a record at hand as it is.
+    ///
+    /// # Errors
+    /// [`StudyError::Scene`] when a value of the scene cannot be modelled.
+    pub(crate) fn variant(&self, scene: &Scene, record: Record) -> Result<Self, StudyError> {
+        let in_scene = |source| StudyError::Scene {
+            scene: scene.name.clone(),
+            source,
+        };
+        check::scene(scene).map_err(in_scene)?;
+        let model =
+            Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
+        let varied = Self {
+            scene: scene.clone(),
+            model,
+            record,
+            ..self.clone()
+        };
+        varied.with_any_method(scene.method)
+    }
+
+    /// Refuses a time step beyond the limit of stability.
+    fn stable(self) -> Result<Self, StudyError> {
+        match self.unstable {
+            Some(source) => Err(StudyError::Scene {
+                scene: self.scene.name,
+                source,
+            }),
+            None => Ok(self),
+        }
+    }
+
+    /// The same structures under the same record, with another method, also with one that is unstable.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the duration is not a whole number of time steps.
+    pub(crate) fn with_any_method(&self, other: Method) -> Result<Self, StudyError> {
         let mut scene = self.scene.clone();
         scene.method = other;
         check::check_method(&scene).map_err(|source| StudyError::Scene {
@@ -93,6 +155,8 @@ impl Prepared {
         Ok(Self {
             clock: other.clock(scene.duration_s),
             integrator: other.integrator(),
+            unstable: check::free_limit(&scene).err(),
+            forced: self.forced,
             scene,
             advice: None,
             model: self.model.clone(),
@@ -116,6 +180,16 @@ impl Prepared {
     /// How the method was found, where the scene asks for an accuracy.
     pub fn advice(&self) -> Option<&Advice> {
         self.advice.as_ref()
+    }
+
+    /// Whether the scene was [forced](Self::forcing).
+    pub(crate) fn is_forced(&self) -> bool {
+        self.forced
+    }
+
+    /// Why the time step is refused, where it was [forced](Self::forcing).
+    pub(crate) fn unstable(&self) -> Option<&SceneError> {
+        self.unstable.as_ref()
     }
 
     /// The method that runs.

@@ -27,6 +27,16 @@ pub struct Outcome {
     pub work: Work,
 }
 
+/// A run with what its ledger says.
+#[derive(Debug)]
+pub(crate) struct Audited {
+    pub(crate) outcome: Outcome,
+    /// The law of mechanics that it breaks, if any.
+    pub(crate) broken: Option<StudyError>,
+    /// What of the energies the physical balance leaves unexplained \[–\].
+    pub(crate) residual: f64,
+}
+
 /// Recorders of everything but histories, with a ledger or `()`.
 pub(crate) type Recorders<L> = (Peaks, Collisions, TransferredMomentum, L);
 
@@ -36,10 +46,24 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early, [`StudyError::Broken`] when it breaks a law of mechanics.
     pub fn run(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
+        let Audited {
+            outcome, broken, ..
+        } = self.audited(interval)?;
+        broken.map_or(Ok(outcome), Err)
+    }
+
+    /// Runs the scene; what its ledger says stands beside the outcome.
+    ///
+    /// # Errors
+    /// [`StudyError::Run`] when the run ends early.
+    pub(crate) fn audited(&self, interval: Option<f64>) -> Result<Audited, StudyError> {
         let ledger = self.ledger().held_to(self.integrator.laws());
         let (outcome, ledger) = self.run_with(interval, ledger)?;
-        ledger.verdict().map_err(|source| self.broke(source))?;
-        Ok(outcome)
+        Ok(Audited {
+            outcome,
+            broken: ledger.verdict().err().map(|source| self.broke(source)),
+            residual: ledger.residual(),
+        })
     }
 
     /// The same without the ledger, which for the exact method takes 1.2 to 1.6 times the time.

@@ -20,6 +20,7 @@ use crate::ladder::{Ladder, entries};
 use crate::{Completed, StudyError};
 
 use measure::Race;
+pub(crate) use quantities::{Quantities, Quantity};
 pub use timing::Timed;
 
 /// The runs of a trade study and what they are measured by.

@@ -1,8 +1,9 @@
 //! What is compared: six quantities and a count.
 
-use pounding_solver::Collision;
+use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
 
-use crate::comparison::relative;
+use crate::Outcome;
+use crate::comparison::{ZERO, relative_to};
 use crate::prepared::Recorders;
 use crate::second_route::Response;
 
@@ -94,6 +95,24 @@ impl Quantities {
         (peaks, collisions, momentum, _): &Recorders<L>,
         n_structures: usize,
     ) -> Self {
+        Self::of_parts((peaks, collisions, momentum), n_structures)
+    }
+
+    /// The quantities of an outcome.
+    pub(crate) fn of_outcome(outcome: &Outcome, n_structures: usize) -> Self {
+        let Outcome {
+            peaks,
+            collisions,
+            momentum,
+            ..
+        } = outcome;
+        Self::of_parts((peaks, collisions, momentum), n_structures)
+    }
+
+    fn of_parts(
+        (peaks, collisions, momentum): (&Peaks, &Collisions, &TransferredMomentum),
+        n_structures: usize,
+    ) -> Self {
         let met = |collision: &Collision| Met {
             start: collision.start,
             impulse: collision.impulse,
@@ -156,15 +175,21 @@ impl Quantities {
 
     /// Relative distance from other quantities, of the structure where it is largest \[–\].
     ///
-    /// Infinite where only one of both has a collision, or a structure is hit in one of both; nothing where neither
+    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one of both; nothing where neither
     /// has one.
     pub(crate) fn distance(&self, truth: &Self, quantity: Quantity) -> Option<f64> {
         let (found, wanted) = (self.values(quantity), truth.values(quantity));
         if found.len() != wanted.len() {
             return Some(f64::INFINITY);
         }
+        let largest = wanted.iter().copied().fold(0.0, f64::max);
+        let scale = |wanted: f64| match quantity {
+            Quantity::FirstTime if wanted == 0.0 => 1.0,
+            Quantity::Momentum => wanted.max(ZERO * largest),
+            _ => wanted.abs(),
+        };
         let pairs = found.iter().zip(wanted);
-        let distances = pairs.map(|(found, wanted)| relative(*found, *wanted));
+        let distances = pairs.map(|(found, wanted)| relative_to(*found, *wanted, scale(*wanted)));
         distances.reduce(f64::max)
     }
 }

@@ -1,0 +1,126 @@
+//! The answer of `pounding check`: what would run, and what its time step can follow, as plain text.
+
+use pounding::studies::{
+    ContactLimit, Limits, Prepared, STEPS_PER_CONTACT, Structure, StudyError, digits,
+};
+
+use crate::summary::{method_lines, record_lines, warnings};
+use crate::text::{NONE, paragraph, short, table};
+
+/// The plan of a scene.
+pub(crate) fn of(prepared: &Prepared) -> String {
+    let scene = prepared.scene();
+    let mut parts = vec![
+        paragraph("Scene", &scene.name),
+        paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
+        paragraph("Method", &method_lines(prepared)),
+    ];
+    match prepared.exact().and_then(|exact| exact.run(None)) {
+        Ok(expected) => {
+            let limits = prepared.limits(&expected);
+            parts.push(structures(prepared, &limits));
+            parts.push(pairs(prepared, &limits));
+            parts.push(paragraph("Notes", NOTES));
+            parts.push(warnings(&prepared.warnings_before(&expected)));
+        }
+        Err(error) => parts.push(unknown(&error)),
+    }
+    parts.join("\n")
+}
+
+const NOTES: &str = "Limit: from this time step on the motion grows without bound; of a pair, while it touches, with the \
+                     stiffness at the largest force.\nSpeed: the largest at which the pair meets in the exact run; \
+                     lasts, steps and e are those of a free collision at that speed, e that of the law and what the \
+                     method makes of it.";
+
+fn unknown(error: &StudyError) -> String {
+    let found = format!("the exact run fails, so that no collision can be expected: {error}");
+    paragraph("Warnings", &found)
+}
+
+fn structures(prepared: &Prepared, limits: &Limits) -> String {
+    let header = [
+        ["Structure", ""],
+        ["Period", "[s]"],
+        ["Damping", "ratio"],
+        ["Yields at", "[kN]"],
+        ["Limit", "[s]"],
+    ];
+    let row = |(index, structure): (usize, &Structure)| {
+        let limit = limits.structures[index].map_or(NONE.into(), short);
+        match structure {
+            Structure::Sdof(sdof) => vec![
+                sdof.name.clone(),
+                short(sdof.period()),
+                short(sdof.damping_ratio()),
+                sdof.yield_force_n
+                    .map_or(NONE.into(), |force| short(force / 1e3)),
+                limit,
+            ],
+            Structure::Wall => [structure.name(), NONE, NONE, NONE, NONE]
+                .map(String::from)
+                .to_vec(),
+        }
+    };
+    let structures = prepared.scene().structures.iter().enumerate();
+    table(&header, &structures.map(row).collect::<Vec<_>>())
+}
+
+fn pairs(prepared: &Prepared, limits: &Limits) -> String {
+    let scene = prepared.scene();
+    let contacts = scene.contacts.as_deref().unwrap_or_default();
+    if contacts.is_empty() {
+        return paragraph("Pairs", "none: no structure can touch another");
+    }
+    let header = [
+        ["Pair", ""],
+        ["Gap", "[mm]"],
+        ["Speed", "[m/s]"],
+        ["Lasts", "[ms]"],
+        ["Steps", ""],
+        ["Limit", "[ms]"],
+        ["e", ""],
+        ["Method's", "e"],
+    ];
+    let rows = contacts.iter().enumerate().map(|(index, contact)| {
+        let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
+        let mut row = vec![format!("{left} – {right}"), digits(contact.gap_m * 1e3)];
+        match limits.contacts.iter().find(|limit| limit.pair == index) {
+            Some(limit) => row.extend(contact_numbers(prepared, limit)),
+            None => row.extend(["never", "", "", "", "", ""].map(String::from)),
+        }
+        row
+    });
+    table(&header, &rows.collect::<Vec<_>>())
+}
+
+fn contact_numbers(prepared: &Prepared, limit: &ContactLimit) -> [String; 6] {
+    let number =
+        |value: Option<f64>, scale: f64| value.map_or(NONE.into(), |value| short(scale * value));
+    let steps = limit.steps.map_or(NONE.into(), |steps| {
+        if steps < STEPS_PER_CONTACT {
+            format!("{steps:.2}")
+        } else {
+            format!("{steps:.0}")
+        }
+    });
+    let delivered = match prepared.scene().method.time_step() {
+        Some(_) => prepared.delivered(limit),
+        None => None,
+    };
+    [
+        short(limit.approach_speed),
+        number(limit.duration, 1e3),
+        steps,
+        number(limit.critical_time_step, 1e3),
+        limit.restitution.map_or(NONE.into(), |e| format!("{e:.3}")),
+        delivered.map_or(NONE.into(), |delivered| {
+            let [least, most] = delivered.range;
+            if most - least < 5e-4 {
+                format!("{least:.3}")
+            } else {
+                format!("{least:.3} to {most:.3}")
+            }
+        }),
+    ]
+}

@@ -1,0 +1,383 @@
+//! A run with what is known of its errors, and what it warns of.
+
+use std::fmt;
+
+use pounding_solver::{ImpactRule, Work};
+
+use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
+use crate::prepared::Audited;
+use crate::{
+    Delivered, Method, Number, Outcome, Prepared, RunErrors, Structure, StudyError, digits,
+};
+
+/// Relative error of a printed number above which a run is warned of \[–\].
+pub const DOUBTFUL: f64 = 0.03;
+
+/// Steps per natural period below which a run is warned of: the usual rule.
+pub const STEPS_PER_PERIOD: f64 = 10.0;
+
+/// A run with what is known of its errors.
+#[derive(Debug)]
+pub struct Review {
+    /// What the run leaves behind.
+    pub outcome: Outcome,
+    /// How far it is from the exact run.
+    pub errors: Errors,
+    /// What a user should know before believing it.
+    pub warnings: Vec<Warning>,
+}
+
+/// What is known of the errors of a run.
+#[derive(Debug)]
+pub enum Errors {
+    /// The method is exact.
+    Exact,
+    /// Nobody asked.
+    NotMeasured,
+    /// The exact run failed.
+    Unknown(StudyError),
+    /// Measured against an exact run, which cost this.
+    Measured(RunErrors, Work),
+}
+
+/// What a user should know before believing a run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Warning {
+    /// A structure moves alone beyond the critical time step, and was forced to.
+    BeyondFreeLimit {
+        /// What would have been refused, in words.
+        refusal: String,
+    },
+    /// A law of mechanics is broken, in a run that was forced.
+    Broken {
+        /// Which one, in words.
+        law: String,
+    },
+    /// A structure has too few steps in its period.
+    FewStepsPerPeriod {
+        /// Index of the structure.
+        structure: usize,
+        /// Its name.
+        name: String,
+        /// Steps in its period.
+        steps: f64,
+        /// The field of the scene, and its value \[s\].
+        time_step: (String, f64),
+    },
+    /// A pair is unstable while it touches.
+    BeyondContactLimit {
+        /// Where.
+        place: Place,
+        /// Time step from which on it is \[s\].
+        limit: f64,
+    },
+    /// A collision has too few steps.
+    UnderResolved {
+        /// Where.
+        place: Place,
+        /// Steps in the collision that is expected.
+        steps: f64,
+        /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
+        restitution: Option<(f64, Delivered)>,
+    },
+    /// The published rule for impacts delivers another e than its law.
+    PublishedImpacts {
+        /// Where.
+        place: Place,
+        /// e of the law, and what the method delivers instead.
+        restitution: (f64, Delivered),
+    },
+    /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
+    Rests {
+        /// Index of the pair.
+        pair: usize,
+        /// Names of its structures.
+        names: [String; 2],
+    },
+    /// A printed number is far from that of the exact run.
+    Error {
+        /// The number.
+        number: Number,
+        /// Its largest relative error \[–\].
+        error: f64,
+    },
+    /// The errors are not known, because the exact run fails.
+    ErrorUnknown,
+}
+
+/// A pair, with the knob that makes its steps shorter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Names of its structures.
+    pub names: [String; 2],
+    /// The field of the scene, and its value \[s\].
+    pub time_step: (String, f64),
+}
+
+impl Warning {
+    /// Whether it says that a printed number is not to be believed.
+    ///
+    /// What is said of a pair's collisions concerns their impulses and forces.
+    pub fn concerns(&self, asked: Number) -> bool {
+        match self {
+            Self::BeyondFreeLimit { .. }
+            | Self::Broken { .. }
+            | Self::ErrorUnknown
+            | Self::FewStepsPerPeriod { .. } => true,
+            Self::BeyondContactLimit { .. }
+            | Self::UnderResolved { .. }
+            | Self::PublishedImpacts { .. }
+            | Self::Rests { .. } => matches!(
+                asked,
+                Number::PoundingForce | Number::FirstImpulse | Number::LargestImpulse
+            ),
+            Self::Error { number, .. } => asked == *number,
+        }
+    }
+}
+
+impl Prepared {
+    /// Runs the scene and says what is known of its errors.
+    ///
+    /// With `measure` the exact method runs too and every number is compared with its own; without it, warnings rest on
+    /// the collisions of the run itself.
+    ///
+    /// # Errors
+    /// [`StudyError::Run`] when the run ends early, [`StudyError::Broken`] when it breaks a law of mechanics and was not
+    /// forced.
+    pub fn review(&self, measure: bool) -> Result<Review, StudyError> {
+        let Audited {
+            outcome, broken, ..
+        } = self.audited(None)?;
+        let mut warnings = Vec::new();
+        warnings.extend(self.unstable().map(|refusal| Warning::BeyondFreeLimit {
+            refusal: refusal.to_string(),
+        }));
+        if let Some(broken) = broken {
+            if !self.is_forced() {
+                return Err(broken);
+            }
+            let law = broken.to_string();
+            warnings.push(Warning::Broken { law });
+        }
+        let errors = if matches!(self.method(), Method::Exact { .. }) {
+            Errors::Exact
+        } else if measure {
+            match self.exact().and_then(|exact| exact.run(None)) {
+                Ok(exact) => {
+                    let (errors, of_errors) = self.warnings(&outcome, &exact);
+                    warnings.extend(of_errors);
+                    Errors::Measured(errors, exact.work)
+                }
+                Err(error) => {
+                    warnings.push(Warning::ErrorUnknown);
+                    Errors::Unknown(error)
+                }
+            }
+        } else {
+            warnings.extend(self.warnings_before(&outcome));
+            Errors::NotMeasured
+        };
+        Ok(Review {
+            outcome,
+            errors,
+            warnings,
+        })
+    }
+
+    /// Errors of a run of the scene against the exact one, and what it has to be warned of.
+    pub(crate) fn warnings(&self, run: &Outcome, exact: &Outcome) -> (RunErrors, Vec<Warning>) {
+        let errors = RunErrors::between(run, exact, &self.walls());
+        let mut warnings = self.warnings_before(exact);
+        let pairs = errors.pairs.iter().enumerate();
+        let rests = pairs.filter(|(_, pair)| pair.rests);
+        warnings.extend(rests.map(|(pair, _)| Warning::Rests {
+            names: self.names(pair),
+            pair,
+        }));
+        warnings.extend(errors.warnings());
+        (errors, warnings)
+    }
+
+    /// What can be said before a run, for the collisions that are expected: those of a run of the same scene, best the
+    /// exact one.
+    pub fn warnings_before(&self, expected: &Outcome) -> Vec<Warning> {
+        let structures = self.scene().structures.iter().enumerate();
+        let periods = structures.filter_map(|(index, structure)| self.few_steps(index, structure));
+        let limits = self.limits(expected);
+        let contacts = limits.contacts.iter();
+        let contacts = contacts.filter_map(|limit| self.contact_warning(limit));
+        periods.chain(contacts).collect()
+    }
+
+    fn few_steps(&self, index: usize, structure: &Structure) -> Option<Warning> {
+        let Structure::Sdof(sdof) = structure else {
+            return None;
+        };
+        let time_step = self.method().time_step()?;
+        let steps = sdof.period() / time_step;
+        (steps < STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
+            structure: index,
+            name: sdof.name.clone(),
+            steps,
+            time_step: self.knob(time_step),
+        })
+    }
+
+    /// The field of the time step, and its value \[s\].
+    fn knob(&self, time_step: f64) -> (String, f64) {
+        let field = format!("method.{}.time_step_s", self.method().name());
+        (field, time_step)
+    }
+
+    fn contact_warning(&self, limit: &ContactLimit) -> Option<Warning> {
+        let time_step = self.method().time_step()?;
+        let place = || self.place(limit.pair, time_step);
+        let delivered = || Some((limit.restitution?, self.delivered(limit)?));
+        if let Some(critical) = limit.critical_time_step
+            && time_step >= critical
+        {
+            return Some(Warning::BeyondContactLimit {
+                place: place(),
+                limit: critical,
+            });
+        }
+        if limit.is_under_resolved() {
+            return Some(Warning::UnderResolved {
+                place: place(),
+                steps: limit.steps?,
+                restitution: delivered(),
+            });
+        }
+        let published = matches!(
+            self.method(),
+            Method::CentralDifference {
+                impacts: ImpactRule::AsPublished,
+                ..
+            }
+        );
+        if !published || self.pairs()[limit.pair].law.is_compliant() {
+            return None;
+        }
+        let (right, delivered) = delivered()?;
+        (delivered.error > DOUBTFUL * (1.0 + right)).then(|| Warning::PublishedImpacts {
+            place: place(),
+            restitution: (right, delivered),
+        })
+    }
+
+    fn place(&self, pair: usize, time_step: f64) -> Place {
+        Place {
+            pair,
+            names: self.names(pair),
+            time_step: self.knob(time_step),
+        }
+    }
+
+    /// Names of the structures of a pair.
+    fn names(&self, pair: usize) -> [String; 2] {
+        let pair = &self.pairs()[pair];
+        [pair.left, pair.right].map(|index| self.scene().structures[index].name().to_string())
+    }
+}
+
+impl RunErrors {
+    /// What is far from the exact run.
+    fn warnings(&self) -> impl Iterator<Item = Warning> {
+        let numbers = Number::ALL
+            .into_iter()
+            .filter(|number| *number != Number::Collisions);
+        numbers.filter_map(|number| {
+            let error = self.of(number);
+            (error > DOUBTFUL).then_some(Warning::Error { number, error })
+        })
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [left, right] = &self.names;
+        write!(to, "contacts[{}] ({left} – {right})", self.pair)
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BeyondFreeLimit { refusal } => write!(to, "forced: {refusal}"),
+            Self::Broken { law } => write!(to, "forced: {law}"),
+            Self::FewStepsPerPeriod {
+                structure,
+                name,
+                steps,
+                time_step: (knob, found),
+            } => {
+                let most = found * steps / STEPS_PER_PERIOD;
+                write!(
+                    to,
+                    "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most:.1e} or less gives \
+                     {STEPS_PER_PERIOD}"
+                )
+            }
+            Self::BeyondContactLimit { place, limit } => {
+                let (knob, found) = &place.time_step;
+                write!(
+                    to,
+                    "{place}: unstable while it touches: {knob} is {}, allowed there less than {}",
+                    digits(*found),
+                    digits(*limit)
+                )
+            }
+            Self::UnderResolved {
+                place,
+                steps,
+                restitution,
+            } => {
+                let (knob, found) = &place.time_step;
+                let most = found * steps / STEPS_PER_CONTACT;
+                write!(to, "{place}: a collision has {steps:.2} steps")?;
+                if let Some((right, delivered)) = restitution {
+                    write!(to, ", {}", instead(*right, delivered))?;
+                }
+                write!(
+                    to,
+                    "; {knob} of {most:.1e} or less gives {STEPS_PER_CONTACT}"
+                )
+            }
+            Self::PublishedImpacts {
+                place,
+                restitution: (right, delivered),
+            } => write!(
+                to,
+                "{place}: impacts as published: {}; \"impacts\": \"velocity_jump\" delivers it",
+                instead(*right, delivered)
+            ),
+            Self::Rests { pair, names } => {
+                let [left, right] = names;
+                write!(
+                    to,
+                    "contacts[{pair}] ({left} – {right}): comes to rest in contact in the exact run, where this run has an \
+                     impact in every step; their number and impulses depend on the step and are not compared"
+                )
+            }
+            Self::Error { number, error } if error.is_finite() => {
+                let of = number.words();
+                let decimals = usize::from(*error < 0.1);
+                let percent = 100.0 * error;
+                write!(to, "{of}: {percent:.decimals$} % off the exact run")
+            }
+            Self::Error { number, .. } => {
+                write!(to, "{}: in this run or the exact one alone", number.words())
+            }
+            Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
+        }
+    }
+}
+
+/// The e of a law, and what is delivered instead.
+fn instead(right: f64, delivered: &Delivered) -> String {
+    let [least, most] = delivered.range;
+    format!("e = {least:.3} to {most:.3} instead of {right:.3}")
+}
