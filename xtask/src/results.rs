@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold generated files only; anything else in them is stale.
-const GENERATED: [&str; 4] = ["", "tables", "figures", "trade"];
+const GENERATED: [&str; 5] = ["", "tables", "figures", "trade", "laws"];
 /// What `reproduce` does not make: what is written by hand, and what `bench` measures.
 const KEPT: [&str; 2] = ["README.md", "wall-time.csv"];
 

@@ -1,6 +1,6 @@
 //! A study whose scenes have run.
 
-use crate::{Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile};
+use crate::{AtlasSettings, Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile};
 
 /// A study whose scenes have run, in the order of the study; there is at least one.
 #[derive(Debug)]
@@ -101,6 +101,15 @@ impl Output {
         }
     }
 
+    /// What an atlas of laws asks.
+    pub(crate) fn atlas(&self) -> Option<&AtlasSettings> {
+        if let Self::Laws(settings) = self {
+            Some(settings)
+        } else {
+            None
+        }
+    }
+
     /// Whether the output shows what happened step by step.
     fn needs_histories(&self) -> bool {
         match self {
@@ -112,6 +121,7 @@ impl Output {
             | Self::ShearForceFigure { .. } => true,
             Self::StructuresTable
             | Self::Trade(_)
+            | Self::Laws(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }
@@ -131,6 +141,7 @@ impl Output {
             | Self::ShearForceFigure { .. }
             | Self::StructuresTable
             | Self::Trade(_)
+            | Self::Laws(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }

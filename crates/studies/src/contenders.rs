@@ -74,6 +74,11 @@ impl StepMethod {
         self.0.label
     }
 
+    /// Its line in figures; nothing where it would lie on that of another one.
+    pub(crate) fn line(self) -> Option<(Shade, Kind, Mark)> {
+        self.0.line
+    }
+
     /// The method at a time step \[s\].
     pub fn at(self, time_step: f64) -> Method {
         (self.0.method)(time_step)

@@ -59,11 +59,31 @@ impl Collision {
         })
     }
 
+    /// The same as a free pair.
     pub(crate) fn free_pair(&self) -> FreePair {
         FreePair {
             reduced_mass: reduced_mass(1.0 / self.masses[0], 1.0 / self.masses[1]),
             approach_speed: self.speed,
         }
+    }
+
+    /// The masses at a gap \[m\], moving towards each other.
+    pub(crate) fn row(&self, law: ContactLaw, gap: f64) -> Result<Row<Elastic>, CollisionError> {
+        let inverse = self.masses.map(|mass| 1.0 / mass);
+        // About the common centre, so that neither velocity is small against the other's rounding.
+        let node = |inverse_mass: f64, sign: f64| Node {
+            initial_velocity: sign * self.speed * inverse_mass / (inverse[0] + inverse[1]),
+            inverse_mass,
+            ..Node::structure(1.0, 0.0, Elastic { stiffness: 0.0 })
+        };
+        let nodes = vec![node(inverse[0], 1.0), node(inverse[1], -1.0)];
+        let pair = Pair {
+            left: 0,
+            right: 1,
+            gap,
+            law,
+        };
+        Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)
     }
 
     /// Lets the masses collide; the gap closes `BEFORE` steps and a part of one after the start.
@@ -73,22 +93,8 @@ impl Collision {
         integrator: &Integrator,
         (step, part): (f64, f64),
     ) -> Result<Seen, CollisionError> {
-        let inverse = self.masses.map(|mass| 1.0 / mass);
-        // About the common centre, so that neither velocity is small against the other's rounding.
-        let node = |inverse_mass: f64, sign: f64| Node {
-            initial_velocity: sign * self.speed * inverse_mass / (inverse[0] + inverse[1]),
-            inverse_mass,
-            ..Node::structure(1.0, 0.0, Elastic { stiffness: 0.0 })
-        };
-        let nodes = vec![node(inverse[0], 1.0), node(inverse[1], -1.0)];
         let until = (f64::from(BEFORE) + part) * step;
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap: self.speed * until,
-            law,
-        };
-        let row = Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)?;
+        let row = self.row(law, self.speed * until)?;
         let contact = FreeImpact::of(&law, &self.free_pair()).map_or(0.0, |impact| impact.duration);
         let n_steps = ((until + 2.0 * contact) / step).ceil() + f64::from(BEFORE);
         if !(step.is_finite() && step > 0.0 && n_steps <= MOST_STEPS) {

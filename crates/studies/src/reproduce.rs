@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::converged::{Converged, N_NOISY_RUNS};
 use crate::{
-    Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, Trade,
+    Atlas, Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, Trade,
     agreement_csv, claims, claims_csv, figure_png,
 };
 
@@ -65,11 +65,10 @@ impl Studies {
     pub fn n_units(&self) -> usize {
         let units = |file: &StudyFile| {
             let scenes = &file.study.scenes;
-            let runs = match file.study.output.ladder() {
-                Some(ladder) => Trade::n_runs(scenes, ladder),
-                None => 0,
-            };
-            1 + scenes.len() + runs
+            let output = &file.study.output;
+            let trade = output.ladder().map(|ladder| Trade::n_runs(scenes, ladder));
+            let atlas = output.atlas().map(|_| Atlas::n_runs(scenes));
+            1 + scenes.len() + trade.or(atlas).unwrap_or(0)
         };
         self.files.iter().map(units).sum()
     }
@@ -111,7 +110,7 @@ impl Studies {
                     table.values,
                 );
             }
-            files.extend(made.trade);
+            files.extend(made.folder);
             if let Some(png) = made.figure {
                 files.insert(Path::new("figures").join(id).with_extension("png"), png);
             }
@@ -142,20 +141,24 @@ impl Studies {
 struct Made {
     table: Option<Table>,
     figure: Option<Vec<u8>>,
-    /// Files of a trade study by their paths.
-    trade: BTreeMap<PathBuf, Vec<u8>>,
+    /// Files of a study with a folder of its own, by their paths.
+    folder: BTreeMap<PathBuf, Vec<u8>>,
 }
 
 impl Made {
     fn of(study: &Completed, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
-        let trade = match study.file.study.output.ladder() {
-            Some(ladder) => Trade::measure(study, ladder, done)?.files()?,
-            None => BTreeMap::new(),
+        let output = &study.file.study.output;
+        let folder = if let Some(ladder) = output.ladder() {
+            Trade::measure(study, ladder, done)?.files()?
+        } else if let Some(settings) = output.atlas() {
+            Atlas::draw(study, settings, done)?.files()?
+        } else {
+            BTreeMap::new()
         };
         Ok(Self {
             table: Table::of(study)?,
             figure: figure_png(study)?,
-            trade,
+            folder,
         })
     }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
-use crate::{Ladder, Scene, StudyError};
+use crate::{AtlasSettings, Ladder, Scene, StudyError};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -53,6 +53,8 @@ pub enum Output {
     Claims,
     /// Error against work of every method on every scene; a folder of its own.
     Trade(Ladder),
+    /// What every contact law delivers, and what it does in every scene; a folder of its own.
+    Laws(AtlasSettings),
     /// The record of the first scene.
     RecordFigure,
     /// Displacements of the structures of the first scene, a panel each.

@@ -32,6 +32,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
         | Output::TransferredMomentumTable
         | Output::TextTable { .. }
         | Output::Trade(_)
+        | Output::Laws(_)
         | Output::Claims => return Ok(None),
     };
     png.map(Some).map_err(|source: PlotError| StudyError::Plot {

@@ -69,6 +69,7 @@ impl Table {
             } => summaries::text(completed, transferred_momentum, peak_forces).map(Some),
             Output::Claims
             | Output::Trade(_)
+            | Output::Laws(_)
             | Output::RecordFigure
             | Output::DisplacementFigure
             | Output::PoundingFigure

@@ -1,0 +1,144 @@
+//! The atlas of contact laws on short ladders: every law is in every table, and no failure is dropped.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use insta::assert_snapshot;
+use pounding_contact::LawName;
+use pounding_studies::{Atlas, AtlasSettings, Completed, Output, StudyFile};
+
+/// The study with two of its scenes, and with few questions.
+fn study() -> (Completed, AtlasSettings) {
+    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
+    let mut file = StudyFile::read(&studies.join("laws.json")).expect("a readable study");
+    let Output::Laws(settings) = file.study.output.clone() else {
+        panic!("a study of laws");
+    };
+    file.study
+        .scenes
+        .retain(|scene| scene.name.starts_with("two structures"));
+    let settings = AtlasSettings {
+        restitutions: vec![0.05, 0.65, 1.0],
+        approach_speeds_m_per_s: vec![0.03, 0.3],
+        steps_per_contact: vec![2.0, 20.0],
+        ..settings
+    };
+    let completed = Completed::run(file, &|| ()).expect("a study that runs");
+    (completed, settings)
+}
+
+type Files = BTreeMap<PathBuf, Vec<u8>>;
+
+static FILES: LazyLock<Files> = LazyLock::new(|| files(&study()));
+
+fn files((completed, settings): &(Completed, AtlasSettings)) -> Files {
+    let atlas = Atlas::draw(completed, settings, &|| ()).expect("settings that laws take");
+    atlas.files().expect("figures that can be drawn")
+}
+
+fn text<'a>(files: &'a Files, table: &str) -> &'a str {
+    std::str::from_utf8(&files[&Path::new("laws").join(table)]).expect("CSV is text")
+}
+
+/// Rows of a table as columns by name.
+fn rows(files: &Files, table: &str) -> Vec<BTreeMap<String, String>> {
+    let mut reader = csv::Reader::from_reader(text(files, table).as_bytes());
+    let rows = reader.deserialize();
+    rows.map(|row| row.expect("a row of text")).collect()
+}
+
+#[test]
+fn limit_every_table_names_every_law() {
+    let laws: Vec<_> = LawName::ALL.map(|law| law.description().name).into();
+    for table in [
+        "restitution.csv",
+        "approach-speed.csv",
+        "free-impact.csv",
+        "time-step.csv",
+        "scenes.csv",
+    ] {
+        let mut named: Vec<_> = rows(&FILES, table)
+            .iter()
+            .map(|row| row["law"].clone())
+            .collect();
+        named.dedup();
+        // One scene after the other.
+        assert_eq!(named[..laws.len()], laws, "{table}");
+    }
+    for row in rows(&FILES, "dependence.csv") {
+        assert_eq!(row["laws"], "7", "{row:?}");
+    }
+}
+
+#[test]
+fn reference_the_exact_calibration_delivers_what_was_asked() {
+    let mut compared = 0;
+    for row in rows(&FILES, "restitution.csv") {
+        let number = |column: &str| row[column].parse::<f64>();
+        if row["failed"].is_empty() {
+            let found = number("delivered_by_exact_calibration").expect("a number");
+            let asked = number("restitution_asked").expect("a number");
+            assert!((found - asked).abs() <= 1e-9, "{row:?}");
+            compared += 1;
+        } else {
+            assert!(
+                row["failed"].ends_with("this law has no damping"),
+                "{row:?}"
+            );
+        }
+    }
+    assert_eq!(
+        compared,
+        3 * LawName::ALL.len() - 4,
+        "two springs have e = 1 alone"
+    );
+}
+
+#[test]
+fn limit_laws_agree_until_the_first_touch() {
+    for row in rows(&FILES, "dependence.csv") {
+        if row["quantity"] == "time_of_first_collision" {
+            assert_eq!(
+                (&*row["spread"], &*row["stereomechanical_over_mean"]),
+                ("0", "1")
+            );
+        }
+    }
+}
+
+#[test]
+fn reference_free_impacts_and_what_depends_on_the_law() {
+    let on_threads = |n_threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(n_threads)
+            .build();
+        pool.expect("threads").install(|| files(&study()))
+    };
+    for table in ["free-impact.csv", "dependence.csv"] {
+        assert_snapshot!(table, text(&FILES, table));
+    }
+    for n_threads in [1, 2] {
+        assert!(
+            *FILES == on_threads(n_threads),
+            "{n_threads} threads give the same bytes"
+        );
+    }
+}
+
+#[test]
+fn extreme_a_scene_that_cannot_run_says_why_under_every_law() {
+    let (mut completed, settings) = study();
+    completed.file.study.scenes[0].duration_s = -1.0;
+    let files = files(&(completed, settings));
+    let failed = rows(&files, "scenes.csv");
+    let failed: Vec<_> = failed
+        .iter()
+        .filter(|row| !row["failed"].is_empty())
+        .collect();
+    assert_eq!(failed.len(), LawName::ALL.len(), "a row for each");
+    for row in failed {
+        assert!(row["failed"].contains("duration_s: found -1"), "{row:?}");
+        assert!(row["value"].is_empty(), "{row:?}");
+    }
+}
