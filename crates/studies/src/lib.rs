@@ -53,6 +53,6 @@ pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};
 pub use review::{DOUBTFUL, Errors, Place, Review, STEPS_PER_PERIOD, Warning};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
-pub use study::{Output, Study, StudyFile, read_json};
+pub use study::{Output, Study, StudyFile, parse_json, read_json};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};

@@ -152,17 +152,25 @@ impl StudyFile {
 /// # Errors
 /// [`StudyError::Unreadable`], [`StudyError::Syntax`], [`StudyError::Form`] or [`StudyError::Choice`].
 pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
-    let text = std::fs::read_to_string(path).map_err(|source| StudyError::Unreadable {
+    let text = std::fs::read(path).map_err(|source| StudyError::Unreadable {
         path: path.to_path_buf(),
         source,
     })?;
+    parse_json(&text, path)
+}
+
+/// Reads the text of a JSON file; the path serves messages only.
+///
+/// # Errors
+/// Those of [`read_json`] but of reading.
+pub fn parse_json<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyError> {
     let syntax = |source| StudyError::Syntax {
         path: path.to_path_buf(),
         source,
     };
     // First as JSON of any form: the deserialiser of a type calls some fields of a wrong form bad syntax.
-    serde_json::from_str::<IgnoredAny>(&text).map_err(syntax)?;
-    let mut reader = serde_json::Deserializer::from_str(&text);
+    serde_json::from_slice::<IgnoredAny>(text).map_err(syntax)?;
+    let mut reader = serde_json::Deserializer::from_slice(text);
     serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let path = path.to_path_buf();
         let place = match error.path().to_string() {

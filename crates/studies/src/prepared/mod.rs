@@ -5,7 +5,7 @@ mod run;
 
 use std::path::Path;
 
-use pounding_motion::{Record, RecordError};
+use pounding_motion::{Accelerogram, Record, RecordError};
 use pounding_solver::{Clock, Integrator};
 
 use crate::advice::{Advice, Goal, advise};
@@ -52,9 +52,7 @@ impl Prepared {
         base: &Path,
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
-        let mut prepared = Self::forcing(scene, base, done)?;
-        prepared.forced = false;
-        prepared.stable()
+        Self::forcing(scene, base, done)?.enforced()
     }
 
     /// The same, but a time step beyond the limit of stability is taken, and [`Self::review`] reports a run that breaks a
@@ -67,12 +65,32 @@ impl Prepared {
         base: &Path,
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
-        let in_scene = |source| StudyError::Scene {
-            scene: scene.name.clone(),
-            source,
-        };
-        check::scene(scene).map_err(in_scene)?;
-        let record = load(&scene.record, base, in_scene)?;
+        check::scene(scene).map_err(|source| in_scene(scene, source))?;
+        Self::of_checked(scene, read(&scene.record, base)?, done)
+    }
+
+    /// Checks a scene that is shaken with a record at hand; the file that the scene names is not opened.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`] but of reading.
+    pub fn with_record(scene: &Scene, record: Accelerogram) -> Result<Self, StudyError> {
+        check::scene(scene).map_err(|source| in_scene(scene, source))?;
+        Self::of_checked(scene, record, &|_| ())?.enforced()
+    }
+
+    /// Not forced: refused where its time step is beyond the limit of stability.
+    fn enforced(mut self) -> Result<Self, StudyError> {
+        self.forced = false;
+        self.stable()
+    }
+
+    fn of_checked(
+        scene: &Scene,
+        file: Accelerogram,
+        done: &(impl Fn(usize) + Sync),
+    ) -> Result<Self, StudyError> {
+        let in_scene = |source| in_scene(scene, source);
+        let record = used(&scene.record, file).map_err(|error| in_scene(error.into()))?;
         let model =
             Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
         let quantity = Quantity::All;
@@ -114,10 +132,7 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Scene`] when a value of the scene cannot be modelled.
     pub(crate) fn variant(&self, scene: &Scene, record: Record) -> Result<Self, StudyError> {
-        let in_scene = |source| StudyError::Scene {
-            scene: scene.name.clone(),
-            source,
-        };
+        let in_scene = |source| in_scene(scene, source);
         check::scene(scene).map_err(in_scene)?;
         let model =
             Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
@@ -133,10 +148,7 @@ impl Prepared {
     /// Refuses a time step beyond the limit of stability.
     fn stable(self) -> Result<Self, StudyError> {
         match self.unstable {
-            Some(source) => Err(StudyError::Scene {
-                scene: self.scene.name,
-                source,
-            }),
+            Some(source) => Err(in_scene(&self.scene, source)),
             None => Ok(self),
         }
     }
@@ -148,10 +160,7 @@ impl Prepared {
     pub(crate) fn with_any_method(&self, other: Method) -> Result<Self, StudyError> {
         let mut scene = self.scene.clone();
         scene.method = other;
-        check::check_method(&scene).map_err(|source| StudyError::Scene {
-            scene: scene.name.clone(),
-            source,
-        })?;
+        check::check_method(&scene).map_err(|source| in_scene(&scene, source))?;
         Ok(Self {
             clock: other.clock(scene.duration_s),
             integrator: other.integrator(),
@@ -218,10 +227,7 @@ impl Prepared {
         &self,
         change: impl FnOnce(&Record) -> Result<Record, RecordError>,
     ) -> Result<Self, StudyError> {
-        let record = change(&self.record).map_err(|error| StudyError::Scene {
-            scene: self.scene.name.clone(),
-            source: error.into(),
-        })?;
+        let record = change(&self.record).map_err(|error| in_scene(&self.scene, error.into()))?;
         Ok(Self {
             record,
             ..self.clone()
@@ -229,22 +235,29 @@ impl Prepared {
     }
 }
 
-fn load(
-    record: &RecordUse,
-    base: &Path,
-    in_scene: impl Fn(SceneError) -> StudyError,
-) -> Result<Record, StudyError> {
+fn in_scene(scene: &Scene, source: SceneError) -> StudyError {
+    StudyError::Scene {
+        scene: scene.name.clone(),
+        source,
+    }
+}
+
+/// Reads the file of a record.
+fn read(record: &RecordUse, base: &Path) -> Result<Accelerogram, StudyError> {
     let path = base.join(&record.file);
-    let text = match std::fs::read(&path) {
-        Ok(text) => text,
-        Err(source) => return Err(StudyError::NoRecord { path, source }),
-    };
-    let file =
-        pounding_motion::read(&text).map_err(|source| StudyError::Record { path, source })?;
+    match std::fs::read(&path) {
+        Ok(text) => {
+            pounding_motion::read(&text).map_err(|source| StudyError::Record { path, source })
+        }
+        Err(source) => Err(StudyError::NoRecord { path, source }),
+    }
+}
+
+/// The record as the scene uses it.
+fn used(record: &RecordUse, file: Accelerogram) -> Result<Record, RecordError> {
     let used = file
-        .into_record(record.gravity_m_per_s2)
-        .and_then(|read| read.scaled(record.scale))
-        .map_err(|error| in_scene(error.into()))?;
+        .into_record(record.gravity_m_per_s2)?
+        .scaled(record.scale)?;
     Ok(if record.reversed {
         used.reversed()
     } else {
