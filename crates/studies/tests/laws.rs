@@ -5,13 +5,21 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use insta::assert_snapshot;
-use pounding_contact::LawName;
-use pounding_studies::{Atlas, AtlasSettings, Completed, Output, StudyFile};
+use pounding_contact::{Calibration, FreePair, LawName, reduced_mass};
+use pounding_studies::second_route::Fineness;
+use pounding_studies::{
+    Atlas, AtlasSettings, Completed, Output, Prepared, Scene, Structure, StudyFile,
+};
+use rayon::prelude::*;
+
+fn read() -> StudyFile {
+    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
+    StudyFile::read(&studies.join("laws.json")).expect("a readable study")
+}
 
 /// The study with two of its scenes, and with few questions.
 fn study() -> (Completed, AtlasSettings) {
-    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
-    let mut file = StudyFile::read(&studies.join("laws.json")).expect("a readable study");
+    let mut file = read();
     let Output::Laws(settings) = file.study.output.clone() else {
         panic!("a study of laws");
     };
@@ -141,4 +149,69 @@ fn extreme_a_scene_that_cannot_run_says_why_under_every_law() {
         assert!(row["failed"].contains("duration_s: found -1"), "{row:?}");
         assert!(row["value"].is_empty(), "{row:?}");
     }
+}
+
+/// A scene with another law, calibrated for every pair.
+fn under(law: LawName, scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    let linear = law.stiffness_unit() == Some("N/m");
+    let stiffness = if linear { 9.35e7 } else { 2.75e9 };
+    let inverse_mass = |structure: &Structure| match structure {
+        Structure::Sdof(structure) => 1.0 / structure.mass_kg,
+        Structure::Wall => 0.0,
+    };
+    let neighbours = scene.structures.windows(2);
+    for (contact, pair) in scene.contacts.iter_mut().flatten().zip(neighbours) {
+        let pair = FreePair {
+            reduced_mass: reduced_mass(inverse_mass(&pair[0]), inverse_mass(&pair[1])),
+            approach_speed: 0.3,
+        };
+        let calibrated = law.calibrated(stiffness, (0.65, Calibration::Exact), &pair);
+        contact.law = calibrated.expect("a law that takes these settings");
+    }
+    scene
+}
+
+#[test]
+fn reference_a_second_route_gives_the_same_scenes_under_every_law() {
+    let file = read();
+    let other_names = [
+        LawName::CorrectedHertzDamp,
+        LawName::HuntCrossley,
+        LawName::Gonthier,
+    ];
+    let springs = [LawName::LinearSpring, LawName::Hertz];
+    let laws = LawName::ALL.into_iter();
+    let laws = laws.filter(|law| !other_names.contains(law) && !springs.contains(law));
+    let scenes = &file.study.scenes;
+    let runs: Vec<_> = laws
+        .flat_map(|law| scenes.iter().map(move |scene| (law, scene)))
+        .collect();
+    runs.into_par_iter().for_each(|(law, scene)| {
+        let what = format!("{}, {law:?}", scene.name);
+        let prepared = Prepared::new(&under(law, scene), file.base()).expect("a sound scene");
+        let exact = prepared.run(None).expect("an exact run");
+        let second = prepared.second_route(Fineness::FINE).expect("a second run");
+        let met: usize = second.collisions.iter().map(Vec::len).sum();
+        assert_eq!(exact.collisions.all().len(), met, "{what}: collisions");
+        // As the study of accuracy allows, which knows the condition of every result.
+        let allowed = if law == LawName::Stereomechanical {
+            1e-12
+        } else {
+            1e-9
+        };
+        for (index, other) in second.structures.iter().enumerate() {
+            let close = |one: f64, other: f64| (one - other).abs() <= allowed * other.abs();
+            let momentum = exact.momentum.of(index);
+            let displacement = exact.peaks.of(index).displacement.value;
+            assert!(
+                close(momentum, other.transferred_momentum),
+                "{what}: momentum"
+            );
+            assert!(
+                close(displacement, other.displacement.value),
+                "{what}: displacement"
+            );
+        }
+    });
 }

@@ -209,7 +209,8 @@ fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
         .iter()
         .filter(|entry| !is_spring(entry.name()))
         .collect();
-    shown.sort_by_key(|entry| (!entry.is_compliant(), !is_linear(entry.name())));
+    // Hollow marks over solid ones, so that both are seen.
+    shown.sort_by_key(|entry| (!entry.is_compliant(), is_linear(entry.name())));
     shown.into_iter().map(curve).collect()
 }
 
