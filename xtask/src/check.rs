@@ -56,5 +56,5 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
         );
     }
     println!("── results: cargo xtask reproduce --check");
-    crate::reproduce::run(root, true)
+    crate::reproduce::run(root, true, pounding_studies::Extent::Part)
 }

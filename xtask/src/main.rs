@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use pounding_studies::Extent;
 
 /// Tasks of the project.
 #[derive(Debug, Parser)]
@@ -31,6 +32,9 @@ enum Task {
         /// Write nothing; fail when results/ is not what a fresh run gives.
         #[arg(long)]
         check: bool,
+        /// Run the whole of the extremes, too, and not the usual part of it alone: some minutes more.
+        #[arg(long)]
+        all: bool,
     },
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
@@ -47,7 +51,10 @@ enum Task {
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
-        Task::Reproduce { check } => reproduce::run(&root(), check),
+        Task::Reproduce { check, all } => {
+            let extent = if all { Extent::Whole } else { Extent::Part };
+            reproduce::run(&root(), check, extent)
+        }
         Task::Check => check::run(&root()),
         Task::Bench => bench::run(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),

@@ -6,14 +6,15 @@ use std::path::Path;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pounding_studies::{Claim, Comparison, Finding, Reproduction, Studies, Verdict};
+use pounding_studies::{Claim, Comparison, Extent, Finding, Reproduction, Studies, Verdict};
 
 use crate::results;
 
 /// Runs every study; writes results/, or compares it with the fresh run.
-pub(crate) fn run(root: &Path, check: bool) -> Result<(), String> {
+pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String> {
     let started = Instant::now();
     let studies = Studies::read(&root.join("studies")).map_err(|error| error.to_string())?;
+    let studies = studies.with_extremes(extent);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes and pictures, {elapsed}")
         .expect("the template is well formed");
     let bar = ProgressBar::new(studies.n_units() as u64).with_style(style);

@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold generated files only; anything else in them is stale.
-const GENERATED: [&str; 5] = ["", "tables", "figures", "trade", "laws"];
+const GENERATED: [&str; 6] = ["", "tables", "figures", "trade", "laws", "extremes/part"];
+/// The same, where the whole of the extremes is run.
+const WHOLE: &str = "extremes";
 /// What `reproduce` does not make: what is written by hand, and what `bench` measures.
 const KEPT: [&str; 2] = ["README.md", "wall-time.csv"];
 
@@ -82,7 +84,8 @@ fn first_difference(found: &[u8], fresh: &[u8]) -> String {
 
 fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBuf>, String> {
     let mut stale = Vec::new();
-    for name in GENERATED {
+    let whole = files.contains_key(&Path::new(WHOLE).join("cells.csv"));
+    for name in GENERATED.into_iter().chain(whole.then_some(WHOLE)) {
         // A folder that is not there yet holds nothing stale.
         let Ok(entries) = fs::read_dir(folder.join(name)) else {
             continue;

@@ -1,6 +1,8 @@
 //! A study whose scenes have run.
 
-use crate::{AtlasSettings, Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile};
+use crate::{
+    AtlasSettings, Edges, Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile,
+};
 
 /// A study whose scenes have run, in the order of the study; there is at least one.
 #[derive(Debug)]
@@ -101,6 +103,15 @@ impl Output {
         }
     }
 
+    /// What is pushed to the edge.
+    pub(crate) fn edges(&self) -> Option<&Edges> {
+        if let Self::Extremes(edges) = self {
+            Some(edges)
+        } else {
+            None
+        }
+    }
+
     /// What an atlas of laws asks.
     pub(crate) fn atlas(&self) -> Option<&AtlasSettings> {
         if let Self::Laws(settings) = self {
@@ -122,6 +133,7 @@ impl Output {
             Self::StructuresTable
             | Self::Trade(_)
             | Self::Laws(_)
+            | Self::Extremes(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }
@@ -142,6 +154,7 @@ impl Output {
             | Self::StructuresTable
             | Self::Trade(_)
             | Self::Laws(_)
+            | Self::Extremes(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }

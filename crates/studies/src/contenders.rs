@@ -186,6 +186,12 @@ pub(crate) const CONTENDERS: &[Contender] = &[
     },
 ];
 
+/// Name of a contender in figures, by its name in tables.
+pub(crate) fn label_of(key: &str) -> &'static str {
+    let found = CONTENDERS.iter().find(|contender| contender.key == key);
+    found.map_or("", |contender| contender.label)
+}
+
 fn central_difference(time_step_s: f64, impacts: ImpactRule, contact_substeps: u32) -> Method {
     Method::CentralDifference {
         time_step_s,

@@ -43,6 +43,7 @@ pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use contenders::StepMethod;
 pub use error::{SceneError, StudyError};
+pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use figures::figure_png;
 pub use free_collision::{Collision, CollisionError, Delivered};
 pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};

@@ -7,8 +7,8 @@ use rayon::prelude::*;
 
 use crate::converged::{Converged, N_NOISY_RUNS};
 use crate::{
-    Atlas, Claim, Comparison, Completed, PublishedValues, StudyError, StudyFile, Table, Trade,
-    agreement_csv, claims, claims_csv, figure_png,
+    Atlas, Claim, Comparison, Completed, Extent, Extremes, PublishedValues, StudyError, StudyFile,
+    Table, Trade, agreement_csv, claims, claims_csv, figure_png,
 };
 
 /// The studies of a folder and the published numbers they are compared with.
@@ -17,6 +17,7 @@ pub struct Studies {
     files: Vec<StudyFile>,
     published: PublishedValues,
     n_noisy_runs: usize,
+    extent: Extent,
 }
 
 /// Everything that the studies give.
@@ -42,6 +43,7 @@ impl Studies {
             files: StudyFile::read_all(folder)?,
             published: PublishedValues::read(&folder.join("published"))?,
             n_noisy_runs: N_NOISY_RUNS,
+            extent: Extent::default(),
         })
     }
 
@@ -61,6 +63,12 @@ impl Studies {
         }
     }
 
+    /// The same with the whole of the extremes, or the part that is usually run.
+    #[must_use]
+    pub fn with_extremes(self, extent: Extent) -> Self {
+        Self { extent, ..self }
+    }
+
     /// Number of times that [`Self::reproduce`] calls `done`.
     pub fn n_units(&self) -> usize {
         let units = |file: &StudyFile| {
@@ -68,7 +76,9 @@ impl Studies {
             let output = &file.study.output;
             let trade = output.ladder().map(|ladder| Trade::n_runs(scenes, ladder));
             let atlas = output.atlas().map(|_| Atlas::n_runs(scenes));
-            1 + scenes.len() + trade.or(atlas).unwrap_or(0)
+            let extremes = output.edges();
+            let extremes = extremes.map(|edges| Extremes::n_runs(edges, self.extent));
+            1 + scenes.len() + trade.or(atlas).or(extremes).unwrap_or(0)
         };
         self.files.iter().map(units).sum()
     }
@@ -90,7 +100,7 @@ impl Studies {
         let made = completed
             .par_iter()
             .map(|study| {
-                let made = Made::of(study, done);
+                let made = Made::of(study, self.extent, done);
                 done();
                 made
             })
@@ -146,12 +156,18 @@ struct Made {
 }
 
 impl Made {
-    fn of(study: &Completed, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
+    fn of(
+        study: &Completed,
+        extent: Extent,
+        done: &(impl Fn() + Sync),
+    ) -> Result<Self, StudyError> {
         let output = &study.file.study.output;
         let folder = if let Some(ladder) = output.ladder() {
             Trade::measure(study, ladder, done)?.files()?
         } else if let Some(settings) = output.atlas() {
             Atlas::draw(study, settings, done)?.files()?
+        } else if let Some(edges) = output.edges() {
+            Extremes::measure(study, edges, extent, done)?.files()?
         } else {
             BTreeMap::new()
         };

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
-use crate::{AtlasSettings, Ladder, Scene, StudyError};
+use crate::{AtlasSettings, Edges, Ladder, Scene, StudyError};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -55,6 +55,8 @@ pub enum Output {
     Trade(Ladder),
     /// What every contact law delivers, and what it does in every scene; a folder of its own.
     Laws(AtlasSettings),
+    /// What becomes of the scenes at the edge; a folder of its own.
+    Extremes(Edges),
     /// The record of the first scene.
     RecordFigure,
     /// Displacements of the structures of the first scene, a panel each.

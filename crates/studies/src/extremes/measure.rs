@@ -9,6 +9,9 @@ use crate::second_route::Fineness;
 use crate::trade::{Quantities, Quantity};
 use crate::{Method, Number, Outcome, Prepared};
 
+/// Longest row that the second route, which steps all structures together, is asked for.
+const MOST_OF_SECOND_ROUTE: usize = 10;
+
 /// What becomes of a scene.
 #[derive(Debug)]
 pub(super) struct Measured {
@@ -88,8 +91,22 @@ pub(super) fn measure(base: &Prepared, pushed: &Pushed) -> Measured {
             };
         }
     };
-    let reference = exact.run(None);
-    let by_second_route = of_exact(&exact, reference.as_ref().ok());
+    let (reference, residual) = match exact.audited(None) {
+        Ok(Audited {
+            outcome,
+            broken: None,
+            residual,
+        }) => (Ok(outcome), Some(residual)),
+        Ok(Audited {
+            broken: Some(broken),
+            ..
+        }) => (Err(broken), None),
+        Err(error) => (Err(error), None),
+    };
+    let by_second_route = Run {
+        residual,
+        ..of_exact(&exact, reference.as_ref().ok())
+    };
     let methods = StepMethod::differing(is_impulsive(&exact)).map(|method| {
         let scheme = method.at(pushed.time_step);
         of_method(&exact, (method.name(), scheme), reference.as_ref().ok())
@@ -111,6 +128,10 @@ fn is_impulsive(prepared: &Prepared) -> bool {
 /// The exact run by the second route.
 fn of_exact(exact: &Prepared, reference: Option<&Outcome>) -> Run {
     let n = exact.scene().structures.len();
+    if n > MOST_OF_SECOND_ROUTE {
+        let reason = format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}");
+        return Run::all("exact", None, Class::NoReference, reason);
+    }
     let known = reference.map(|reference| {
         let own = Quantities::of_outcome(reference, n);
         let second = exact.second_route(Fineness::FINE);

@@ -33,6 +33,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
         | Output::TextTable { .. }
         | Output::Trade(_)
         | Output::Laws(_)
+        | Output::Extremes(_)
         | Output::Claims => return Ok(None),
     };
     png.map(Some).map_err(|source: PlotError| StudyError::Plot {

@@ -70,6 +70,7 @@ impl Table {
             Output::Claims
             | Output::Trade(_)
             | Output::Laws(_)
+            | Output::Extremes(_)
             | Output::RecordFigure
             | Output::DisplacementFigure
             | Output::PoundingFigure
