@@ -15,6 +15,11 @@ const MEMORY: u32 = 1024;
 pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
     for target in targets(root)? {
         println!("── {target}: {seconds} s");
+        let dictionary = format!("fuzz/{target}.dict");
+        let dictionary = root
+            .join(&dictionary)
+            .exists()
+            .then(|| format!("-dict={dictionary}"));
         // Without a sanitizer it runs on stable Rust; there is no unsafe code for one to watch.
         let arguments = ["fuzz", "run", "--sanitizer", "none", &target, "--"];
         let limits = [
@@ -27,6 +32,7 @@ pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
         let status = Command::new(cargo)
             .args(arguments)
             .args(limits)
+            .args(dictionary)
             .current_dir(root)
             .status()
             .map_err(|error| format!("cannot start cargo: {error}"))?;

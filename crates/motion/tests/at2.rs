@@ -156,6 +156,9 @@ fn extreme_header() {
     assert_snapshot!(refusal(&format!("{TITLES}NPTS= 1, DT= .01 SEC, LP= 15\n 0.1\n")), @r#"line 4 reads "NPTS= 1, DT= .01 SEC, LP= 15", but must give a whole number of samples above 0 and the time step in seconds, and no other number; write it as `NPTS= 4000, DT= .01000 SEC`"#);
     assert_snapshot!(refusal(&format!("{TITLES}NPTS= 1, DT= 0 SEC\n 0.1\n")), @"line 4: the time step is 0 s, and must be finite and above 0 s; correct it there");
     assert_snapshot!(refusal(&format!("{TITLES}NPTS= 1, DT= -.01 SEC\n 0.1\n")), @"line 4: the time step is -0.01 s, and must be finite and above 0 s; correct it there");
+    assert_snapshot!(refusal(&format!("{TITLES}NPTS= 1, DT= 1E999 SEC\n 0.1\n")), @"line 4: the time step is inf s, and must be finite and above 0 s; correct it there");
+    assert_snapshot!(refusal(&format!("{TITLES}NPTS= 1, DT= NaN SEC\n 0.1\n")), @r#"line 4 reads "NPTS= 1, DT= NaN SEC", but must give a whole number of samples above 0 and the time step in seconds, and no other number; write it as `NPTS= 4000, DT= .01000 SEC`"#);
+    assert_snapshot!(refusal(&format!("{TITLES}NPTS= 1, DT= INF SEC\n 0.1\n")), @r#"line 4 reads "NPTS= 1, DT= INF SEC", but must give a whole number of samples above 0 and the time step in seconds, and no other number; write it as `NPTS= 4000, DT= .01000 SEC`"#);
 }
 
 #[test]
@@ -177,6 +180,7 @@ fn extreme_values() {
     assert_snapshot!(refusal(&with_values(3, "0.1 0.2\n0.3x\n")), @r#"line 6, field 1: "0.3x" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(3, "0.1 0.2\nNaN\n")), @r#"line 6, field 1: "NaN" is not finite, and every number must be; put a measured value there or cut the record before it"#);
     assert_snapshot!(refusal(&with_values(3, "0.1 1D999\n0.3\n")), @r#"line 5, field 2: "1D999" is not finite, and every number must be; put a measured value there or cut the record before it"#);
+    assert_snapshot!(refusal(&with_values(2, "0.1 -inf\n")), @r#"line 5, field 2: "-inf" is not finite, and every number must be; put a measured value there or cut the record before it"#);
     assert_snapshot!(refusal(&with_values(2, "0.1 *******\n")), @r#"line 5, field 2: "*******" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(4, "0.12-0.345\n0.1 0.2\n")), @r#"line 5, field 1: "0.12-0.345" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(4, "-12.3\u{b2}5-34.500\n")), @r#"line 5, field 1: "-12.3²" is not a number; write it like -0.00640 or -.6403182E-02"#);

@@ -64,8 +64,8 @@ pub enum RunError {
     },
     /// A motion beyond the range of numbers, of a method without time steps.
     #[error(
-        "structure {structure} at t = {time:.4} s: its motion is beyond the range of numbers; use masses, stiffnesses and \
-         a record of usual size"
+        "structure {structure} at t = {time:.4} s: its motion is beyond the range of numbers; use masses, \
+         stiffnesses, velocities and a record of usual size"
     )]
     OutOfNumbers {
         /// Index of the structure, from the left.
@@ -169,8 +169,9 @@ pub enum RunError {
     },
     /// Too many events.
     #[error(
-        "t = {time:e} s: impacts follow each other without end (after {events} events); allowed are 10000 at one instant \
-         and 10 million in a run: use a coefficient of restitution below 1, a compliant law or a stepping method"
+        "t = {time:e} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \
+         at one instant and 10 million in a run: use a coefficient of restitution below 1, a compliant law of less impact stiffness or a \
+         stepping method"
     )]
     NoProgress {
         /// The instant \[s\].

@@ -66,9 +66,10 @@ impl<'a> Excitation<'a> {
             clippy::cast_sign_loss,
             reason = "time >= 0; beyond the last sample nothing follows"
         )]
-        let mut index = (time / self.time_step) as usize;
+        // Not beyond the last sample: a count that no number of samples reaches could not be raised.
+        let mut index = ((time / self.time_step) as usize).min(self.samples.len());
         let start = |index: usize| index as f64 * self.time_step;
-        while start(index + 1) <= time {
+        while index < self.samples.len() && start(index + 1) <= time {
             index += 1;
         }
         while index > 0 && start(index) > time {

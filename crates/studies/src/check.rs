@@ -59,14 +59,7 @@ pub(crate) fn check_method(scene: &Scene) -> Result<(), SceneError> {
     };
     let place = format!("method.{}.time_step_s", scene.method.name());
     require(dt > 0.0, place, dt, POSITIVE)?;
-    let steps = scene.duration_s / dt;
-    require(
-        scene.duration_s > 0.0 && (steps - steps.round()).abs() <= 1e-6 && steps < 1e9,
-        "duration_s".into(),
-        scene.duration_s,
-        "a whole number of the method's time_step_s, at least 1 and fewer than 1e9",
-    )?;
-    Ok(())
+    check_steps(scene, dt)
 }
 
 /// Refuses a time step with which a structure grows without bound, though it touch nobody.
@@ -84,6 +77,20 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
         }),
         _ => Ok(()),
     }
+}
+
+/// Steps of a run times structures \[–\], which bounds its time and what it remembers: some minutes, and 0.8 GB.
+const MOST_STEPS: f64 = 1e8;
+
+fn check_steps(scene: &Scene, dt: f64) -> Result<(), SceneError> {
+    let (duration, place) = (scene.duration_s, || "duration_s".to_string());
+    let steps = duration / dt;
+    let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
+    let allowed = "a whole number of the method's time_step_s, at least 1";
+    require(whole, place(), duration, allowed)?;
+    let few = steps * scene.structures.len() as f64 <= MOST_STEPS;
+    let allowed = "at most 1e8 steps times structures; a longer time_step_s allows more";
+    require(few, place(), duration, allowed)
 }
 
 fn check_contacts(scene: &Scene) -> Result<(), SceneError> {

@@ -195,7 +195,7 @@ pub enum Method {
         /// How impulsive contact acts.
         #[serde(default, skip_serializing_if = "is_default")]
         impacts: ImpactRule,
-        /// Steps into which a time step is divided for structures that touch, ≥ 1.
+        /// Steps into which a time step is divided for structures that touch, 1 to 1000.
         #[serde(default = "one_step", skip_serializing_if = "is_one_step")]
         contact_substeps: u32,
     },

@@ -50,3 +50,38 @@ fn extreme_what_cannot_be_certified() {
     }
     assert_snapshot!(messages);
 }
+
+#[test]
+fn extreme_numbers_that_are_none_are_refused_by_every_option() {
+    let options = [
+        ("restitution", "0.5"),
+        ("masses", "1e5 2e5"),
+        ("speed", "1"),
+        ("stiffness", "1e9"),
+        ("time-step", "0.01"),
+    ];
+    let asked = |changed: Option<(&str, &str)>| {
+        let words = options.map(|(option, good)| match changed {
+            Some((other, numbers)) if other == option => format!("--{option} {numbers}"),
+            _ => format!("--{option} {good}"),
+        });
+        certify(&format!("hertz_damp {}", words.join(" ")))
+    };
+    assert_eq!(asked(None).code, 0, "good as it is");
+    for (option, _) in options {
+        for none in ["nan", "NaN", "inf", "infinity", "1e999", "-1e999"] {
+            let numbers = match option {
+                "masses" => format!("1e5 {none}"),
+                _ => none.to_string(),
+            };
+            let ended = asked(Some((option, &numbers)));
+            assert!(
+                ended.code != 0 && ended.stdout.is_empty(),
+                "{option} {none}"
+            );
+            // A number that begins with a minus is taken for an option.
+            let named = ended.stderr.contains(option) || none.starts_with('-');
+            assert!(named, "{option} {none}: {}", ended.stderr);
+        }
+    }
+}

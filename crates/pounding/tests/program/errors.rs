@@ -213,7 +213,7 @@ fn limit_all_quantities_cost_no_less_than_one() {
 
 #[test]
 fn extreme_advice_without_an_exact_run() {
-    // Elements so stiff that the exact method comes from impact to impact without end.
+    // Elements so stiff that their force is beyond the range of numbers.
     let mut scene = example_with(&json!({"accuracy": 0.01}));
     let law = &mut scene["contacts"][0]["law"]["nonlinear_viscoelastic"];
     law["impact_stiffness_n_per_m1_5"] = json!(1e300);

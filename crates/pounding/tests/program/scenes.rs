@@ -80,7 +80,7 @@ fn extreme_law_given_twice() {
 
 #[test]
 fn extreme_restitution_beyond_one() {
-    let message = refused("restitution", |scene| {
+    let message = refused("restitution_beyond", |scene| {
         scene["contacts"][0]["law"] = json!({"hertz_damp": {
             "impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 1.2,
         }});
@@ -260,7 +260,9 @@ fn extreme_gap_closed_at_the_start() {
 #[test]
 fn extreme_duration_between_two_steps() {
     let message = refused("duration", |scene| scene["duration_s"] = json!(10.002));
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1 and fewer than 1e9"#);
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1"#);
+    let message = refused("long", |scene| scene["duration_s"] = json!(1e6));
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 1000000, allowed at most 1e8 steps times structures; a longer time_step_s allows more"#);
 }
 
 #[test]

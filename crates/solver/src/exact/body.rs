@@ -88,9 +88,23 @@ impl<R: Recorder> Run<'_, R> {
         };
         series::expand(members, contacts, segment, power, len);
         let tame = |n: &usize| {
-            members.iter().all(|member| {
-                member.displacement[*n].abs() < LARGEST && member.velocity[*n].abs() < LARGEST
-            })
+            let moves = |member: &Member| {
+                let Member {
+                    displacement: u,
+                    velocity: v,
+                    acceleration: a,
+                    ..
+                } = member;
+                u[*n].abs() < LARGEST && v[*n].abs() < LARGEST && a[*n].abs() < LARGEST
+            };
+            let pushes = |contact: &Contact| {
+                let pulls = contact.can_pull() && contact.pull[*n].abs() >= LARGEST;
+                contact.force[*n].abs() < LARGEST && !pulls
+            };
+            members.iter().all(moves)
+                && contacts
+                    .iter()
+                    .all(|contact| !touching(contact) || pushes(contact))
         };
         (power, (0..len).take_while(tame).count())
     }
@@ -110,7 +124,7 @@ impl<R: Recorder> Run<'_, R> {
         let (power, len) = self.expand_corrected((first, last), time);
         let within = self.pairs_within(first, last);
         for node in first..=last {
-            self.fill_start(node, time)?;
+            self.fill_start(node, time, (power, len))?;
         }
         let members = &self.members[first..=last];
         let stop = self.excitation.segment(time).end.min(self.end);
@@ -221,7 +235,12 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Completes the state of a node at the start of its piece.
-    fn fill_start(&mut self, node: usize, time: f64) -> Result<(), RunError> {
+    fn fill_start(
+        &mut self,
+        node: usize,
+        time: f64,
+        (power, len): (Power, usize),
+    ) -> Result<(), RunError> {
         let (left, right) = self.forces_on(node);
         let force = |pair: Option<usize>| pair.map_or(0.0, |pair| self.contacts[pair].force[0]);
         let (left, right) = (force(left), -force(right));
@@ -229,7 +248,8 @@ impl<R: Recorder> Run<'_, R> {
         member.state.acceleration = member.acceleration[0];
         member.state.force_from_left = left;
         member.state.force_from_right = right;
-        if member.state.acceleration.is_finite() {
+        // A motion of which not even the acceleration is known goes nowhere.
+        if len > power.order() && member.state.acceleration.is_finite() {
             return Ok(());
         }
         Err(RunError::OutOfNumbers {

@@ -55,8 +55,9 @@ impl Default for Exact {
 const CHATTER: f64 = 1e-12;
 /// Rounding of a deformation, relative to displacements and gap.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Events at one instant after which a run gives up.
-const MOST_AT_ONCE: u32 = 10_000;
+/// Events at one instant after which a run gives up, and those that each structure adds to them.
+const MOST_AT_ONCE: usize = 1000;
+const MOST_AT_ONCE_EACH: usize = 10;
 /// Events after which a run gives up.
 const MOST_EVENTS: u64 = 10_000_000;
 /// Most pieces of one structure that only the reach of its series asks for.
@@ -147,13 +148,14 @@ impl<R: Recorder> Run<'_, R> {
         }
         self.go_on(0.0)?;
         let (mut now, mut at_once) = (0.0, 0);
+        let most_at_once = MOST_AT_ONCE + MOST_AT_ONCE_EACH * self.members.len();
         loop {
             let time = self.next_event();
             if time >= self.end && self.bodies_at_end() {
                 return Ok(());
             }
             at_once = if time > now { 0 } else { at_once + 1 };
-            if at_once > MOST_AT_ONCE || self.work.events > MOST_EVENTS {
+            if at_once > most_at_once || self.work.events > MOST_EVENTS {
                 let events = self.work.events;
                 return Err(RunError::NoProgress { time, events });
             }

@@ -2,6 +2,7 @@
 
 mod allocations;
 mod audit;
+mod beyond_numbers;
 mod chopra;
 mod common;
 mod contact_limits;
