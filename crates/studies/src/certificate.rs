@@ -53,9 +53,10 @@ impl Certificate {
         let impact = FreeImpact::of(&law, &pair);
         let integrated = |law: &ContactLaw| Some(FreeImpact::of(law, &pair)?.restitution);
         let relation = |law: &ContactLaw| law.restitution().or_else(|| integrated(law));
-        let scale = impact.map_or(1.0, |impact| impact.duration);
+        let contact = impact.map_or(0.0, |impact| impact.duration);
+        let scale = if impact.is_some() { contact } else { 1.0 };
         let exact = Integrator::Exact(Exact::default());
-        let run = collision.run(law, &exact, (scale, 0.5))?;
+        let run = collision.run(law, &exact, (scale, 0.5, contact))?;
         Ok(Self {
             by_formula: formula.transpose()?.as_ref().and_then(relation),
             by_relation: relation(&law),

@@ -1,6 +1,6 @@
 //! A free collision of two masses, run by any method.
 
-use pounding_contact::{ContactLaw, FreeImpact, FreePair, reduced_mass};
+use pounding_contact::{ContactLaw, FreePair, reduced_mass};
 use pounding_solver::{
     Clock, Elastic, Excitation, Impact, Integrator, Node, Pair, Recorder, Row, RunError, Span,
 };
@@ -43,11 +43,12 @@ impl Collision {
         method: &Method,
         (right, duration): (f64, Option<f64>),
     ) -> Result<Delivered, CollisionError> {
+        let contact = duration.unwrap_or(0.0);
         let step = method.time_step().unwrap_or(duration.unwrap_or(1.0));
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for phase in 0..N_PHASES {
             let part = (f64::from(phase) + 0.5) / f64::from(N_PHASES);
-            let run = self.run(law, &method.integrator(), (step, part))?;
+            let run = self.run(law, &method.integrator(), (step, part, contact))?;
             let found = run.restitution(self.speed);
             range = [range[0].min(found), range[1].max(found)];
         }
@@ -86,16 +87,15 @@ impl Collision {
         Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)
     }
 
-    /// Lets the masses collide; the gap closes `BEFORE` steps and a part of one after the start.
+    /// Lets the masses collide for some time \[s\]; the gap closes `BEFORE` steps and a part of one after the start.
     pub(crate) fn run(
         &self,
         law: ContactLaw,
         integrator: &Integrator,
-        (step, part): (f64, f64),
+        (step, part, contact): (f64, f64, f64),
     ) -> Result<Seen, CollisionError> {
         let until = (f64::from(BEFORE) + part) * step;
         let row = self.row(law, self.speed * until)?;
-        let contact = FreeImpact::of(&law, &self.free_pair()).map_or(0.0, |impact| impact.duration);
         let n_steps = ((until + 2.0 * contact) / step).ceil() + f64::from(BEFORE);
         if !(step.is_finite() && step > 0.0 && n_steps <= MOST_STEPS) {
             return Err(CollisionError::TimeStep { found: step });

@@ -2,7 +2,8 @@ use crate::{Impact, Pair, Path, Recorder, Span, Touch};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact.
 ///
-/// A stepping method may need several impacts for one meeting.
+/// A law that is clamped may let go and push again before the pair has parted: that is still the same collision. A
+/// stepping method may need several impacts for one meeting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Index of the pair in its row.
@@ -28,6 +29,10 @@ pub struct Collision {
 pub struct Collisions {
     /// For each structure, the pair it is the left neighbour of.
     pair_of_left: Vec<Option<usize>>,
+    /// For each structure, when and where it was last seen.
+    seen: Vec<(f64, f64)>,
+    /// Gap of every pair.
+    gaps: Vec<f64>,
     /// For each pair, the index of its collision that goes on.
     open: Vec<Option<usize>>,
     /// The last touch of every pair.
@@ -44,6 +49,8 @@ impl Collisions {
         }
         Self {
             pair_of_left,
+            seen: vec![(0.0, 0.0); n_structures],
+            gaps: pairs.iter().map(|pair| pair.gap).collect(),
             open: vec![None; pairs.len()],
             touches: vec![None; pairs.len()],
             found: Vec::new(),
@@ -53,6 +60,15 @@ impl Collisions {
     /// The collisions of all pairs.
     pub fn all(&self) -> &[Collision] {
         &self.found
+    }
+
+    /// Whether the left neighbour of a pair overlaps the right one as its span begins.
+    ///
+    /// Where both have not been seen at that instant they are apart: what touches is followed at common instants.
+    fn overlaps(&self, pair: usize, span: &Span<'_>) -> bool {
+        let (time, displacement) = self.seen[span.structure + 1];
+        let together = time.total_cmp(&span.start_time).is_eq();
+        together && span.start.displacement - displacement - self.gaps[pair] > 0.0
     }
 
     /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
@@ -68,17 +84,19 @@ impl Collisions {
 impl Recorder for Collisions {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
+        self.seen[span.structure] = (span.end_time, span.end.displacement);
         let Some(pair) = self.pair_of_left[span.structure] else {
             return;
         };
         let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
-        if start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0 {
+        let nothing = start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0;
+        let begins = start == 0.0 && end > 0.0;
+        // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
+        if self.open[pair].is_some() && (nothing || begins) && !self.overlaps(pair, span) {
             self.open[pair] = None;
-            return;
         }
-        if start == 0.0 && end > 0.0 {
-            // It parted in the span before, and touches again.
-            self.open[pair] = None;
+        if nothing {
+            return;
         }
         let index = self.open[pair].unwrap_or_else(|| {
             let first = match span.path {
@@ -127,6 +145,8 @@ impl Recorder for Collisions {
     }
 
     fn touch(&mut self, touch: &Touch) {
+        // What was open ended in rounding of the displacements.
+        self.open[touch.pair] = None;
         self.touches[touch.pair] = Some(*touch);
     }
 }

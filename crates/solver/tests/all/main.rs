@@ -4,6 +4,7 @@ mod allocations;
 mod audit;
 mod beyond_numbers;
 mod chopra;
+mod clamped_collisions;
 mod common;
 mod contact_limits;
 mod every_law;

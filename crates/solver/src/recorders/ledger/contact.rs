@@ -123,10 +123,15 @@ impl Contact {
             return;
         };
         let together = left.time <= right.time && right.time <= left.time;
-        let apart = left.displacement - right.displacement <= self.gap;
-        if left.time.max(right.time) > hit && (exact || (together && apart)) {
+        if left.time.max(right.time) > hit && (exact || (together && self.is_apart())) {
             self.hit = None;
         }
+    }
+
+    /// Whether the neighbours do not overlap; both have been seen at one instant.
+    fn is_apart(&self) -> bool {
+        let [left, right] = &self.sides;
+        left.displacement - right.displacement <= self.gap
     }
 
     /// Books the span of a side, 0 for the left structure and 1 for the right one.
@@ -186,7 +191,8 @@ impl Contact {
             collision.given += (-taken).max(0.0);
             collision.exchanged += works[0].abs() + works[1].abs();
         }
-        if pushed {
+        // A clamped law lets go of neighbours that overlap, and may give back later what it took.
+        if pushed || !self.is_apart() {
             return;
         }
         let ended = self.collision.take();
