@@ -167,6 +167,20 @@ pub enum RunError {
         /// Pieces of the motion in this contact.
         pieces: u32,
     },
+    /// A contact of which the exact method has no series.
+    #[error(
+        "structures {left} and {right} at t = {time:e} s: no series of the exact method follows how they begin to press: \
+         their contact is too stiff, or it begins together with a neighbour's, without a gap in between; give it less impact \
+         stiffness, a gap of 1e-6 m or an impulsive law, or take a stepping method"
+    )]
+    NoSeries {
+        /// Index of the left structure.
+        left: usize,
+        /// Index of the right structure.
+        right: usize,
+        /// The instant \[s\].
+        time: f64,
+    },
     /// Too many events.
     #[error(
         "t = {time:e} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \

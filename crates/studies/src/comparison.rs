@@ -38,7 +38,7 @@ pub struct PairErrors {
     pub collisions: (usize, usize),
     /// Of the time of the first collision, absolute \[s\].
     pub first_time: Option<f64>,
-    /// The same, relative to that time \[–\], or to 1 s where it is 0.
+    /// The same, relative to that time \[–\], or to 1 s where it is the start.
     pub first_time_relative: Option<f64>,
     /// Of the impulse of the first collision.
     pub first_impulse: Option<f64>,
@@ -222,7 +222,7 @@ impl PairErrors {
             collisions: (run.len(), exact.len()),
             first_time: error(start, |run, exact| (run - exact).abs()),
             first_time_relative: error(start, |run, exact| {
-                relative_to(run, exact, if exact > 0.0 { exact } else { 1.0 })
+                relative_to(run, exact, if exact < AT_ONCE { 1.0 } else { exact })
             }),
             first_impulse: unless_resting(error(
                 |all| all.first().map(|first| first.impulse),
@@ -251,6 +251,9 @@ fn of_pair(outcome: &Outcome, pair: usize) -> Vec<&Collision> {
 
 /// Part of a row's largest momentum below which one is zero: forces from both sides cancel but for rounding.
 pub(crate) const ZERO: f64 = 1e-9;
+
+/// A first touch before this instant \[s\] is at the start: its error is relative to 1 s.
+pub(crate) const AT_ONCE: f64 = 1e-9;
 
 /// Distance relative to a scale; 0 of equal numbers, infinite of what is not a number.
 pub(crate) fn relative_to(run: f64, exact: f64, scale: f64) -> f64 {

@@ -13,6 +13,9 @@ use crate::{
 /// Relative error of a printed number above which a run is warned of \[–\].
 pub const DOUBTFUL: f64 = 0.03;
 
+/// Part of the impulse of a free collision \[–\] by which the one that is delivered may be off without a warning.
+const IMPULSE_OFF: f64 = 0.05;
+
 /// Steps per natural period below which a run is warned of: the usual rule.
 pub const STEPS_PER_PERIOD: f64 = 10.0;
 
@@ -71,7 +74,7 @@ pub enum Warning {
         /// Time step from which on it is \[s\].
         limit: f64,
     },
-    /// A collision has too few steps.
+    /// A collision has too few steps, or so few that its impulse is off.
     UnderResolved {
         /// Where.
         place: Place,
@@ -244,28 +247,22 @@ impl Prepared {
                 limit: critical,
             });
         }
-        if limit.is_under_resolved() {
-            return Some(Warning::UnderResolved {
+        let restitution = delivered();
+        let is_off =
+            |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
+        let off = restitution.is_some_and(is_off);
+        match (limit.steps, restitution) {
+            (Some(steps), _) if off || steps < STEPS_PER_CONTACT => Some(Warning::UnderResolved {
                 place: place(),
-                steps: limit.steps?,
-                restitution: delivered(),
-            });
+                steps,
+                restitution,
+            }),
+            (None, Some(restitution)) if off => Some(Warning::PublishedImpacts {
+                place: place(),
+                restitution,
+            }),
+            _ => None,
         }
-        let published = matches!(
-            self.method(),
-            Method::CentralDifference {
-                impacts: ImpactRule::AsPublished,
-                ..
-            }
-        );
-        if !published || self.pairs()[limit.pair].law.is_compliant() {
-            return None;
-        }
-        let (right, delivered) = delivered()?;
-        (delivered.error > DOUBTFUL * (1.0 + right)).then(|| Warning::PublishedImpacts {
-            place: place(),
-            restitution: (right, delivered),
-        })
     }
 
     fn place(&self, pair: usize, time_step: f64) -> Place {
@@ -341,10 +338,14 @@ impl fmt::Display for Warning {
                 if let Some((right, delivered)) = restitution {
                     write!(to, ", {}", instead(*right, delivered))?;
                 }
-                write!(
-                    to,
-                    "; {knob} of {most:.1e} or less gives {STEPS_PER_CONTACT}"
-                )
+                if *steps < STEPS_PER_CONTACT {
+                    write!(
+                        to,
+                        "; {knob} of {most:.1e} or less gives {STEPS_PER_CONTACT}"
+                    )
+                } else {
+                    write!(to, "; shorten {knob} ({found})")
+                }
             }
             Self::PublishedImpacts {
                 place,

@@ -2,6 +2,7 @@
 
 mod certificates;
 mod errors;
+mod plans;
 mod records;
 mod runs;
 mod scenes;

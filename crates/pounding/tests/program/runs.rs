@@ -10,7 +10,7 @@ use crate::{EXAMPLE, Ended, good_scene, pounding, quiet, run};
 /// Folder of the package.
 const HERE: &str = env!("CARGO_MANIFEST_DIR");
 
-fn printed(ended: &Ended) -> &str {
+pub(crate) fn printed(ended: &Ended) -> &str {
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "a good run");
     // A path is not broken: it is there to be copied.
     let lines = ended
@@ -41,6 +41,8 @@ fn reference_help() {
     assert_snapshot!("help", printed(&help));
     let help = pounding(Path::new(HERE), &["run", "--help"]);
     assert_snapshot!("help_run", printed(&help));
+    let help = pounding(Path::new(HERE), &["check", "--help"]);
+    assert_snapshot!("help_check", printed(&help));
     let help = pounding(Path::new(HERE), &["advise", "--help"]);
     assert_snapshot!("help_advise", printed(&help));
     let help = pounding(Path::new(HERE), &["certify", "--help"]);

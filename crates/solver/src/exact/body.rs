@@ -138,7 +138,13 @@ impl<R: Recorder> Run<'_, R> {
         for (index, contact) in self.contacts[within].iter().enumerate() {
             let sides = &members[index..index + 2];
             let limits = (longest, self.settings.tolerance);
-            length = length.min(reach(contact, sides, (power, len), limits));
+            let left = first + index;
+            let reach = reach(contact, sides, (power, len), limits);
+            length = length.min(reach.ok_or(RunError::NoSeries {
+                left,
+                right: left + 1,
+                time,
+            })?);
         }
         self.work.segments += members.len() as u64;
         let whole = length >= power.root(stop - time);

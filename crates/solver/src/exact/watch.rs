@@ -231,15 +231,18 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
-/// Length up to which the series of a touching pair have converged to the tolerance.
+/// Part of a series that its last quarter may be where nothing shorter can be told apart.
+const LOST: f64 = 1e-3;
+
+/// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
 pub(super) fn reach(
     contact: &Contact,
     sides: &[Member],
     (power, len): (Power, usize),
     (length, tolerance): (f64, f64),
-) -> f64 {
+) -> Option<f64> {
     if !matches!(contact.link, Link::Touching(_)) {
-        return length;
+        return Some(length);
     }
     let mut x = length;
     loop {
@@ -252,9 +255,12 @@ pub(super) fn reach(
             }
             weight *= x;
         }
-        // The shortest piece that time can tell apart ends the search.
-        if tail <= tolerance * sum || power.time(x) < 1e-18 {
-            return x;
+        if tail <= tolerance * sum {
+            return Some(x);
+        }
+        // The shortest piece that time can tell apart ends the search; what still grows there is no series of this motion.
+        if power.time(x) < 1e-18 {
+            return (tail <= LOST * sum).then_some(x);
         }
         x *= 0.85;
     }

@@ -213,6 +213,7 @@ impl Prepared {
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. }
+            | RunError::NoSeries { left, right, .. }
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };

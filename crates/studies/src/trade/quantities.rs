@@ -3,7 +3,7 @@
 use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
 
 use crate::Outcome;
-use crate::comparison::{ZERO, relative_to};
+use crate::comparison::{AT_ONCE, ZERO, relative_to};
 use crate::prepared::Recorders;
 use crate::second_route::Response;
 
@@ -184,7 +184,7 @@ impl Quantities {
         }
         let largest = wanted.iter().copied().fold(0.0, f64::max);
         let scale = |wanted: f64| match quantity {
-            Quantity::FirstTime if wanted == 0.0 => 1.0,
+            Quantity::FirstTime if wanted < AT_ONCE => 1.0,
             Quantity::Momentum => wanted.max(ZERO * largest),
             _ => wanted.abs(),
         };
