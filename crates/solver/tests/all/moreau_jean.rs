@@ -8,7 +8,7 @@ use pounding_solver::{
 use proptest::prelude::*;
 
 use crate::common::ground;
-use crate::random_rows::{Case, SI, cases};
+use crate::random_rows::{Case, SI, cases, config};
 
 fn impulsive(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
@@ -95,7 +95,7 @@ fn any_restitution() -> BoxedStrategy<ContactLaw> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(300))]
 
     #[test]
     fn limit_every_row_gets_its_impulses(

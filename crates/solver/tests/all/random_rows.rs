@@ -5,6 +5,23 @@ use pounding_contact::{
 };
 use pounding_solver::{ElastoPlastic, Node, Pair, Row};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+/// So many cases, the same in every run; `PROPTEST_CASES` and `PROPTEST_RNG_SEED` ask for others.
+pub(crate) fn config(cases: u32) -> ProptestConfig {
+    let asked = |name: &str| std::env::var_os(name).is_some();
+    let mut config = ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    if !asked("PROPTEST_CASES") {
+        config.cases = cases;
+    }
+    if !asked("PROPTEST_RNG_SEED") {
+        config.rng_seed = RngSeed::Fixed(0);
+    }
+    config
+}
 
 /// A row under a record.
 #[derive(Debug, Clone)]
