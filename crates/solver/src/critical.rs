@@ -1,6 +1,6 @@
 //! The time step from which on a method is unstable.
 
-use crate::{CentralDifference, Integrator, Newmark, Rk4};
+use crate::{Integrator, Newmark, Rk4};
 
 /// A linear oscillation that a step has to follow: of a structure, or of a pair while it touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,11 +18,7 @@ impl Integrator {
     /// 2/ω for the central difference and the Verlet method, 1/(ω√(γ/2 − β)) for Newmark's with β < γ/2, whatever the
     /// damping; that of the Runge–Kutta method depends on it ([`Rk4::critical_time_step`]).
     pub fn critical_time_step(&self, structure: &Oscillation) -> Option<f64> {
-        let omega = structure.angular_frequency;
-        match self {
-            Self::CentralDifference(_) | Self::Verlet(_) => Some(2.0 / omega),
-            _ => self.limit_of_implicit_damping(structure),
-        }
+        self.limit(structure, (1, 0.0))
     }
 
     /// The same for a pair that stays in touch, with the contact law's tangents there.
@@ -31,34 +27,31 @@ impl Integrator {
     /// many times that as it has sub-steps in contact. The Verlet method predicts it a step ahead: 2(√(1 + 4ζ²) − 2ζ)/ω.
     /// Other methods as in [`Self::critical_time_step`].
     pub fn critical_time_step_in_contact(&self, pair: &Oscillation) -> Option<f64> {
-        let lagged = |ratio: f64| 2.0 * ((1.0 + ratio * ratio).sqrt() - ratio);
-        let Oscillation {
-            angular_frequency: omega,
-            damping_ratio: ratio,
-        } = *pair;
-        match self {
-            Self::CentralDifference(CentralDifference {
-                contact_substeps, ..
-            }) => Some(f64::from(*contact_substeps) * lagged(ratio) / omega),
-            Self::Verlet(_) => Some(lagged(2.0 * ratio) / omega),
-            _ => self.limit_of_implicit_damping(pair),
-        }
+        let sub_steps = match self {
+            Self::CentralDifference(settings) => settings.contact_substeps,
+            Self::Newmark(_)
+            | Self::Hht(_)
+            | Self::Verlet(_)
+            | Self::Rk4(_)
+            | Self::MoreauJean(_)
+            | Self::Exact(_) => 1,
+        };
+        self.limit(pair, (sub_steps, pair.damping_ratio))
     }
 
-    /// The limit of the methods whose damping is that of the motion they find.
-    fn limit_of_implicit_damping(&self, oscillation: &Oscillation) -> Option<f64> {
+    /// The limit with so many sub-steps, and a part of the damping ratio whose force does not follow from the motion at
+    /// its own instant.
+    fn limit(&self, oscillation: &Oscillation, (sub_steps, explicit): (u32, f64)) -> Option<f64> {
         let omega = oscillation.angular_frequency;
+        let lagged = |ratio: f64| 2.0 * ((1.0 + ratio * ratio).sqrt() - ratio) / omega;
         match *self {
+            Self::CentralDifference(_) => Some(f64::from(sub_steps) * lagged(explicit)),
+            Self::Verlet(_) => Some(lagged(2.0 * explicit)),
             Self::Newmark(Newmark { beta, gamma }) if beta < 0.5 * gamma => {
                 Some(1.0 / (omega * (0.5 * gamma - beta).sqrt()))
             }
             Self::Rk4(_) => Some(Rk4::critical_time_step(omega, oscillation.damping_ratio)),
-            Self::CentralDifference(_)
-            | Self::Verlet(_)
-            | Self::Newmark(_)
-            | Self::Hht(_)
-            | Self::MoreauJean(_)
-            | Self::Exact(_) => None,
+            Self::Newmark(_) | Self::Hht(_) | Self::MoreauJean(_) | Self::Exact(_) => None,
         }
     }
 }

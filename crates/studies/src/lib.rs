@@ -32,6 +32,7 @@ pub mod second_route;
 mod study;
 mod tables;
 mod trade;
+mod warning;
 
 pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
@@ -52,8 +53,9 @@ pub use limits::{ContactLimit, Limits, STEPS_PER_CONTACT};
 pub use plot::PlotError;
 pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};
-pub use review::{DOUBTFUL, Errors, Place, Review, STEPS_PER_PERIOD, Warning};
+pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
 pub use scene::{Contact, Damping, Method, RecordUse, Scene, Sdof, Structure};
 pub use study::{Output, Study, StudyFile, parse_json, read_json};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
+pub use warning::{Place, Warning};

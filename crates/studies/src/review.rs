@@ -1,13 +1,11 @@
 //! A run with what is known of its errors, and what it warns of.
 
-use std::fmt;
-
-use pounding_solver::{ImpactRule, Work};
+use pounding_solver::Work;
 
 use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
 use crate::prepared::Audited;
 use crate::{
-    Delivered, Method, Number, Outcome, Prepared, RunErrors, Structure, StudyError, digits,
+    Delivered, Method, Number, Outcome, Place, Prepared, RunErrors, Structure, StudyError, Warning,
 };
 
 /// Relative error of a printed number above which a run is warned of \[–\].
@@ -41,104 +39,6 @@ pub enum Errors {
     Unknown(StudyError),
     /// Measured against an exact run, which cost this.
     Measured(RunErrors, Work),
-}
-
-/// What a user should know before believing a run.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Warning {
-    /// A structure moves alone beyond the critical time step, and was forced to.
-    BeyondFreeLimit {
-        /// What would have been refused, in words.
-        refusal: String,
-    },
-    /// A law of mechanics is broken, in a run that was forced.
-    Broken {
-        /// Which one, in words.
-        law: String,
-    },
-    /// A structure has too few steps in its period.
-    FewStepsPerPeriod {
-        /// Index of the structure.
-        structure: usize,
-        /// Its name.
-        name: String,
-        /// Steps in its period.
-        steps: f64,
-        /// The field of the scene, and its value \[s\].
-        time_step: (String, f64),
-    },
-    /// A pair is unstable while it touches.
-    BeyondContactLimit {
-        /// Where.
-        place: Place,
-        /// Time step from which on it is \[s\].
-        limit: f64,
-    },
-    /// A collision has too few steps, or so few that its impulse is off.
-    UnderResolved {
-        /// Where.
-        place: Place,
-        /// Steps in the collision that is expected.
-        steps: f64,
-        /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
-        restitution: Option<(f64, Delivered)>,
-    },
-    /// The published rule for impacts delivers another e than its law.
-    PublishedImpacts {
-        /// Where.
-        place: Place,
-        /// e of the law, and what the method delivers instead.
-        restitution: (f64, Delivered),
-    },
-    /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
-    Rests {
-        /// Index of the pair.
-        pair: usize,
-        /// Names of its structures.
-        names: [String; 2],
-    },
-    /// A printed number is far from that of the exact run.
-    Error {
-        /// The number.
-        number: Number,
-        /// Its largest relative error \[–\].
-        error: f64,
-    },
-    /// The errors are not known, because the exact run fails.
-    ErrorUnknown,
-}
-
-/// A pair, with the knob that makes its steps shorter.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Place {
-    /// Index of the pair.
-    pub pair: usize,
-    /// Names of its structures.
-    pub names: [String; 2],
-    /// The field of the scene, and its value \[s\].
-    pub time_step: (String, f64),
-}
-
-impl Warning {
-    /// Whether it says that a printed number is not to be believed.
-    ///
-    /// What is said of a pair's collisions concerns their impulses and forces.
-    pub fn concerns(&self, asked: Number) -> bool {
-        match self {
-            Self::BeyondFreeLimit { .. }
-            | Self::Broken { .. }
-            | Self::ErrorUnknown
-            | Self::FewStepsPerPeriod { .. } => true,
-            Self::BeyondContactLimit { .. }
-            | Self::UnderResolved { .. }
-            | Self::PublishedImpacts { .. }
-            | Self::Rests { .. } => matches!(
-                asked,
-                Number::PoundingForce | Number::FirstImpulse | Number::LargestImpulse
-            ),
-            Self::Error { number, .. } => asked == *number,
-        }
-    }
 }
 
 impl Prepared {
@@ -291,94 +191,4 @@ impl RunErrors {
             (error > DOUBTFUL).then_some(Warning::Error { number, error })
         })
     }
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [left, right] = &self.names;
-        write!(to, "contacts[{}] ({left} – {right})", self.pair)
-    }
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::BeyondFreeLimit { refusal } => write!(to, "forced: {refusal}"),
-            Self::Broken { law } => write!(to, "forced: {law}"),
-            Self::FewStepsPerPeriod {
-                structure,
-                name,
-                steps,
-                time_step: (knob, found),
-            } => {
-                let most = found * steps / STEPS_PER_PERIOD;
-                write!(
-                    to,
-                    "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most:.1e} or less gives \
-                     {STEPS_PER_PERIOD}"
-                )
-            }
-            Self::BeyondContactLimit { place, limit } => {
-                let (knob, found) = &place.time_step;
-                write!(
-                    to,
-                    "{place}: unstable while it touches: {knob} is {}, allowed there less than {}",
-                    digits(*found),
-                    digits(*limit)
-                )
-            }
-            Self::UnderResolved {
-                place,
-                steps,
-                restitution,
-            } => {
-                let (knob, found) = &place.time_step;
-                let most = found * steps / STEPS_PER_CONTACT;
-                write!(to, "{place}: a collision has {steps:.2} steps")?;
-                if let Some((right, delivered)) = restitution {
-                    write!(to, ", {}", instead(*right, delivered))?;
-                }
-                if *steps < STEPS_PER_CONTACT {
-                    write!(
-                        to,
-                        "; {knob} of {most:.1e} or less gives {STEPS_PER_CONTACT}"
-                    )
-                } else {
-                    write!(to, "; shorten {knob} ({found})")
-                }
-            }
-            Self::PublishedImpacts {
-                place,
-                restitution: (right, delivered),
-            } => write!(
-                to,
-                "{place}: impacts as published: {}; \"impacts\": \"velocity_jump\" delivers it",
-                instead(*right, delivered)
-            ),
-            Self::Rests { pair, names } => {
-                let [left, right] = names;
-                write!(
-                    to,
-                    "contacts[{pair}] ({left} – {right}): comes to rest in contact in the exact run, where this run has an \
-                     impact in every step; their number and impulses depend on the step and are not compared"
-                )
-            }
-            Self::Error { number, error } if error.is_finite() => {
-                let of = number.words();
-                let decimals = usize::from(*error < 0.1);
-                let percent = 100.0 * error;
-                write!(to, "{of}: {percent:.decimals$} % off the exact run")
-            }
-            Self::Error { number, .. } => {
-                write!(to, "{}: in this run or the exact one alone", number.words())
-            }
-            Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
-        }
-    }
-}
-
-/// The e of a law, and what is delivered instead.
-fn instead(right: f64, delivered: &Delivered) -> String {
-    let [least, most] = delivered.range;
-    format!("e = {least:.3} to {most:.3} instead of {right:.3}")
 }

@@ -50,7 +50,7 @@ fn reference_the_part_that_every_run_repeats_is_in_the_whole() {
 #[test]
 fn reference_the_whole_is_what_its_command_made() {
     let hash = Sha256::digest(read("cells.csv").as_bytes());
-    let hash: String = hash.iter().map(|byte| format!("{byte:02x}")).collect();
+    let hash = format!("{hash:x}");
     assert!(read("made-by.txt").contains(&hash), "{hash}");
 }
 

@@ -122,7 +122,6 @@ impl<R: Recorder> Run<'_, R> {
         self.find_partings(first, last);
         self.count_pieces(first, last, time)?;
         let (power, len) = self.expand_corrected((first, last), time);
-        let within = self.pairs_within(first, last);
         for node in first..=last {
             self.fill_start(node, time, (power, len))?;
         }
@@ -133,19 +132,7 @@ impl<R: Recorder> Run<'_, R> {
         let mut length = power
             .root(series::radius(members))
             .min(power.root(stop - time));
-        // Each from the same start, so that their order does not matter.
-        let longest = length;
-        for (index, contact) in self.contacts[within].iter().enumerate() {
-            let sides = &members[index..index + 2];
-            let limits = (longest, self.settings.tolerance);
-            let left = first + index;
-            let reach = reach(contact, sides, (power, len), limits);
-            length = length.min(reach.ok_or(RunError::NoSeries {
-                left,
-                right: left + 1,
-                time,
-            })?);
-        }
+        length = length.min(self.converged((first, last), (power, len), length, time)?);
         self.work.segments += members.len() as u64;
         let whole = length >= power.root(stop - time);
         let mut watch = Watch {
@@ -174,6 +161,30 @@ impl<R: Recorder> Run<'_, R> {
             events: watch.events,
         };
         Ok(())
+    }
+
+    /// Length up to which the series of every touching pair of a body have converged.
+    fn converged(
+        &self,
+        (first, last): (usize, usize),
+        (power, len): (Power, usize),
+        longest: f64,
+        time: f64,
+    ) -> Result<f64, RunError> {
+        let mut length = longest;
+        // Each from the same start, so that their order does not matter.
+        let contacts = &self.contacts[self.pairs_within(first, last)];
+        for (left, contact) in (first..).zip(contacts) {
+            let sides = &self.members[left..left + 2];
+            let limits = (longest, self.settings.tolerance);
+            let reach = reach(contact, sides, (power, len), limits);
+            length = length.min(reach.ok_or(RunError::NoSeries {
+                left,
+                right: left + 1,
+                time,
+            })?);
+        }
+        Ok(length)
     }
 
     /// Expands a body; once more where the first expansion shows that columns unload, or what is but rounding.

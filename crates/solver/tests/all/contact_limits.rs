@@ -30,11 +30,11 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
         vec![structure, Node::wall(Elastic { stiffness: 1.0 })],
         vec![pair],
     )
-    .unwrap();
+    .expect("a good row");
     // Pressed slowly: a swing back would reach the clamp, where nothing is linear.
     let ramp = |step: usize| PUSH * (2.0 * step as f64 / N_STEPS as f64).min(1.0);
     let samples: Vec<_> = (0..N_STEPS + 2).map(ramp).collect();
-    let excitation = Excitation::new(time_step, &samples).unwrap();
+    let excitation = Excitation::new(time_step, &samples).expect("good samples");
     let clock = Clock {
         time_step,
         n_steps: N_STEPS,

@@ -127,7 +127,14 @@ impl Axis {
                 });
                 pushed.time_step = value * critical.fold(f64::INFINITY, f64::min);
             }
-            _ => self.change(&mut pushed.scene, value),
+            Self::MassRatio
+            | Self::PeriodRatio
+            | Self::DampingRatio
+            | Self::Gap
+            | Self::ImpactStiffness
+            | Self::YieldForce
+            | Self::IdenticalNeighbours
+            | Self::Row => self.change(&mut pushed.scene, value),
         }
         Ok(())
     }

@@ -10,7 +10,10 @@ pub(super) const ACCURATE: f64 = 0.01;
 pub(super) const WRONG: f64 = 0.1;
 
 // Between a false alarm and a silent fault there is room for a threshold.
-const _: () = assert!(ACCURATE < DOUBTFUL && DOUBTFUL < WRONG);
+const _: () = assert!(
+    ACCURATE < DOUBTFUL && DOUBTFUL < WRONG,
+    "a threshold of warnings between what is good and what is wrong"
+);
 
 /// What becomes of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,10 +4,10 @@ use super::axis::Pushed;
 use super::class::{ACCURATE, Class};
 use crate::contenders::StepMethod;
 use crate::prepared::Audited;
-use crate::review::Warning;
+
 use crate::second_route::Fineness;
 use crate::trade::{Quantities, Quantity};
-use crate::{Method, Number, Outcome, Prepared};
+use crate::{Method, Number, Outcome, Prepared, Warning};
 
 /// Longest row that the second route, which steps all structures together, is asked for.
 const MOST_OF_SECOND_ROUTE: usize = 10;
@@ -185,47 +185,50 @@ fn of_method(
             return stopped(class, refusal.unwrap_or(error.to_string()));
         }
     };
-    let before = prepared.warnings_before(&outcome);
-    let warnings = match reference {
-        Some(reference) => prepared.warnings(&outcome, reference).1,
-        None => vec![Warning::ErrorUnknown],
-    };
     let wrong = match (&refusal, &broken) {
         (Some(_), _) => Some(Class::Refused),
         (None, Some(_)) => Some(Class::Caught),
         (None, None) => None,
     };
-    let quantities = |of: &Outcome| Quantities::of_outcome(of, exact.scene().structures.len());
-    let found = quantities(&outcome);
-    let truth = reference.map(quantities);
-    let compliant = !is_impulsive(exact);
+    let reason = refusal.or(broken.map(|error| error.to_string()));
     Run {
-        numbers: Quantity::ALL.map(|quantity| {
-            let asked = number(quantity, compliant);
-            let concerns = |all: &[Warning]| all.iter().any(|warning| warning.concerns(asked));
-            let (warned, warned_unmeasured) = (concerns(&warnings), concerns(&before));
-            let error = truth.as_ref().map(|truth| found.distance(truth, quantity));
-            let class = |warned| match (wrong, error) {
-                (Some(wrong), _) => wrong,
-                (None, None) => Class::NoReference,
-                (None, Some(error)) => Class::of(error, warned),
-            };
-            Judged {
-                class: class(warned),
-                error: error.flatten(),
-                warned,
-                unmeasured: class(warned_unmeasured),
-                warned_unmeasured,
-            }
-        }),
+        numbers: judge(&prepared, (&outcome, reference), wrong),
         residual: Some(residual),
-        ..stopped(
-            Class::Nothing,
-            refusal
-                .or(broken.map(|error| error.to_string()))
-                .unwrap_or_default(),
-        )
+        ..stopped(Class::Nothing, reason.unwrap_or_default())
     }
+}
+
+/// What becomes of every number of a run that ends; `wrong` where none of them is printed.
+fn judge(
+    prepared: &Prepared,
+    (outcome, reference): (&Outcome, Option<&Outcome>),
+    wrong: Option<Class>,
+) -> [Judged; Quantity::ALL.len()] {
+    let before = prepared.warnings_before(outcome);
+    let warnings = match reference {
+        Some(reference) => prepared.warnings(outcome, reference).1,
+        None => vec![Warning::ErrorUnknown],
+    };
+    let quantities = |of: &Outcome| Quantities::of_outcome(of, prepared.scene().structures.len());
+    let (found, truth) = (quantities(outcome), reference.map(quantities));
+    Quantity::ALL.map(|quantity| {
+        let asked = number(quantity, !is_impulsive(prepared));
+        let concerns = |all: &[Warning]| all.iter().any(|warning| warning.concerns(asked));
+        let (warned, warned_unmeasured) = (concerns(&warnings), concerns(&before));
+        let error = truth.as_ref().map(|truth| found.distance(truth, quantity));
+        let class = |warned| match (wrong, error) {
+            (Some(wrong), _) => wrong,
+            (None, None) => Class::NoReference,
+            (None, Some(error)) => Class::of(error, warned),
+        };
+        Judged {
+            class: class(warned),
+            error: error.flatten(),
+            warned,
+            unmeasured: class(warned_unmeasured),
+            warned_unmeasured,
+        }
+    })
 }
 
 /// The printed number that a quantity is.

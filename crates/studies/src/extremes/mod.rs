@@ -109,6 +109,5 @@ const PART: &str = "part/cells.csv";
 /// The command that makes the whole, and the hash by which the committed table is known to be its.
 fn made_by(cells: &str) -> String {
     let hash = Sha256::digest(cells.as_bytes());
-    let hash: String = hash.iter().map(|byte| format!("{byte:02x}")).collect();
-    format!("cargo xtask reproduce --all\nSHA-256 of cells.csv: {hash}\n")
+    format!("cargo xtask reproduce --all\nSHA-256 of cells.csv: {hash:x}\n")
 }

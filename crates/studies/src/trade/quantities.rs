@@ -186,7 +186,11 @@ impl Quantities {
         let scale = |wanted: f64| match quantity {
             Quantity::FirstTime if wanted < AT_ONCE => 1.0,
             Quantity::Momentum => wanted.max(ZERO * largest),
-            _ => wanted.abs(),
+            Quantity::FirstTime
+            | Quantity::FirstImpulse
+            | Quantity::ContactPeak
+            | Quantity::Displacement
+            | Quantity::Shear => wanted.abs(),
         };
         let pairs = found.iter().zip(wanted);
         let distances = pairs.map(|(found, wanted)| relative_to(*found, *wanted, scale(*wanted)));

@@ -1,0 +1,208 @@
+//! What a user should know before believing a run.
+
+use std::fmt::{self, Formatter};
+
+use crate::limits::STEPS_PER_CONTACT;
+use crate::review::STEPS_PER_PERIOD;
+use crate::{Delivered, Number, digits};
+
+/// What a user should know before believing a run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Warning {
+    /// A structure moves alone beyond the critical time step, and was forced to.
+    BeyondFreeLimit {
+        /// What would have been refused, in words.
+        refusal: String,
+    },
+    /// A law of mechanics is broken, in a run that was forced.
+    Broken {
+        /// Which one, in words.
+        law: String,
+    },
+    /// A structure has too few steps in its period.
+    FewStepsPerPeriod {
+        /// Index of the structure.
+        structure: usize,
+        /// Its name.
+        name: String,
+        /// Steps in its period.
+        steps: f64,
+        /// The field of the scene, and its value \[s\].
+        time_step: (String, f64),
+    },
+    /// A pair is unstable while it touches.
+    BeyondContactLimit {
+        /// Where.
+        place: Place,
+        /// Time step from which on it is \[s\].
+        limit: f64,
+    },
+    /// A collision has too few steps, or so few that its impulse is off.
+    UnderResolved {
+        /// Where.
+        place: Place,
+        /// Steps in the collision that is expected.
+        steps: f64,
+        /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
+        restitution: Option<(f64, Delivered)>,
+    },
+    /// The published rule for impacts delivers another e than its law.
+    PublishedImpacts {
+        /// Where.
+        place: Place,
+        /// e of the law, and what the method delivers instead.
+        restitution: (f64, Delivered),
+    },
+    /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
+    Rests {
+        /// Index of the pair.
+        pair: usize,
+        /// Names of its structures.
+        names: [String; 2],
+    },
+    /// A printed number is far from that of the exact run.
+    Error {
+        /// The number.
+        number: Number,
+        /// Its largest relative error \[–\].
+        error: f64,
+    },
+    /// The errors are not known, because the exact run fails.
+    ErrorUnknown,
+}
+
+/// A pair, with the knob that makes its steps shorter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Names of its structures.
+    pub names: [String; 2],
+    /// The field of the scene, and its value \[s\].
+    pub time_step: (String, f64),
+}
+
+impl Warning {
+    /// Whether it says that a printed number is not to be believed.
+    ///
+    /// What is said of a pair's collisions concerns their impulses and forces.
+    pub fn concerns(&self, asked: Number) -> bool {
+        match self {
+            Self::BeyondFreeLimit { .. }
+            | Self::Broken { .. }
+            | Self::ErrorUnknown
+            | Self::FewStepsPerPeriod { .. } => true,
+            Self::BeyondContactLimit { .. }
+            | Self::UnderResolved { .. }
+            | Self::PublishedImpacts { .. }
+            | Self::Rests { .. } => matches!(
+                asked,
+                Number::PoundingForce | Number::FirstImpulse | Number::LargestImpulse
+            ),
+            Self::Error { number, .. } => asked == *number,
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        let [left, right] = &self.names;
+        write!(to, "contacts[{}] ({left} – {right})", self.pair)
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BeyondFreeLimit { refusal: text } | Self::Broken { law: text } => {
+                write!(to, "forced: {text}")
+            }
+            Self::FewStepsPerPeriod {
+                structure,
+                name,
+                steps,
+                time_step: (knob, found),
+            } => {
+                let most = found * steps / STEPS_PER_PERIOD;
+                write!(
+                    to,
+                    "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most:.1e} or less gives \
+                     {STEPS_PER_PERIOD}"
+                )
+            }
+            Self::BeyondContactLimit { place, limit } => {
+                let (knob, found) = &place.time_step;
+                write!(
+                    to,
+                    "{place}: unstable while it touches: {knob} is {}, allowed there less than {}",
+                    digits(*found),
+                    digits(*limit)
+                )
+            }
+            Self::UnderResolved {
+                place,
+                steps,
+                restitution,
+            } => under_resolved(place, *steps, restitution.as_ref(), to),
+            Self::PublishedImpacts {
+                place,
+                restitution: (right, delivered),
+            } => write!(
+                to,
+                "{place}: impacts as published: {}; \"impacts\": \"velocity_jump\" delivers it",
+                instead(*right, delivered)
+            ),
+            Self::Rests { pair, names } => {
+                let [left, right] = names;
+                write!(
+                    to,
+                    "contacts[{pair}] ({left} – {right}): comes to rest in contact in the exact run, where this run has an \
+                     impact in every step; their number and impulses depend on the step and are not compared"
+                )
+            }
+            Self::Error { number, error } => off(*number, *error, to),
+            Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
+        }
+    }
+}
+
+/// Too few steps in a collision, and what is delivered with them.
+fn under_resolved(
+    place: &Place,
+    steps: f64,
+    restitution: Option<&(f64, Delivered)>,
+    to: &mut Formatter<'_>,
+) -> fmt::Result {
+    let (knob, found) = &place.time_step;
+    write!(to, "{place}: a collision has {steps:.2} steps")?;
+    if let Some((right, delivered)) = restitution {
+        write!(to, ", {}", instead(*right, delivered))?;
+    }
+    if steps < STEPS_PER_CONTACT {
+        let most = found * steps / STEPS_PER_CONTACT;
+        write!(
+            to,
+            "; {knob} of {most:.1e} or less gives {STEPS_PER_CONTACT}"
+        )
+    } else {
+        write!(to, "; a shorter {knob} ({found}) gives more")
+    }
+}
+
+/// A number that is far from the exact run's.
+fn off(number: Number, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
+    let of = number.words();
+    if error.is_finite() {
+        let decimals = usize::from(error < 0.1);
+        let percent = 100.0 * error;
+        write!(to, "{of}: {percent:.decimals$} % off the exact run")
+    } else {
+        write!(to, "{of}: in this run or the exact one alone")
+    }
+}
+
+/// The e of a law, and what is delivered instead.
+fn instead(right: f64, delivered: &Delivered) -> String {
+    let [least, most] = delivered.range;
+    format!("e = {least:.3} to {most:.3} instead of {right:.3}")
+}
