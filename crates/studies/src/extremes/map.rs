@@ -3,7 +3,7 @@
 use super::class::Class;
 use super::grid::{Cell, Map};
 use super::measure::{Measured, Run};
-use crate::contenders::label_of;
+use crate::contenders::{REFERENCE, label_of};
 use crate::plot::{Align, Drawing, Fill, Pen, PlotError, Shade, Shape, render_png};
 
 /// Side of a square \[mm\].
@@ -51,8 +51,11 @@ fn drawing(map: &Map, methods: &[&str], own: &[&Measured]) -> Drawing {
             paper.1 - LEGEND - (row + 1) as f64 * height + below,
         );
         let runs: Vec<&Run> = own.iter().map(|measured| &measured.runs[index]).collect();
-        // The panels are narrow.
-        let title = label_of(method).replace(" in contact", "");
+        let title = match *method {
+            REFERENCE => "Exact, by the second route".into(),
+            // The panels are narrow.
+            method => label_of(method).replace(" in contact", ""),
+        };
         panel(map, (corner, &title), &runs, &mut shapes);
     }
     Drawing {
