@@ -75,6 +75,11 @@ impl Term {
     pub fn at(&self, deformation: f64) -> f64 {
         self.coefficient * self.power.of(deformation)
     }
+
+    /// Deformation ≥ 0 \[m\] at which it has a value ≥ 0; the term must not be constant.
+    pub fn deformation(&self, value: f64) -> f64 {
+        libm::pow(value / self.coefficient, 1.0 / self.power.value())
+    }
 }
 
 impl Form {

@@ -56,7 +56,8 @@ pub(crate) enum Task {
         /// Do not measure the errors; saves the exact run.
         #[arg(long)]
         no_error: bool,
-        /// Run though a structure grows without bound at this time step.
+        /// Run and print, with a warning, what is refused: a time step at which a
+        /// structure is unstable, a run that breaks a law of mechanics.
         #[arg(long)]
         force: bool,
     },

@@ -3,7 +3,7 @@
 mod printed;
 
 use pounding::contact::{Clamp, LawName};
-use pounding::studies::{Certificate, CertificateError, Collision, StepMethod, Wanted};
+use pounding::studies::{Certificate, CertificateError, FreeCollision, StepMethod, Wanted};
 
 use crate::arguments::{Certify, Format};
 use crate::text::paragraph;
@@ -53,7 +53,7 @@ pub(crate) fn certify(asked: &Certify) -> Result<String, String> {
         restitution: asked.restitution,
         calibration: asked.calibration.into(),
     };
-    let collision = Collision {
+    let collision = FreeCollision {
         masses: [asked.masses[0], asked.masses[1]],
         speed: asked.speed,
     };
@@ -75,7 +75,7 @@ pub(crate) fn certify(asked: &Certify) -> Result<String, String> {
 }
 
 /// The lines of the certificate.
-fn facts(wanted: &Wanted, collision: &Collision, certificate: &Certificate) -> Vec<Fact> {
+fn facts(wanted: &Wanted, collision: &FreeCollision, certificate: &Certificate) -> Vec<Fact> {
     let named = |key, words, text: &str| Fact {
         key,
         words,
@@ -134,7 +134,7 @@ fn facts(wanted: &Wanted, collision: &Collision, certificate: &Certificate) -> V
 
 fn line(
     certificate: &Certificate,
-    collision: &Collision,
+    collision: &FreeCollision,
     (method, step): (StepMethod, f64),
 ) -> Line {
     let delivered = certificate.by(collision, &method.at(step));

@@ -60,22 +60,25 @@ fn run(path: &Path, no_error: bool, force: bool) -> Result<String, String> {
         Prepared::watched(&scene, folder(path), &step)
     };
     let prepared = prepared.map_err(|error| hint(error, path))?;
-    let review = prepared.review(!no_error).map_err(message)?;
+    let review = prepared
+        .review(!no_error)
+        .map_err(|error| hint(error, path))?;
     Ok(summary::of(&prepared, &review))
 }
 
-/// The message of a scene that is refused; of an unstable one, with what runs it all the same.
+/// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
 fn hint(error: StudyError, path: &Path) -> String {
     let unstable = matches!(
         &error,
-        StudyError::Scene {
-            source: SceneError::Unstable { .. },
-            ..
-        }
+        StudyError::Broken { .. }
+            | StudyError::Scene {
+                source: SceneError::Unstable { .. },
+                ..
+            }
     );
     let message = error.in_file(path).to_string();
     if unstable {
-        format!("{message}; --force runs it all the same")
+        format!("{message}; --force prints it all the same")
     } else {
         message
     }
@@ -86,8 +89,8 @@ fn check(path: &Path) -> Result<String, String> {
     let message = |error: StudyError| error.in_file(path).to_string();
     let scene = read_json(path).map_err(message)?;
     let progress = Progress::new();
-    let prepared =
-        Prepared::watched(&scene, folder(path), &|of| progress.step(of)).map_err(message)?;
+    let step = |of| progress.step(of);
+    let prepared = Prepared::forcing(&scene, folder(path), &step).map_err(message)?;
     Ok(plan::of(&prepared))
 }
 

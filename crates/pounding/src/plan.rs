@@ -1,8 +1,6 @@
 //! The answer of `pounding check`: what would run, and what its time step can follow, as plain text.
 
-use pounding::studies::{
-    ContactLimit, Limits, Prepared, STEPS_PER_CONTACT, Structure, StudyError, digits,
-};
+use pounding::studies::{ContactLimit, Limits, Prepared, STEPS_PER_CONTACT, Structure, digits};
 
 use crate::summary::{method_lines, record_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
@@ -14,31 +12,32 @@ pub(crate) fn of(prepared: &Prepared) -> String {
         paragraph("Scene", &scene.name),
         paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
         paragraph("Method", &method_lines(prepared)),
+        structures(prepared),
     ];
+    let mut found: Vec<String> = prepared.refusal().into_iter().collect();
     match prepared.exact().and_then(|exact| exact.run(None)) {
         Ok(expected) => {
             let limits = prepared.limits(&expected);
-            parts.push(structures(prepared, &limits));
             parts.push(pairs(prepared, &limits));
-            parts.push(paragraph("Notes", NOTES));
-            parts.push(warnings(&prepared.warnings_before(&expected)));
+            let before = prepared.warnings_before(&expected);
+            found.extend(before.iter().map(ToString::to_string));
         }
-        Err(error) => parts.push(unknown(&error)),
+        Err(error) => found.push(format!(
+            "the exact run fails, so that no collision can be expected: {error}"
+        )),
     }
+    parts.push(paragraph("Notes", NOTES));
+    parts.push(warnings(&found));
     parts.join("\n")
 }
 
-const NOTES: &str = "Limit: from this time step on the motion grows without bound; of a pair, while it touches, with the \
-                     stiffness at the largest force.\nSpeed: the largest at which the pair meets in the exact run; \
-                     lasts, steps and e are those of a free collision at that speed, e that of the law and what the \
-                     method makes of it.";
+const NOTES: &str = "Limit: from this time step on the motion grows without bound; of a pair, may do so while it touches \
+                     (a structure that is pressed from both sides: from 0.7 times that).\nSpeed: the \
+                     largest at which the pair meets in the exact run; lasts, steps and e are those of a free collision \
+                     at that speed, e that of the law and what the method makes of it.";
 
-fn unknown(error: &StudyError) -> String {
-    let found = format!("the exact run fails, so that no collision can be expected: {error}");
-    paragraph("Warnings", &found)
-}
-
-fn structures(prepared: &Prepared, limits: &Limits) -> String {
+fn structures(prepared: &Prepared) -> String {
+    let limits = prepared.critical_time_steps();
     let header = [
         ["Structure", ""],
         ["Period", "[s]"],
@@ -47,7 +46,7 @@ fn structures(prepared: &Prepared, limits: &Limits) -> String {
         ["Limit", "[s]"],
     ];
     let row = |(index, structure): (usize, &Structure)| {
-        let limit = limits.structures[index].map_or(NONE.into(), short);
+        let limit = limits[index].map_or(NONE.into(), short);
         match structure {
             Structure::Sdof(sdof) => vec![
                 sdof.name.clone(),
@@ -86,7 +85,7 @@ fn pairs(prepared: &Prepared, limits: &Limits) -> String {
         let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
         let mut row = vec![format!("{left} – {right}"), digits(contact.gap_m * 1e3)];
         match limits.contacts.iter().find(|limit| limit.pair == index) {
-            Some(limit) => row.extend(contact_numbers(prepared, limit)),
+            Some(limit) => row.extend(contact_numbers(limit)),
             None => row.extend(["never", "", "", "", "", ""].map(String::from)),
         }
         row
@@ -94,33 +93,41 @@ fn pairs(prepared: &Prepared, limits: &Limits) -> String {
     table(&header, &rows.collect::<Vec<_>>())
 }
 
-fn contact_numbers(prepared: &Prepared, limit: &ContactLimit) -> [String; 6] {
+fn contact_numbers(limit: &ContactLimit) -> [String; 6] {
     let number =
         |value: Option<f64>, scale: f64| value.map_or(NONE.into(), |value| short(scale * value));
-    let steps = limit.steps.map_or(NONE.into(), |steps| {
+    let critical = number(limit.critical_time_step, 1e3);
+    let Some(free) = limit.free else {
+        return [
+            "pressed".into(),
+            NONE.into(),
+            NONE.into(),
+            critical,
+            NONE.into(),
+            NONE.into(),
+        ];
+    };
+    let steps = free.steps.map_or(NONE.into(), |steps| {
         if steps < STEPS_PER_CONTACT {
             format!("{steps:.2}")
         } else {
             format!("{steps:.0}")
         }
     });
-    let delivered = match prepared.scene().method.time_step() {
-        Some(_) => prepared.delivered(limit),
-        None => None,
-    };
+    let delivered = free.delivered.map_or(NONE.into(), |delivered| {
+        let [least, most] = delivered.range;
+        if most - least < 5e-4 {
+            format!("{least:.3}")
+        } else {
+            format!("{least:.3} to {most:.3}")
+        }
+    });
     [
-        short(limit.approach_speed),
-        number(limit.duration, 1e3),
+        short(free.approach_speed),
+        number(free.duration, 1e3),
         steps,
-        number(limit.critical_time_step, 1e3),
-        limit.restitution.map_or(NONE.into(), |e| format!("{e:.3}")),
-        delivered.map_or(NONE.into(), |delivered| {
-            let [least, most] = delivered.range;
-            if most - least < 5e-4 {
-                format!("{least:.3}")
-            } else {
-                format!("{least:.3} to {most:.3}")
-            }
-        }),
+        critical,
+        free.restitution.map_or(NONE.into(), |e| format!("{e:.3}")),
+        delivered,
     ]
 }

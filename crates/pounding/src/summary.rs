@@ -28,25 +28,29 @@ pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
         structures(scene, outcome, measured),
         pairs(scene, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
-        warnings(&review.warnings),
+        warnings(&of_run(&review.warnings)),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ]
     .join("\n")
 }
 
 /// What a user should know before believing the numbers.
-pub(crate) fn warnings(warnings: &[Warning]) -> String {
-    if warnings.is_empty() {
-        return paragraph("Warnings", "none");
+pub(crate) fn warnings(found: &[String]) -> String {
+    if found.is_empty() {
+        paragraph("Warnings", "none")
+    } else {
+        paragraph("Warnings", &found.join("\n"))
     }
+}
+
+/// The warnings of a run, and what helps.
+fn of_run(warnings: &[Warning]) -> Vec<String> {
     let mut lines: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    if warnings
-        .iter()
-        .any(|one| matches!(one, Warning::Error { .. }))
-    {
+    let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
+    if warnings.iter().any(is_error) {
         lines.push("`pounding advise` finds a method and time step for an accuracy".into());
     }
-    paragraph("Warnings", &lines.join("\n"))
+    lines
 }
 
 /// The method, its settings and how it was chosen.

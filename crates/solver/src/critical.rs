@@ -15,8 +15,8 @@ impl Integrator {
     /// Time step \[s\] from which on a structure that moves alone grows without bound; nothing for a method that has no
     /// such limit.
     ///
-    /// 2/ω for the central difference and the Verlet method, 1/(ω√(γ/2 − β)) for Newmark's with β < γ/2, whatever the
-    /// damping; that of the Runge–Kutta method depends on it ([`Rk4::critical_time_step`]).
+    /// 2/ω for the central difference and the Verlet method, whatever the damping; for Newmark's with β < γ/2
+    /// (ζ(γ − ½) + √(γ/2 − β + ζ²(γ − ½)²)) / (ω(γ/2 − β)); that of the Runge–Kutta method is [`Rk4::critical_time_step`].
     pub fn critical_time_step(&self, structure: &Oscillation) -> Option<f64> {
         self.limit(structure, (1, 0.0))
     }
@@ -48,7 +48,11 @@ impl Integrator {
             Self::CentralDifference(_) => Some(f64::from(sub_steps) * lagged(explicit)),
             Self::Verlet(_) => Some(lagged(2.0 * explicit)),
             Self::Newmark(Newmark { beta, gamma }) if beta < 0.5 * gamma => {
-                Some(1.0 / (omega * (0.5 * gamma - beta).sqrt()))
+                let (stable, damps) = (
+                    0.5 * gamma - beta,
+                    (gamma - 0.5) * oscillation.damping_ratio,
+                );
+                Some((damps + (stable + damps * damps).sqrt()) / (stable * omega))
             }
             Self::Rk4(_) => Some(Rk4::critical_time_step(omega, oscillation.damping_ratio)),
             Self::Newmark(_) | Self::Hht(_) | Self::MoreauJean(_) | Self::Exact(_) => None,

@@ -4,7 +4,7 @@ use pounding_contact::{Calibration, CalibrationError, ContactLaw, FreeImpact, La
 use pounding_solver::{Exact, Integrator};
 
 use crate::Method;
-use crate::free_collision::{Collision, CollisionError, Delivered};
+use crate::free_collision::{CollisionError, Delivered, FreeCollision};
 
 /// What is asked of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +41,7 @@ impl Certificate {
     ///
     /// # Errors
     /// [`CertificateError`] for a parameter out of range, and where no run gives an answer.
-    pub fn new(wanted: &Wanted, collision: &Collision) -> Result<Self, CertificateError> {
+    pub fn new(wanted: &Wanted, collision: &FreeCollision) -> Result<Self, CertificateError> {
         let pair = collision.free_pair();
         let calibrated = |calibration| {
             let asked = (wanted.restitution, calibration);
@@ -73,7 +73,7 @@ impl Certificate {
     /// [`CertificateError::Collision`] where it fails.
     pub fn by(
         &self,
-        collision: &Collision,
+        collision: &FreeCollision,
         method: &Method,
     ) -> Result<Delivered, CertificateError> {
         let duration = self.impact.map(|impact| impact.duration);

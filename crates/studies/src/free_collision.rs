@@ -9,7 +9,7 @@ use crate::Method;
 
 /// Two masses that collide, with nothing else acting on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Collision {
+pub struct FreeCollision {
     /// Masses of the neighbours \[kg\], > 0; one may be infinite, a wall.
     pub masses: [f64; 2],
     /// Approach speed at the first touch \[m/s\], > 0.
@@ -32,7 +32,7 @@ const N_PHASES: u32 = 16;
 /// Steps before the touch.
 const BEFORE: u32 = 3;
 
-impl Collision {
+impl FreeCollision {
     /// What a method delivers under a law, beside the e that is right.
     ///
     /// # Errors

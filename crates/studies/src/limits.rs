@@ -3,8 +3,7 @@
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, Overlap};
 use pounding_solver::{Collision, Oscillation, Pair};
 
-use crate::free_collision::{Collision as FreeCollision, Delivered};
-use crate::{Method, Outcome, Prepared, Structure};
+use crate::{Delivered, FreeCollision, Method, Outcome, Prepared, Structure};
 
 /// Steps per contact below which a run is warned of.
 ///
@@ -15,9 +14,6 @@ pub const STEPS_PER_CONTACT: f64 = 10.0;
 /// What a method can follow of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
-    /// Of every structure and wall, from the left, the time step \[s\] from which on it grows without bound, though it
-    /// touch nobody; nothing for a wall, and for a method without such a limit.
-    pub structures: Vec<Option<f64>>,
     /// Of every pair that touches, from the left.
     pub contacts: Vec<ContactLimit>,
 }
@@ -27,31 +23,49 @@ pub struct Limits {
 pub struct ContactLimit {
     /// Index of the pair.
     pub pair: usize,
-    /// Approach speed that is expected \[m/s\]: the largest, or that of the largest impulse where none is known.
-    pub approach_speed: f64,
-    /// e that the law delivers to a free collision at that speed \[–\]; nothing where its damping lets hardly anything
-    /// come back.
-    pub restitution: Option<f64>,
-    /// Duration of that collision \[s\]; nothing for an impulsive law, and as above.
-    pub duration: Option<f64>,
-    /// Steps, or sub-steps, in it.
-    pub steps: Option<f64>,
-    /// Time step \[s\] from which on the pair is unstable while it touches, at the largest force that is expected; nothing
-    /// for a method or law without such a limit.
+    /// The free collision at the largest approach speed that is expected; nothing where the pair presses without approach.
+    pub free: Option<FreeLimit>,
+    /// Time step \[s\] from which on the pair may be unstable while it touches; nothing for a method or law without such a
+    /// limit.
+    ///
+    /// The least over its collisions, each with the stiffness at its largest force. What of that force is the damper's,
+    /// and the columns of both structures, make it smaller than it is; a structure that is pressed from both sides allows
+    /// down to 1/√2 of it.
     pub critical_time_step: Option<f64>,
 }
 
+/// A free collision of a pair, and how a method follows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeLimit {
+    /// Approach speed \[m/s\], > 0.
+    pub approach_speed: f64,
+    /// e that the law delivers \[–\]; nothing where its damping lets hardly anything come back.
+    pub restitution: Option<f64>,
+    /// Duration \[s\]; nothing for an impulsive law, and as above.
+    pub duration: Option<f64>,
+    /// Steps, or sub-steps, in it.
+    pub steps: Option<f64>,
+    /// What the method delivers; nothing for one without time steps, and where it cannot be measured or has so many steps
+    /// (ten thousand) that it need not.
+    pub delivered: Option<Delivered>,
+}
+
+/// Steps per contact above which what a method delivers is not asked.
+const MANY_STEPS: f64 = 1e4;
+
 impl Prepared {
     /// What the method can follow, for the collisions of a run of the same scene: best the exact one.
+    ///
+    /// Of the collisions of a stepping method the approach speed is not known; it is taken from the largest force, as if
+    /// the spring alone had stopped the pair.
     pub fn limits(&self, expected: &Outcome) -> Limits {
         let pairs = self.pairs().iter().enumerate();
         let contacts = pairs.filter_map(|(index, pair)| {
             let all = expected.collisions.all().iter();
             let collisions: Vec<_> = all.filter(|one| one.pair == index).collect();
-            self.contact_limit((index, pair), &collisions)
+            (!collisions.is_empty()).then(|| self.contact_limit((index, pair), &collisions))
         });
         Limits {
-            structures: self.scene().critical_time_steps().collect(),
             contacts: contacts.collect(),
         }
     }
@@ -60,57 +74,48 @@ impl Prepared {
         &self,
         (index, pair): (usize, &Pair),
         collisions: &[&Collision],
-    ) -> Option<ContactLimit> {
+    ) -> ContactLimit {
+        let masses = self.masses(pair);
+        let own = [pair.left, pair.right].map(|index| self.angular_frequency(index));
+        let expected = collisions
+            .iter()
+            .map(|one| Expected::new(one, pair, masses));
+        let integrator = self.method().integrator();
+        let critical = expected.clone().filter_map(|one| {
+            let contact = with_columns(one.oscillation(&pair.law)?, own);
+            integrator.critical_time_step_in_contact(&contact)
+        });
+        let speed = expected
+            .map(|one| one.pair.approach_speed)
+            .fold(0.0, f64::max);
+        ContactLimit {
+            pair: index,
+            free: (speed > 0.0)
+                .then(|| self.free_limit(&pair.law, FreeCollision { masses, speed })),
+            critical_time_step: critical.min_by(f64::total_cmp),
+        }
+    }
+
+    fn free_limit(&self, law: &ContactLaw, collision: FreeCollision) -> FreeLimit {
         let method = self.method();
-        let collision = self.free_collision(pair, collisions)?;
-        let free = collision.free_pair();
-        let impact = FreeImpact::of(&pair.law, &free);
+        let impact = FreeImpact::of(law, &collision.free_pair());
         let duration = impact.map(|impact| impact.duration);
+        let restitution = restitution(law, impact.as_ref());
         let sub_steps = sub_steps(&method);
         let steps = |duration: f64| Some(sub_steps * duration / method.time_step()?);
-        let forces = collisions.iter().filter_map(|one| one.peak_force);
-        let oscillation = oscillation(&pair.law, &free, forces.fold(0.0, f64::max));
-        let critical = |pair: Oscillation| {
-            let integrator = method.integrator();
-            integrator.critical_time_step_in_contact(&pair)
-        };
-        let own = [pair.left, pair.right].map(|index| self.angular_frequency(index));
-        Some(ContactLimit {
-            pair: index,
+        let steps = duration.and_then(steps);
+        let asked = method.time_step().is_some() && steps.is_none_or(|steps| steps < MANY_STEPS);
+        let delivered = restitution.filter(|_| asked).and_then(|right| {
+            let delivered = collision.delivered(*law, &method, (right, duration));
+            delivered.ok()
+        });
+        FreeLimit {
             approach_speed: collision.speed,
-            restitution: restitution(&pair.law, impact.as_ref()),
+            restitution,
             duration,
-            steps: duration.and_then(steps),
-            critical_time_step: oscillation
-                .map(|contact| with_columns(contact, own))
-                .and_then(critical),
-        })
-    }
-
-    /// What the method delivers to the collision that is expected of a pair; nothing where that cannot be measured.
-    pub fn delivered(&self, limit: &ContactLimit) -> Option<Delivered> {
-        let pair = &self.pairs()[limit.pair];
-        let collision = FreeCollision {
-            masses: self.masses(pair),
-            speed: limit.approach_speed,
-        };
-        let right = (limit.restitution?, limit.duration);
-        collision.delivered(pair.law, &self.method(), right).ok()
-    }
-
-    /// The collision that is expected of a pair, as if nothing else acted on it; nothing where it never touches.
-    fn free_collision(&self, pair: &Pair, collisions: &[&Collision]) -> Option<FreeCollision> {
-        let masses = self.masses(pair);
-        let one = FreeCollision { masses, speed: 1.0 }.free_pair();
-        let known = collisions.iter().filter_map(|one| one.approach_speed);
-        let impulses = collisions.iter().map(|one| one.impulse);
-        // H = m (1+e) v₀.
-        let of_impulse =
-            |impulse: f64| impulse / one.impulse(pair.law.restitution().unwrap_or(0.0));
-        let speed = known
-            .max_by(f64::total_cmp)
-            .or_else(|| impulses.max_by(f64::total_cmp).map(of_impulse))?;
-        (speed > 0.0).then_some(FreeCollision { masses, speed })
+            steps,
+            delivered,
+        }
     }
 
     /// Masses of a pair \[kg\]; that of a wall is infinite.
@@ -153,24 +158,56 @@ fn sub_steps(method: &Method) -> f64 {
     }
 }
 
-/// Oscillation of a pair about the deformation at which its spring has the peak force; nothing for an impulsive law.
-///
-/// What of the force is the damper's makes that deformation, and so the stiffness, larger than it is.
-fn oscillation(law: &ContactLaw, pair: &FreePair, peak_force: f64) -> Option<Oscillation> {
-    let form = law.form(pair.reduced_mass, pair.approach_speed)?;
-    let power = form.spring.power.value();
-    let deformation = libm::pow(peak_force / form.spring.coefficient, 1.0 / power);
-    let contact = law.respond(&Overlap {
-        deformation,
-        // Approaching, so that every damper acts, but so slowly that it pushes nothing.
-        rate: f64::MIN_POSITIVE,
-        reduced_mass: pair.reduced_mass,
-        approach_speed: pair.approach_speed,
-    })?;
-    let angular_frequency = (contact.stiffness / pair.reduced_mass).sqrt();
-    (angular_frequency > 0.0 && angular_frequency.is_finite()).then_some(Oscillation {
-        angular_frequency,
-        damping_ratio: contact.damping / (2.0 * pair.reduced_mass * angular_frequency),
+/// A collision that is expected.
+#[derive(Debug, Clone, Copy)]
+struct Expected {
+    pair: FreePair,
+    /// Largest force \[N\]; 0 of an impulsive law.
+    peak_force: f64,
+}
+
+impl Expected {
+    fn new(collision: &Collision, pair: &Pair, masses: [f64; 2]) -> Self {
+        let free = FreeCollision { masses, speed: 0.0 }.free_pair();
+        let peak_force = collision.peak_force.unwrap_or(0.0);
+        let known = collision.approach_speed;
+        Self {
+            pair: FreePair {
+                approach_speed: known.unwrap_or_else(|| speed_to(peak_force, &pair.law, &free)),
+                ..free
+            },
+            peak_force,
+        }
+    }
+
+    /// Oscillation of the pair about the deformation at which its spring has the largest force; nothing for an impulsive
+    /// law.
+    fn oscillation(&self, law: &ContactLaw) -> Option<Oscillation> {
+        let FreePair {
+            reduced_mass,
+            approach_speed,
+        } = self.pair;
+        let form = law.form(reduced_mass, approach_speed)?;
+        let contact = law.respond(&Overlap {
+            deformation: form.spring.deformation(self.peak_force),
+            // Approaching, so that every damper acts, but so slowly that it pushes nothing.
+            rate: f64::MIN_POSITIVE,
+            reduced_mass,
+            approach_speed,
+        })?;
+        let angular_frequency = (contact.stiffness / reduced_mass).sqrt();
+        (angular_frequency > 0.0 && angular_frequency.is_finite()).then_some(Oscillation {
+            angular_frequency,
+            damping_ratio: contact.damping / (2.0 * reduced_mass * angular_frequency),
+        })
+    }
+}
+
+/// Approach speed \[m/s\] of a pair that a spring alone stops with a force \[N\]: ½ m v² = F δ/(n + 1).
+fn speed_to(force: f64, law: &ContactLaw, pair: &FreePair) -> f64 {
+    law.form(pair.reduced_mass, 1.0).map_or(0.0, |form| {
+        let stored = force * form.spring.deformation(force) / (form.spring.power.value() + 1.0);
+        (2.0 * stored / pair.reduced_mass).sqrt()
     })
 }
 

@@ -1,6 +1,7 @@
 //! A run with what is known of its errors, and what it warns of.
 
-use pounding_solver::Work;
+use pounding_contact::SLOWEST_APPROACH;
+use pounding_solver::{Collision, Work};
 
 use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
 use crate::prepared::Audited;
@@ -55,9 +56,8 @@ impl Prepared {
             outcome, broken, ..
         } = self.audited(None)?;
         let mut warnings = Vec::new();
-        warnings.extend(self.unstable().map(|refusal| Warning::BeyondFreeLimit {
-            refusal: refusal.to_string(),
-        }));
+        let refusal = self.refusal();
+        warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
         if let Some(broken) = broken {
             if !self.is_forced() {
                 return Err(broken);
@@ -66,6 +66,7 @@ impl Prepared {
             warnings.push(Warning::Broken { law });
         }
         let errors = if matches!(self.method(), Method::Exact { .. }) {
+            warnings.extend(self.warnings_before(&outcome));
             Errors::Exact
         } else if measure {
             match self.exact().and_then(|exact| exact.run(None)) {
@@ -81,6 +82,7 @@ impl Prepared {
             }
         } else {
             warnings.extend(self.warnings_before(&outcome));
+            warnings.push(Warning::NotMeasured);
             Errors::NotMeasured
         };
         Ok(Review {
@@ -112,7 +114,8 @@ impl Prepared {
         let limits = self.limits(expected);
         let contacts = limits.contacts.iter();
         let contacts = contacts.filter_map(|limit| self.contact_warning(limit));
-        periods.chain(contacts).collect()
+        let slow = self.slow_touches(expected);
+        periods.chain(contacts).chain(slow).collect()
     }
 
     fn few_steps(&self, index: usize, structure: &Structure) -> Option<Warning> {
@@ -135,10 +138,10 @@ impl Prepared {
         (field, time_step)
     }
 
+    /// What a pair's collisions are to be warned of: the least time step first.
     fn contact_warning(&self, limit: &ContactLimit) -> Option<Warning> {
         let time_step = self.method().time_step()?;
         let place = || self.place(limit.pair, time_step);
-        let delivered = || Some((limit.restitution?, self.delivered(limit)?));
         if let Some(critical) = limit.critical_time_step
             && time_step >= critical
         {
@@ -147,11 +150,12 @@ impl Prepared {
                 limit: critical,
             });
         }
-        let restitution = delivered();
+        let free = limit.free?;
+        let restitution = free.restitution.zip(free.delivered);
         let is_off =
             |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
         let off = restitution.is_some_and(is_off);
-        match (limit.steps, restitution) {
+        match (free.steps, restitution) {
             (Some(steps), _) if off || steps < STEPS_PER_CONTACT => Some(Warning::UnderResolved {
                 place: place(),
                 steps,
@@ -163,6 +167,23 @@ impl Prepared {
             }),
             _ => None,
         }
+    }
+
+    /// Slow touches of a law whose damper grows with 1/v₀, of a run that knows its approach speeds.
+    fn slow_touches(&self, expected: &Outcome) -> impl Iterator<Item = Warning> {
+        let pairs = self.pairs().iter().enumerate();
+        pairs.filter_map(|(index, pair)| {
+            let slow = |one: &&Collision| {
+                let speed = one.approach_speed;
+                one.pair == index && speed.is_some_and(|speed| speed < SLOWEST_APPROACH)
+            };
+            let count = expected.collisions.all().iter().filter(slow).count();
+            (pair.law.knows_approach_speed() && count > 0).then(|| Warning::SlowTouches {
+                pair: index,
+                names: self.names(index),
+                count,
+            })
+        })
     }
 
     fn place(&self, pair: usize, time_step: f64) -> Place {

@@ -2,6 +2,8 @@
 
 use std::fmt::{self, Formatter};
 
+use pounding_contact::SLOWEST_APPROACH;
+
 use crate::limits::STEPS_PER_CONTACT;
 use crate::review::STEPS_PER_PERIOD;
 use crate::{Delivered, Number, digits};
@@ -67,6 +69,17 @@ pub enum Warning {
         /// Its largest relative error \[–\].
         error: f64,
     },
+    /// Touches slower than a law with δ̇/v₀ is defined for.
+    SlowTouches {
+        /// Index of the pair.
+        pair: usize,
+        /// Names of its structures.
+        names: [String; 2],
+        /// How many.
+        count: usize,
+    },
+    /// The errors were not asked for.
+    NotMeasured,
     /// The errors are not known, because the exact run fails.
     ErrorUnknown,
 }
@@ -100,6 +113,8 @@ impl Warning {
                 Number::PoundingForce | Number::FirstImpulse | Number::LargestImpulse
             ),
             Self::Error { number, .. } => asked == *number,
+            // Of the model, and of what is not known.
+            Self::SlowTouches { .. } | Self::NotMeasured => false,
         }
     }
 }
@@ -134,7 +149,7 @@ impl fmt::Display for Warning {
                 let (knob, found) = &place.time_step;
                 write!(
                     to,
-                    "{place}: unstable while it touches: {knob} is {}, allowed there less than {}",
+                    "{place}: impulses and forces may be unstable while it touches: {knob} is {}, allowed there less than {}",
                     digits(*found),
                     digits(*limit)
                 )
@@ -149,7 +164,7 @@ impl fmt::Display for Warning {
                 restitution: (right, delivered),
             } => write!(
                 to,
-                "{place}: impacts as published: {}; \"impacts\": \"velocity_jump\" delivers it",
+                "{place}: impulses by the impacts as published: {}; \"impacts\": \"velocity_jump\" delivers it",
                 instead(*right, delivered)
             ),
             Self::Rests { pair, names } => {
@@ -161,6 +176,15 @@ impl fmt::Display for Warning {
                 )
             }
             Self::Error { number, error } => off(*number, *error, to),
+            Self::SlowTouches { pair, names, count } => {
+                let [left, right] = names;
+                write!(
+                    to,
+                    "contacts[{pair}] ({left} – {right}): {count} touches below {SLOWEST_APPROACH} m/s, for which its damper, \
+                     which grows with 1/v₀, is not defined; they count as {SLOWEST_APPROACH} m/s"
+                )
+            }
+            Self::NotMeasured => write!(to, "no error was measured (--no-error)"),
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
         }
     }
@@ -174,7 +198,10 @@ fn under_resolved(
     to: &mut Formatter<'_>,
 ) -> fmt::Result {
     let (knob, found) = &place.time_step;
-    write!(to, "{place}: a collision has {steps:.2} steps")?;
+    write!(
+        to,
+        "{place}: impulses and forces: a collision has {steps:.2} steps"
+    )?;
     if let Some((right, delivered)) = restitution {
         write!(to, ", {}", instead(*right, delivered))?;
     }
@@ -192,12 +219,17 @@ fn under_resolved(
 /// A number that is far from the exact run's.
 fn off(number: Number, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
     let of = number.words();
-    if error.is_finite() {
+    if number == Number::Collisions {
+        write!(to, "{of}: not as many as in the exact run")
+    } else if error.is_finite() {
         let decimals = usize::from(error < 0.1);
         let percent = 100.0 * error;
         write!(to, "{of}: {percent:.decimals$} % off the exact run")
     } else {
-        write!(to, "{of}: in this run or the exact one alone")
+        write!(
+            to,
+            "{of}: none, or zero, in this run or the exact one alone"
+        )
     }
 }
 

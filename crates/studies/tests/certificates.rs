@@ -1,9 +1,9 @@
 //! What contact laws deliver to free impacts by the exact method, and by stepping methods at short steps.
 
 use pounding_contact::{Calibration, LawName};
-use pounding_studies::{Certificate, Collision, StepMethod, Wanted};
+use pounding_studies::{Certificate, FreeCollision, StepMethod, Wanted};
 
-const COLLISION: Collision = Collision {
+const COLLISION: FreeCollision = FreeCollision {
     masses: [75e3, 3e6],
     speed: 0.3,
 };

@@ -3,8 +3,8 @@
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Excitation, Hht, ImpactRule, Integrator, ModelError, Newmark, Node, Pair, Rk4,
-    Row, RunError,
+    Clock, Elastic, Excitation, Hht, ImpactRule, Integrator, ModelError, Newmark, Node,
+    Oscillation, Pair, Rk4, Row, RunError,
 };
 
 use crate::common::{
@@ -125,10 +125,23 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).unwrap();
     let ratio = node.damping / (2.0 * mass * omega);
+    let damping = |beta, gamma| {
+        let method = Integrator::Newmark(Newmark { beta, gamma });
+        let structure = Oscillation {
+            angular_frequency: omega,
+            damping_ratio: ratio,
+        };
+        let critical = method.critical_time_step(&structure).expect("a limit");
+        // Above that of an undamped structure.
+        assert!(critical > 1.001 / (omega * (0.5 * gamma - beta).sqrt()));
+        ("Newmark, damping", method, critical)
+    };
     for (name, method, critical) in [
         ("central difference", CENTRAL, 2.0 / omega),
         ("Verlet", VERLET, 2.0 / omega),
         ("RK4", RK4, Rk4::critical_time_step(omega, ratio)),
+        damping(0.0, 0.7),
+        damping(0.1, 0.6),
     ] {
         let work = method.run(&row, excitation, clock(0.999 * critical), &mut ());
         assert!(work.is_ok(), "{name}, just below the limit: {work:?}");

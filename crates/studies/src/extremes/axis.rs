@@ -22,7 +22,10 @@ pub enum Axis {
     Gap,
     /// Coefficient of restitution, exactly calibrated.
     Restitution,
-    /// Factor on the impact stiffness, and with the law's own damping ratio.
+    /// Number of the contact law in `pounding laws`, from 1 on, exactly calibrated to 0.65, springs without damping as they
+    /// are; with the usual impact stiffness.
+    Law,
+    /// Factor on the impact stiffness of the nonlinear viscoelastic element, with its own damping ratio.
     ImpactStiffness,
     /// Factor on the yield forces.
     YieldForce,
@@ -53,6 +56,9 @@ pub(crate) struct Pushed {
 
 /// Approach speed at which a restitution is calibrated, of laws that need one \[m/s\].
 const SPEED: f64 = 0.3;
+/// Usual impact stiffness of linear springs \[N/m\] and of Hertz springs \[N/m^1.5\].
+const LINEAR: f64 = 9.35e7;
+const HERTZ: f64 = 2.75e9;
 
 impl Axis {
     /// Name in tables.
@@ -64,6 +70,7 @@ impl Axis {
             Self::DampingRatio => "damping_ratio",
             Self::Gap => "gap_m",
             Self::Restitution => "restitution",
+            Self::Law => "law",
             Self::ImpactStiffness => "impact_stiffness_factor",
             Self::YieldForce => "yield_force_factor",
             Self::RecordScale => "record_scale",
@@ -85,6 +92,7 @@ impl Axis {
             Self::DampingRatio => "Damping ratio",
             Self::Gap => "Gap (m)",
             Self::Restitution => "Coefficient of restitution",
+            Self::Law => "Contact law",
             Self::ImpactStiffness => "Impact stiffness, times",
             Self::YieldForce => "Yield forces, times",
             Self::RecordScale => "Record, times",
@@ -102,7 +110,21 @@ impl Axis {
     /// # Errors
     /// What cannot be changed so, in words.
     pub(crate) fn push(self, pushed: &mut Pushed, value: f64) -> Result<(), String> {
+        if sdof(&pushed.scene, 1).is_none() || pushed.scene.contacts.iter().flatten().count() == 0 {
+            return Err(format!(
+                "{}, of a scene without two structures and a contact",
+                self.key()
+            ));
+        }
         match self {
+            Self::Row | Self::Cradle if value < 2.0 => {
+                return Err(format!("{value} {}, allowed 2 or more", self.key()));
+            }
+            Self::YieldForce
+                if sdof(&pushed.scene, 0).is_some_and(|one| one.yield_force_n.is_none()) =>
+            {
+                return Err(format!("{}, of elastic structures", self.key()));
+            }
             Self::RecordScale => pushed.scale(value)?,
             Self::Spike => {
                 pushed.shake(|index, at, sample| if index == at { value } else { sample })?;
@@ -112,6 +134,8 @@ impl Axis {
                     .shake(|index, at, sample| if index < at { sample } else { sample + value })?;
             }
             Self::Restitution => calibrate(&mut pushed.scene, value)?,
+            Self::Law => replace_law(&mut pushed.scene, value)?,
+            Self::ImpactStiffness => stiffen(&mut pushed.scene, value)?,
             Self::LongRun => {
                 Self::DampingRatio.change(&mut pushed.scene, 0.0);
                 pushed.scene.duration_s = value * pushed.time_step;
@@ -131,7 +155,6 @@ impl Axis {
             | Self::PeriodRatio
             | Self::DampingRatio
             | Self::Gap
-            | Self::ImpactStiffness
             | Self::YieldForce
             | Self::IdenticalNeighbours
             | Self::Row => self.change(&mut pushed.scene, value),
@@ -159,7 +182,6 @@ impl Axis {
             }
             Self::DampingRatio => each(scene, |sdof| sdof.damping = Damping::Ratio(value)),
             Self::Gap => gaps(scene, value),
-            Self::ImpactStiffness => stiffen(scene, value),
             Self::YieldForce => each(scene, |sdof| {
                 sdof.yield_force_n = sdof.yield_force_n.map(|force| value * force);
             }),
@@ -175,6 +197,8 @@ impl Axis {
             }
             Self::TimeStep
             | Self::Restitution
+            | Self::Law
+            | Self::ImpactStiffness
             | Self::RecordScale
             | Self::Spike
             | Self::Step
@@ -270,11 +294,7 @@ fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
 
 /// Gives the contacts another restitution.
 fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
-    let inverse = |index| sdof(scene, index).map_or(0.0, |sdof| 1.0 / sdof.mass_kg);
-    let pair = FreePair {
-        reduced_mass: reduced_mass(inverse(0), inverse(1)),
-        approach_speed: SPEED,
-    };
+    let pair = pair(scene);
     for contact in scene.contacts.iter_mut().flatten() {
         let name = LawName::from_name(contact.law.name())
             .ok_or_else(|| format!("no law named {}", contact.law.name()))?;
@@ -288,10 +308,44 @@ fn calibrate(scene: &mut Scene, restitution: f64) -> Result<(), String> {
 }
 
 /// Multiplies the impact stiffness of the nonlinear viscoelastic element.
-fn stiffen(scene: &mut Scene, factor: f64) {
+fn stiffen(scene: &mut Scene, factor: f64) -> Result<(), String> {
     for contact in scene.contacts.iter_mut().flatten() {
-        if let ContactLaw::NonlinearViscoelastic(law) = &mut contact.law {
-            law.impact_stiffness *= factor;
-        }
+        let ContactLaw::NonlinearViscoelastic(law) = &mut contact.law else {
+            return Err(format!("impact stiffness of {}", contact.law.name()));
+        };
+        law.impact_stiffness *= factor;
+    }
+    Ok(())
+}
+
+/// Puts another law between the structures.
+fn replace_law(scene: &mut Scene, number: f64) -> Result<(), String> {
+    let law = LawName::ALL
+        .into_iter()
+        .zip(1_u32..)
+        .find(|(_, other)| f64::from(*other) >= number);
+    let (name, _) = law.ok_or_else(|| format!("law number {number}"))?;
+    let stiffness = match name.stiffness_unit() {
+        Some("N/m") => LINEAR,
+        _ => HERTZ,
+    };
+    let undamped = matches!(name, LawName::LinearSpring | LawName::Hertz);
+    let restitution = if undamped { 1.0 } else { 0.65 };
+    let pair = pair(scene);
+    let asked = (restitution, Calibration::Exact);
+    let law = name.calibrated(stiffness, asked, &pair);
+    let law = law.map_err(|error| error.to_string())?;
+    for contact in scene.contacts.iter_mut().flatten() {
+        contact.law = law;
+    }
+    Ok(())
+}
+
+/// The first two structures as a free pair.
+fn pair(scene: &Scene) -> FreePair {
+    let inverse = |index| sdof(scene, index).map_or(0.0, |sdof| 1.0 / sdof.mass_kg);
+    FreePair {
+        reduced_mass: reduced_mass(inverse(0), inverse(1)),
+        approach_speed: SPEED,
     }
 }

@@ -30,14 +30,16 @@ pub(super) enum Class {
     Caught,
     /// More than 10 % off without a word.
     SilentlyWrong,
-    /// There is no exact run to compare with; the program says so.
+    /// There is no exact run to compare with; the program says so, where it measures errors.
     NoReference,
+    /// A number of the exact run that the second route cannot follow.
+    NotVerified,
     /// Neither run has the number: nothing touches.
     Nothing,
 }
 
 impl Class {
-    pub(super) const ALL: [Self; 8] = [
+    pub(super) const ALL: [Self; 9] = [
         Self::ExactToTolerance,
         Self::Accurate,
         Self::Degraded,
@@ -45,6 +47,7 @@ impl Class {
         Self::Caught,
         Self::SilentlyWrong,
         Self::NoReference,
+        Self::NotVerified,
         Self::Nothing,
     ];
 
@@ -69,6 +72,7 @@ impl Class {
             Self::Caught => "diverged_and_caught",
             Self::SilentlyWrong => "silently_wrong",
             Self::NoReference => "no_reference",
+            Self::NotVerified => "not_verified",
             Self::Nothing => "nothing_touches",
         }
     }
@@ -82,7 +86,8 @@ impl Class {
             Self::Refused => "refused",
             Self::Caught => "diverged, caught",
             Self::SilentlyWrong => "silently wrong",
-            Self::NoReference => "no reference",
+            Self::NoReference => "no exact run",
+            Self::NotVerified => "not verified",
             Self::Nothing => "nothing touches",
         }
     }

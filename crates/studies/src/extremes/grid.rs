@@ -54,7 +54,7 @@ pub struct Values {
 /// How much of the grid is run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Extent {
-    /// Every fourth value of every axis, from the third on.
+    /// Every fourth value of every axis, from the first on.
     #[default]
     Part,
     /// All of it.
@@ -134,7 +134,7 @@ impl Values {
     fn taken(&self, extent: Extent) -> impl Iterator<Item = Taken> {
         let values = self.values.iter().enumerate();
         values
-            .map(|(index, value)| (*value, index % 4 == 2))
+            .map(|(index, value)| (*value, index % 4 == 0))
             .filter(move |(_, in_part)| *in_part || extent == Extent::Whole)
     }
 }

@@ -138,7 +138,7 @@ fn worst(run: &Run) -> Class {
 }
 
 /// From good to bad.
-const ORDER: [Class; 8] = [
+const ORDER: [Class; 9] = [
     Class::Nothing,
     Class::ExactToTolerance,
     Class::Accurate,
@@ -146,6 +146,7 @@ const ORDER: [Class; 8] = [
     Class::Refused,
     Class::Caught,
     Class::NoReference,
+    Class::NotVerified,
     Class::SilentlyWrong,
 ];
 
@@ -158,7 +159,8 @@ fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
         Class::Degraded => (Shade::Amber, 0.6, "d"),
         Class::Refused => (Shade::Mist, 1.0, "r"),
         Class::Caught => (Shade::Vermilion, 0.7, "c"),
-        Class::NoReference => (Shade::White, 1.0, "?"),
+        Class::NoReference => (Shade::White, 1.0, "–"),
+        Class::NotVerified => (Shade::White, 1.0, "?"),
         Class::SilentlyWrong => (Shade::Ink, 1.0, ""),
     };
     shapes.push(Shape::Rectangle {
@@ -174,11 +176,11 @@ fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
 /// The classes in two rows, from good to bad.
 fn legend((width, height): (f64, f64)) -> Vec<Shape> {
     let mut shapes = Vec::new();
-    let column = (width - 6.0) / 4.0;
+    let column = (width - 6.0) / 5.0;
     for (index, class) in ORDER.into_iter().enumerate() {
         let corner = (
-            3.0 + (index % 4) as f64 * column,
-            height - 5.4 - (index / 4) as f64 * 5.2,
+            3.0 + (index % 5) as f64 * column,
+            height - 5.4 - (index / 5) as f64 * 5.2,
         );
         square(class, corner, &mut shapes);
         shapes.push(Shape::Rectangle {

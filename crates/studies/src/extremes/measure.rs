@@ -64,6 +64,16 @@ impl Judged {
         matches!(self.class, Class::Refused | Class::Caught) && self.is_good()
     }
 
+    /// A refusal of a run that ends early when forced, so that nobody knows.
+    pub(super) fn is_unchecked_refusal(&self) -> bool {
+        matches!(self.class, Class::Refused | Class::Caught) && self.error.is_none()
+    }
+
+    /// A number that is printed, and compared.
+    pub(super) fn is_compared(&self) -> bool {
+        self.error.is_some() && self.is_printed()
+    }
+
     fn is_good(&self) -> bool {
         self.error.is_some_and(|error| error <= ACCURATE)
     }
@@ -71,7 +81,7 @@ impl Judged {
     fn is_printed(&self) -> bool {
         !matches!(
             self.class,
-            Class::Refused | Class::Caught | Class::NoReference
+            Class::Refused | Class::Caught | Class::NoReference | Class::NotVerified
         )
     }
 }
@@ -130,7 +140,7 @@ fn of_exact(exact: &Prepared, reference: Option<&Outcome>) -> Run {
     let n = exact.scene().structures.len();
     if n > MOST_OF_SECOND_ROUTE {
         let reason = format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}");
-        return Run::all("exact", None, Class::NoReference, reason);
+        return Run::all("exact", None, Class::NotVerified, reason);
     }
     let known = reference.map(|reference| {
         let own = Quantities::of_outcome(reference, n);
@@ -152,8 +162,8 @@ fn of_exact(exact: &Prepared, reference: Option<&Outcome>) -> Run {
             }),
             ..Run::all("exact", None, Class::Nothing, String::new())
         },
-        Some(Err(error)) => Run::all("exact", None, Class::NoReference, error.to_string()),
-        None => Run::all("exact", None, Class::NoReference, String::new()),
+        Some(Err(error)) => Run::all("exact", None, Class::NotVerified, error.to_string()),
+        None => Run::all("exact", None, Class::NotVerified, String::new()),
     }
 }
 
@@ -169,7 +179,7 @@ fn of_method(
         Ok(prepared) => prepared,
         Err(error) => return stopped(Class::Refused, error.to_string()),
     };
-    let refusal = prepared.unstable().map(ToString::to_string);
+    let refusal = prepared.refusal();
     let Audited {
         outcome,
         broken,

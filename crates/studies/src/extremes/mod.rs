@@ -88,7 +88,10 @@ impl Extremes {
         }
         let cells = table::cells(&self.cells, &self.measured, |_| true);
         let summary = table::summary(&self.measured);
-        files.insert(folder.join("made-by.txt"), made_by(&cells).into_bytes());
+        files.insert(
+            folder.join("made-by.txt"),
+            made_by(&cells, &summary).into_bytes(),
+        );
         files.insert(folder.join("cells.csv"), cells.into_bytes());
         files.insert(folder.join("summary.csv"), summary.into_bytes());
         for map in &self.edges.maps {
@@ -106,8 +109,12 @@ impl Extremes {
 /// The table of the part of the grid that is usually run.
 const PART: &str = "part/cells.csv";
 
-/// The command that makes the whole, and the hash by which the committed table is known to be its.
-fn made_by(cells: &str) -> String {
-    let hash = Sha256::digest(cells.as_bytes());
-    format!("cargo xtask reproduce --all\nSHA-256 of cells.csv: {hash:x}\n")
+/// The command that makes the whole, and the hashes by which the committed tables are known to be its.
+fn made_by(cells: &str, summary: &str) -> String {
+    let hash = |text: &str| Sha256::digest(text.as_bytes());
+    format!(
+        "cargo xtask reproduce --all\nSHA-256 of cells.csv: {:x}\nSHA-256 of summary.csv: {:x}\n",
+        hash(cells),
+        hash(summary)
+    )
 }

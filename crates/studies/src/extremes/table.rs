@@ -70,8 +70,10 @@ pub(super) fn summary(measured: &[Measured]) -> String {
     header.extend(Class::ALL.map(|class| class.key().to_string()));
     header.extend(
         [
+            "compared",
             "false_alarms",
             "wrong_refusals",
+            "unchecked_refusals",
             "silently_wrong_unmeasured",
             "false_alarms_unmeasured",
         ]
@@ -124,8 +126,10 @@ fn counts(names: [&str; 2], numbers: &[&Judged]) -> Vec<String> {
     let mut row = names.map(String::from).to_vec();
     row.push(numbers.len().to_string());
     row.extend(Class::ALL.map(|class| count(&|number| number.class == class)));
+    row.push(count(&Judged::is_compared));
     row.push(count(&Judged::is_false_alarm));
     row.push(count(&Judged::is_wrong_refusal));
+    row.push(count(&Judged::is_unchecked_refusal));
     row.push(count(&|number| number.unmeasured == Class::SilentlyWrong));
     row.push(count(&Judged::is_false_alarm_unmeasured));
     row

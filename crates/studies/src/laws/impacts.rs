@@ -9,7 +9,7 @@ use super::settings::{AtlasSettings, is_linear, is_spring};
 use crate::digits;
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
 use crate::tables::to_csv;
-use crate::{Collision, CollisionError};
+use crate::{CollisionError, FreeCollision};
 
 /// Points of a history, from touch to parting.
 const N_POINTS: u32 = 500;
@@ -45,7 +45,11 @@ pub(super) fn collide(
 
 impl Impact {
     /// The exact method.
-    fn new(law: ContactLaw, collision: &Collision, duration: f64) -> Result<Self, CollisionError> {
+    fn new(
+        law: ContactLaw,
+        collision: &FreeCollision,
+        duration: f64,
+    ) -> Result<Self, CollisionError> {
         let interval = duration / f64::from(N_POINTS);
         let touch = f64::from(BESIDE) * interval;
         let gap = collision.speed * touch;

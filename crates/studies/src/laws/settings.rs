@@ -3,7 +3,7 @@
 use pounding_contact::{Calibration, LawName};
 use serde::{Deserialize, Serialize};
 
-use crate::{Certificate, CertificateError, Collision, Wanted};
+use crate::{Certificate, CertificateError, FreeCollision, Wanted};
 
 /// What the atlas of contact laws asks of each of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,8 +29,8 @@ pub struct AtlasSettings {
 
 impl AtlasSettings {
     /// The free pair.
-    pub(super) fn collision(&self) -> Collision {
-        Collision {
+    pub(super) fn collision(&self) -> FreeCollision {
+        FreeCollision {
             masses: self.masses_kg,
             speed: self.approach_speed_m_per_s,
         }

@@ -191,14 +191,20 @@ impl Prepared {
         self.advice.as_ref()
     }
 
+    /// Why the time step is refused, in words, where it was [forced](Self::forcing).
+    pub fn refusal(&self) -> Option<String> {
+        self.unstable.as_ref().map(ToString::to_string)
+    }
+
+    /// Of every structure and wall, from the left, the time step \[s\] from which on it grows without bound, though it touch
+    /// nobody; nothing for a wall, and for a method without such a limit.
+    pub fn critical_time_steps(&self) -> Vec<Option<f64>> {
+        self.scene.critical_time_steps().collect()
+    }
+
     /// Whether the scene was [forced](Self::forcing).
     pub(crate) fn is_forced(&self) -> bool {
         self.forced
-    }
-
-    /// Why the time step is refused, where it was [forced](Self::forcing).
-    pub(crate) fn unstable(&self) -> Option<&SceneError> {
-        self.unstable.as_ref()
     }
 
     /// The method that runs.
