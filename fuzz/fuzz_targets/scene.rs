@@ -37,8 +37,11 @@ fuzz_target!(|bytes: &[u8]| {
     if !is_small(&scene) {
         return;
     }
-    if let Ok(outcome) = prepared.run(None) {
-        is_finite(&outcome, scene.structures.len());
+    if let Ok(review) = prepared.review(false) {
+        is_finite(&review.outcome, scene.structures.len());
+        for warning in &review.warnings {
+            assert!(!warning.to_string().is_empty(), "{warning:?}");
+        }
     }
 });
 

@@ -56,8 +56,7 @@ pub(crate) enum Task {
         /// Do not measure the errors; saves the exact run.
         #[arg(long)]
         no_error: bool,
-        /// Run and print, with a warning, what is refused: a time step at which a
-        /// structure is unstable, a run that breaks a law of mechanics.
+        /// Print what is refused, too, with a warning.
         #[arg(long)]
         force: bool,
     },

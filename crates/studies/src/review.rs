@@ -204,10 +204,7 @@ impl Prepared {
 impl RunErrors {
     /// What is far from the exact run.
     fn warnings(&self) -> impl Iterator<Item = Warning> {
-        let numbers = Number::ALL
-            .into_iter()
-            .filter(|number| *number != Number::Collisions);
-        numbers.filter_map(|number| {
+        Number::ALL.into_iter().filter_map(|number| {
             let error = self.of(number);
             (error > DOUBTFUL).then_some(Warning::Error { number, error })
         })

@@ -13,9 +13,23 @@ fn pulse() -> Accelerogram {
 }
 
 /// Reads, prepares and runs the text of a scene.
+/// Runs a scene; what it prints is finite.
 fn answer(text: &str) -> Result<(), StudyError> {
     let scene: Scene = parse_json(text.as_bytes(), Path::new("scene.json"))?;
-    Prepared::with_record(&scene, pulse())?.run(None).map(drop)
+    let outcome = Prepared::with_record(&scene, pulse())?.run(None)?;
+    for structure in 0..scene.structures.len() {
+        let peaks = outcome.peaks.of(structure);
+        let momentum = outcome.momentum.of(structure);
+        let numbers = [peaks.displacement, peaks.restoring_force].map(|peak| peak.value);
+        let finite = momentum.is_finite() && numbers.iter().all(|number| number.is_finite());
+        assert!(finite, "{text}: {numbers:?}, {momentum}");
+    }
+    for collision in outcome.collisions.all() {
+        let force = collision.peak_force.unwrap_or(0.0);
+        let finite = collision.impulse.is_finite() && force.is_finite();
+        assert!(finite, "{text}: {collision:?}");
+    }
+    Ok(())
 }
 
 /// A scene with both kinds of damping, and every field of structures and records.

@@ -14,6 +14,7 @@
 mod body;
 mod contact;
 mod impacts;
+mod landing;
 mod look_ahead;
 mod member;
 mod noise;
