@@ -68,7 +68,7 @@ fn run(path: &Path, no_error: bool, force: bool) -> Result<String, String> {
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
 fn hint(error: StudyError, path: &Path) -> String {
-    let unstable = matches!(
+    let refused = matches!(
         &error,
         StudyError::Broken { .. }
             | StudyError::Scene {
@@ -77,8 +77,10 @@ fn hint(error: StudyError, path: &Path) -> String {
             }
     );
     let message = error.in_file(path).to_string();
-    if unstable {
-        format!("{message}; --force prints it all the same")
+    if refused {
+        format!(
+            "{message}; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"
+        )
     } else {
         message
     }

@@ -27,6 +27,9 @@ pub(crate) fn of(prepared: &Prepared) -> String {
         )),
     }
     parts.push(paragraph("Notes", NOTES));
+    if found.is_empty() {
+        found.push("none of stability and e; the errors of the numbers are those of a run".into());
+    }
     parts.push(warnings(&found));
     parts.join("\n")
 }

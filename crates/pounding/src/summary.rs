@@ -48,7 +48,7 @@ fn of_run(warnings: &[Warning]) -> Vec<String> {
     let mut lines: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
     if warnings.iter().any(is_error) {
-        lines.push("`pounding advise` finds a method and time step for an accuracy".into());
+        lines.push("`pounding advise SCENE --error 3%` finds a method and time step".into());
     }
     lines
 }

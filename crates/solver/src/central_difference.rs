@@ -49,7 +49,7 @@ pub enum ImpactRule {
 const MOST_SUBSTEPS: u32 = 1000;
 
 impl CentralDifference {
-    fn check(self) -> Result<(), RunError> {
+    pub(crate) fn check(self) -> Result<(), RunError> {
         let (most, allowed) = match self.impacts {
             ImpactRule::AsPublished => (1, "1; more with the impacts velocity_jump"),
             ImpactRule::VelocityJump => (MOST_SUBSTEPS, "1 to 1000"),

@@ -25,7 +25,7 @@ pub struct Hht {
 }
 
 impl Hht {
-    fn check(self) -> Result<(), RunError> {
+    pub(crate) fn check(self) -> Result<(), RunError> {
         let valid = (-1.0 / 3.0..=0.0).contains(&self.alpha);
         require(valid, "alpha", self.alpha, "-1/3 to 0")
     }

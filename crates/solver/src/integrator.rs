@@ -24,6 +24,21 @@ pub enum Integrator {
 }
 
 impl Integrator {
+    /// Checks the settings of the method.
+    ///
+    /// # Errors
+    /// [`RunError::Setting`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), RunError> {
+        match self {
+            Self::CentralDifference(settings) => settings.check(),
+            Self::Newmark(settings) => settings.check(),
+            Self::Hht(settings) => settings.check(),
+            Self::MoreauJean(settings) => settings.check(),
+            Self::Exact(settings) => settings.check(),
+            Self::Verlet(_) | Self::Rk4(_) => Ok(()),
+        }
+    }
+
     /// Integrates a row from t = 0 to the end of the clock and reports to the recorder.
     ///
     /// # Errors

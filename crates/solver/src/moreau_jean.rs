@@ -39,7 +39,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const MAX_ITERATIONS: u32 = 50;
 
 impl MoreauJean {
-    fn check(self) -> Result<(), RunError> {
+    pub(crate) fn check(self) -> Result<(), RunError> {
         let valid = (0.5..=1.0).contains(&self.theta);
         require(valid, "theta", self.theta, "0.5 to 1")
     }

@@ -34,7 +34,7 @@ impl Newmark {
         gamma: 0.5,
     };
 
-    fn check(&self) -> Result<(), RunError> {
+    pub(crate) fn check(&self) -> Result<(), RunError> {
         require(
             (0.0..=0.5).contains(&self.beta),
             "beta",

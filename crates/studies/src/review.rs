@@ -9,6 +9,9 @@ use crate::{
     Delivered, Method, Number, Outcome, Place, Prepared, RunErrors, Structure, StudyError, Warning,
 };
 
+/// Where rounding leaves a whole number of steps.
+const SLACK: f64 = 1.0 - 1e-9;
+
 /// Relative error of a printed number above which a run is warned of \[–\].
 pub const DOUBTFUL: f64 = 0.03;
 
@@ -82,7 +85,6 @@ impl Prepared {
             }
         } else {
             warnings.extend(self.warnings_before(&outcome));
-            warnings.push(Warning::NotMeasured);
             Errors::NotMeasured
         };
         Ok(Review {
@@ -124,7 +126,7 @@ impl Prepared {
         };
         let time_step = self.method().time_step()?;
         let steps = sdof.period() / time_step;
-        (steps < STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
+        (steps < SLACK * STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
             structure: index,
             name: sdof.name.clone(),
             steps,
@@ -156,11 +158,13 @@ impl Prepared {
             |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
         let off = restitution.is_some_and(is_off);
         match (free.steps, restitution) {
-            (Some(steps), _) if off || steps < STEPS_PER_CONTACT => Some(Warning::UnderResolved {
-                place: place(),
-                steps,
-                restitution,
-            }),
+            (Some(steps), _) if off || steps < SLACK * STEPS_PER_CONTACT => {
+                Some(Warning::UnderResolved {
+                    place: place(),
+                    steps,
+                    restitution,
+                })
+            }
             (None, Some(restitution)) if off => Some(Warning::PublishedImpacts {
                 place: place(),
                 restitution,

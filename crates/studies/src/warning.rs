@@ -78,8 +78,6 @@ pub enum Warning {
         /// How many.
         count: usize,
     },
-    /// The errors were not asked for.
-    NotMeasured,
     /// The errors are not known, because the exact run fails.
     ErrorUnknown,
 }
@@ -113,8 +111,8 @@ impl Warning {
                 Number::PoundingForce | Number::FirstImpulse | Number::LargestImpulse
             ),
             Self::Error { number, .. } => asked == *number,
-            // Of the model, and of what is not known.
-            Self::SlowTouches { .. } | Self::NotMeasured => false,
+            // Of the model, which every method shares.
+            Self::SlowTouches { .. } => false,
         }
     }
 }
@@ -138,10 +136,10 @@ impl fmt::Display for Warning {
                 steps,
                 time_step: (knob, found),
             } => {
-                let most = found * steps / STEPS_PER_PERIOD;
+                let most = at_most(found * steps / STEPS_PER_PERIOD);
                 write!(
                     to,
-                    "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most:.1e} or less gives \
+                    "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most} or less gives \
                      {STEPS_PER_PERIOD}"
                 )
             }
@@ -164,7 +162,8 @@ impl fmt::Display for Warning {
                 restitution: (right, delivered),
             } => write!(
                 to,
-                "{place}: impulses by the impacts as published: {}; \"impacts\": \"velocity_jump\" delivers it",
+                "{place}: impulses by the impacts as published: {}; method.central_difference.impacts \"velocity_jump\" \
+                 delivers it",
                 instead(*right, delivered)
             ),
             Self::Rests { pair, names } => {
@@ -184,7 +183,6 @@ impl fmt::Display for Warning {
                      which grows with 1/v₀, is not defined; they count as {SLOWEST_APPROACH} m/s"
                 )
             }
-            Self::NotMeasured => write!(to, "no error was measured (--no-error)"),
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
         }
     }
@@ -206,11 +204,8 @@ fn under_resolved(
         write!(to, ", {}", instead(*right, delivered))?;
     }
     if steps < STEPS_PER_CONTACT {
-        let most = found * steps / STEPS_PER_CONTACT;
-        write!(
-            to,
-            "; {knob} of {most:.1e} or less gives {STEPS_PER_CONTACT}"
-        )
+        let most = at_most(found * steps / STEPS_PER_CONTACT);
+        write!(to, "; {knob} of {most} or less gives {STEPS_PER_CONTACT}")
     } else {
         write!(to, "; a shorter {knob} ({found}) gives more")
     }
@@ -224,13 +219,24 @@ fn off(number: Number, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
     } else if error.is_finite() {
         let decimals = usize::from(error < 0.1);
         let percent = 100.0 * error;
-        write!(to, "{of}: {percent:.decimals$} % off the exact run")
+        if percent < 1e4 {
+            write!(to, "{of}: {percent:.decimals$} % off the exact run")
+        } else {
+            write!(to, "{of}: {percent:.1e} % off the exact run")
+        }
     } else {
         write!(
             to,
             "{of}: none, or zero, in this run or the exact one alone"
         )
     }
+}
+
+/// A time step with two digits, rounded down, so that what it is to give is given.
+fn at_most(step: f64) -> String {
+    let unit = libm::pow(10.0, libm::log10(step).floor() - 1.0);
+    // What rounding leaves of two digits are two digits.
+    digits((step / unit * (1.0 + 1e-9)).floor() * unit)
 }
 
 /// The e of a law, and what is delivered instead.

@@ -294,7 +294,7 @@ fn extreme_time_step_beyond_the_stability_limit() {
     let message = refused("unstable", |scene| {
         scene["method"]["central_difference"]["time_step_s"] = json!(0.1);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.central_difference.time_step_s: found 0.1, allowed less than 0.09549105 (structures[1], "stiff", grows without bound from there on); contact can ask for less; --force prints it all the same"#);
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.central_difference.time_step_s: found 0.1, allowed less than 0.09549105 (structures[1], "stiff", grows without bound from there on); contact can ask for less; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"#);
 }
 
 /// Contact far too stiff for the time step: it throws the structures apart, and the second contact overflows.

@@ -23,6 +23,7 @@ mod series;
 mod settle;
 mod watch;
 
+use crate::error::require;
 use crate::{Clock, Excitation, PiecewiseLinear, Recorder, Row, RunError, Touch, Work};
 
 use body::Body;
@@ -41,6 +42,13 @@ pub struct Exact {
     pub tolerance: f64,
     /// What happens when several pairs touch at the same instant.
     pub simultaneous_impacts: SimultaneousImpacts,
+}
+
+impl Exact {
+    pub(crate) fn check(&self) -> Result<(), RunError> {
+        let valid = (1e-16..=1e-3).contains(&self.tolerance);
+        require(valid, "tolerance", self.tolerance, "1e-16 to 1e-3")
+    }
 }
 
 impl Default for Exact {
@@ -95,13 +103,7 @@ pub(crate) fn run<Column: PiecewiseLinear, R: Recorder>(
     clock: Clock,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    if !(1e-16..=1e-3).contains(&settings.tolerance) {
-        return Err(RunError::Setting {
-            setting: "tolerance",
-            found: settings.tolerance,
-            allowed: "1e-16 to 1e-3",
-        });
-    }
+    settings.check()?;
     let n = row.nodes().len();
     let mut pair_right_of = vec![None; n];
     for (index, pair) in row.pairs().iter().enumerate() {

@@ -1,10 +1,12 @@
 //! The runs of one scene at the edge: every method, the exact one, and the second route.
 
+use pounding_solver::Collision;
+
 use super::axis::Pushed;
 use super::class::{ACCURATE, Class};
+use crate::comparison::AT_ONCE;
 use crate::contenders::StepMethod;
 use crate::prepared::Audited;
-
 use crate::second_route::Fineness;
 use crate::trade::{Quantities, Quantity};
 use crate::{Method, Number, Outcome, Prepared, Warning};
@@ -142,6 +144,11 @@ fn of_exact(exact: &Prepared, reference: Option<&Outcome>) -> Run {
         let reason = format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}");
         return Run::all("exact", None, Class::NotVerified, reason);
     }
+    if reference.is_some_and(hits_at_once) {
+        let reason =
+            "several pairs hit at one instant, which rounding of the second route takes apart";
+        return Run::all("exact", None, Class::NotVerified, reason.into());
+    }
     let known = reference.map(|reference| {
         let own = Quantities::of_outcome(reference, n);
         let second = exact.second_route(Fineness::FINE);
@@ -165,6 +172,15 @@ fn of_exact(exact: &Prepared, reference: Option<&Outcome>) -> Run {
         Some(Err(error)) => Run::all("exact", None, Class::NotVerified, error.to_string()),
         None => Run::all("exact", None, Class::NotVerified, String::new()),
     }
+}
+
+/// Whether impacts of different pairs are apart by rounding alone: together and one by one they end otherwise.
+fn hits_at_once(outcome: &Outcome) -> bool {
+    let all = outcome.collisions.all();
+    let impulsive = |one: &&Collision| one.peak_force.is_none();
+    let hits: Vec<_> = all.iter().filter(impulsive).collect();
+    hits.windows(2)
+        .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < AT_ONCE)
 }
 
 /// A stepping method by the exact run.

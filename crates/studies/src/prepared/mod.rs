@@ -110,6 +110,8 @@ impl Prepared {
             integrator: method.integrator(),
         };
         prepared.scene.method = method;
+        let settings = prepared.integrator.check();
+        settings.map_err(|error| prepared.ended(error))?;
         if let Some(goal) = goal {
             let advice = advise(&prepared, goal, done)?;
             prepared = prepared.with_method(advice.best().method)?;
@@ -161,9 +163,11 @@ impl Prepared {
         let mut scene = self.scene.clone();
         scene.method = other;
         check::check_method(&scene).map_err(|source| in_scene(&scene, source))?;
+        let integrator = other.integrator();
+        integrator.check().map_err(|error| self.ended(error))?;
         Ok(Self {
             clock: other.clock(scene.duration_s),
-            integrator: other.integrator(),
+            integrator,
             unstable: check::free_limit(&scene).err(),
             forced: self.forced,
             scene,

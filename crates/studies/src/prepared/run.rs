@@ -191,7 +191,7 @@ impl Prepared {
     }
 
     /// Says in the words of the scene why a run ended early.
-    fn ended(&self, source: RunError) -> StudyError {
+    pub(super) fn ended(&self, source: RunError) -> StudyError {
         let scene = self.scene.name.clone();
         let concerned = match source {
             RunError::Setting {
