@@ -8,7 +8,7 @@ use std::path::Path;
 
 use libfuzzer_sys::fuzz_target;
 use pounding_motion::Accelerogram;
-use pounding_studies::{Method, Outcome, Prepared, Scene, Structure, parse_json};
+use pounding_studies::{Method, Outcome, Prepared, Scene, Structure, parse};
 
 /// Steps of structures of a run.
 const MOST_STEPS: f64 = 2000.0;
@@ -23,7 +23,7 @@ const TURN: f64 = 2.0 * std::f64::consts::PI;
 const PULSE: &[u8] = b"time_s,acceleration_g\n0.0,0.1\n0.1,0.5\n0.2,-0.3\n0.3,0.2\n";
 
 fuzz_target!(|bytes: &[u8]| {
-    let Ok(mut scene) = parse_json::<Scene>(bytes, Path::new("scene.json")) else {
+    let Ok(mut scene) = parse::<Scene>(bytes, Path::new("scene.json")) else {
         return;
     };
     if matches!(scene.method, Method::Accuracy(_)) {
@@ -68,7 +68,7 @@ fn is_small(scene: &Scene) -> bool {
 }
 
 fn record(scene: &Scene) -> Accelerogram {
-    let own = pounding_motion::read(scene.record.file.as_bytes());
+    let own = pounding_motion::read(scene.record.source.to_string().as_bytes());
     own.unwrap_or_else(|_| pounding_motion::read(PULSE).expect("a record"))
 }
 

@@ -47,13 +47,18 @@ impl Given {
 /// Reads a law of an `impact_stiffness` of this spelling and a damping, or an e for `$calibrated`.
 macro_rules! given {
     ($law:ident, $stiffness:literal, $damping:ident, $calibrated:expr) => {
-        #[derive(serde::Deserialize)]
+        #[derive(serde::Deserialize, schemars::JsonSchema)]
         #[serde(deny_unknown_fields)]
+        #[schemars(inline)]
         struct Words {
+            /// Impact stiffness in the unit that its name says, > 0.
             #[serde(rename = $stiffness)]
             impact_stiffness: f64,
+            /// Impact damping, >= 0; or `restitution`.
             $damping: Option<f64>,
+            /// Coefficient of restitution that the law is to deliver, more than 0, up to 1; or the damping.
             restitution: Option<f64>,
+            /// How the damping follows from the restitution; without it exactly.
             calibration: Option<crate::Calibration>,
         }
 

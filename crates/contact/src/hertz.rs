@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require, require_stiffness};
@@ -7,7 +8,7 @@ use crate::form::{Action, Form, Power, Term};
 ///
 /// Source: H. Hertz, *J. reine angew. Math.* 92 (1881) 156; for pounding K. T. Chau and X. X. Wei, *Earthquake Engng
 /// Struct. Dyn.* 30 (2001) 633.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hertz {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.

@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
@@ -10,8 +11,9 @@ use crate::{Calibration, approach_damper};
 /// One force with four [`HertzDampFormula`]s for a. In a free impact the factor stays above 0; the clamp acts where
 /// something else drives the pair apart faster than v₀/a. Slower touches count as
 /// [`crate::SLOWEST_APPROACH`].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
+#[schemars(with = "Words")]
 pub struct HertzDamp {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m1_5")]
@@ -28,7 +30,7 @@ given!(
 );
 
 /// Formulas of the literature for the factor a of [`HertzDamp`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum HertzDampFormula {
     /// a = ¾(1−e²): H. M. Lankarani and P. E. Nikravesh, *J. Mech. Des.* 112 (1990) 369; for pounding S. Muthukumar and

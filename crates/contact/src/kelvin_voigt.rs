@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
@@ -11,8 +12,9 @@ use crate::{Calibration, oscillator};
 /// F = max(0, kδ + cδ̇) with c = 2ξ̄ √(k m), m the reduced mass. Without the clamp the dashpot would pull at the end of every
 /// collision; with it, more comes back than the literature's formula says. Source: S. A. Anagnostopoulos, *Earthquake
 /// Engng Struct. Dyn.* 16 (1988) 443.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
+#[schemars(with = "Words")]
 pub struct KelvinVoigt {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]

@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require, require_damping, require_stiffness};
@@ -10,7 +11,7 @@ use crate::{FreePair, search};
 /// Without the clamp it would pull at the end of every collision. Its restitution depends on the approach speed: slow
 /// collisions are more elastic, and e → 1 like v₀^(1/5). Source: G. Kuwabara and K. Kono, *Jpn. J. Appl. Phys.* 26 (1987)
 /// 1230.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct KuwabaraKono {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.

@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require, require_stiffness};
@@ -6,7 +7,7 @@ use crate::form::{Action, Form, Power, Term};
 /// Linear spring, F = kδ: every collision gives all energy back.
 ///
 /// Source: the elastic part of S. A. Anagnostopoulos, *Earthquake Engng Struct. Dyn.* 16 (1988) 443.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinearSpring {
     /// Impact stiffness k \[N/m\], > 0.

@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
@@ -11,8 +12,9 @@ use crate::{Calibration, approach_damper};
 /// In a free impact the factor stays above 0; the clamp acts where something else drives the pair apart faster than v₀/a.
 /// Slower touches count as [`crate::SLOWEST_APPROACH`]. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38
 /// (2009) 1135.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
+#[schemars(with = "Words")]
 pub struct ModifiedKelvin {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]

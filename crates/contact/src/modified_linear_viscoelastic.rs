@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
@@ -10,8 +11,9 @@ use crate::{Calibration, oscillator};
 ///
 /// Approach (δ̇ > 0): F = kδ + cδ̇ with c = 2ξ̄ √(k m), m the reduced mass; restitution: F = kδ. The force never pulls.
 /// Source: S. Mahmoud and R. Jankowski, *Iran. J. Sci. Technol.* 35 (2011) 51.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
+#[schemars(with = "Words")]
 pub struct ModifiedLinearViscoelastic {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]

@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
@@ -10,8 +11,9 @@ use crate::{Calibration, ContactForce, Overlap, oscillator};
 /// Approach (δ̇ > 0): F = β̄ δ^1.5 + c̄ δ̇ with c̄ = 2 ξ̄ √(β̄ √δ m), m the reduced mass; restitution: F = β̄ δ^1.5.
 /// The force never pulls. Source: R. Jankowski, *Earthquake Engng Struct. Dyn.* 34 (2005) 595; the paper, Table 3
 /// (misprinted there, see the crate's front page).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
+#[schemars(with = "Words")]
 pub struct NonlinearViscoelastic {
     /// Impact stiffness β̄ \[N/m^1.5\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m1_5")]

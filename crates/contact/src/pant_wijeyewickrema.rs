@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
@@ -9,8 +10,9 @@ use crate::{Calibration, approach_damper};
 ///
 /// Approach (δ̇ > 0): F = kδ (1 + a δ̇/v₀), v₀ the approach speed; restitution: F = kδ. The force never pulls. Slower
 /// touches count as [`crate::SLOWEST_APPROACH`]. Source: D. R. Pant and A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
+#[schemars(with = "Words")]
 pub struct PantWijeyewickrema {
     /// Impact stiffness k \[N/m\], > 0.
     #[serde(rename = "impact_stiffness_n_per_m")]

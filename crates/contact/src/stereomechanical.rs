@@ -1,3 +1,4 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require};
@@ -5,7 +6,7 @@ use crate::error::{ParameterError, require};
 /// Stereomechanical impact: momentum is kept, the relative velocity is turned round and multiplied by e.
 ///
 /// Source: the paper, equation (4); W. Goldsmith, *Impact* (1960). The law delivers the restitution asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stereomechanical {
     /// Coefficient of restitution e \[–\], 0 (plastic) ..= 1 (elastic).

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 use arguments::{Arguments, Task};
 use clap::Parser;
-use pounding::studies::{Goal, Method, Prepared, Scene, SceneError, StudyError, advise, read_json};
+use pounding::studies::{Goal, Method, Prepared, Scene, SceneError, StudyError, advise, read_file};
 use progress::Progress;
 
 fn main() -> ExitCode {
@@ -51,7 +51,7 @@ fn main() -> ExitCode {
 /// Runs a scene; returns the summary.
 fn run(path: &Path, no_error: bool, force: bool) -> Result<String, String> {
     let message = |error: StudyError| error.in_file(path).to_string();
-    let scene = read_json(path).map_err(message)?;
+    let scene = read_file(path).map_err(message)?;
     let progress = Progress::new();
     let step = |of| progress.step(of);
     let prepared = if force {
@@ -89,7 +89,7 @@ fn hint(error: StudyError, path: &Path) -> String {
 /// Checks a scene; returns what would run.
 fn check(path: &Path) -> Result<String, String> {
     let message = |error: StudyError| error.in_file(path).to_string();
-    let scene = read_json(path).map_err(message)?;
+    let scene = read_file(path).map_err(message)?;
     let progress = Progress::new();
     let step = |of| progress.step(of);
     let prepared = Prepared::forcing(&scene, folder(path), &step).map_err(message)?;
@@ -99,7 +99,7 @@ fn check(path: &Path) -> Result<String, String> {
 /// Runs a scene with every method; returns the advice.
 fn ask(path: &Path, goal: Goal) -> Result<String, String> {
     let message = |error: StudyError| error.in_file(path).to_string();
-    let mut scene: Scene = read_json(path).map_err(message)?;
+    let mut scene: Scene = read_file(path).map_err(message)?;
     // The method of the scene does not matter, not even whether it suits the scene.
     scene.method = Method::EXACT;
     let prepared = Prepared::new(&scene, folder(path)).map_err(message)?;

@@ -57,7 +57,7 @@ fn of_run(warnings: &[Warning]) -> Vec<String> {
 pub(crate) fn method_lines(prepared: &Prepared) -> String {
     let scene = prepared.scene();
     let method = scene.method;
-    let duration = digits(scene.duration_s);
+    let duration = digits(prepared.duration());
     let steps = method
         .time_step()
         .map_or(String::new(), |dt| format!(" in steps of {} s", digits(dt)));
@@ -189,7 +189,7 @@ pub(crate) fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
     let used = &scene.record;
     let (time, peak) = record.peak();
     let mut lines = vec![
-        used.file.clone(),
+        used.source.to_string(),
         format!(
             "peak {} g = {} m/s² at {} s, {} s long in steps of {} s, scale {}{}",
             short(peak / used.gravity_m_per_s2),

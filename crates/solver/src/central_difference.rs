@@ -11,6 +11,7 @@
 
 mod contact;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::approach::Approaches;
@@ -34,7 +35,7 @@ pub struct CentralDifference {
 }
 
 /// How impulsive contact acts in the central difference method.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ImpactRule {
     /// The paper's rule: an overlap at a node, with approach by the velocity of the node before, adds a force
@@ -61,7 +62,7 @@ impl CentralDifference {
 }
 
 /// The three ways to begin a central difference run; u₋₁ is the displacement one step before t = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Start {
     /// The textbook start: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2 with ü₀ from equilibrium.

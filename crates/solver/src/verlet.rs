@@ -11,6 +11,7 @@
 //! from, so that it may begin and end anywhere, and its displacements are quadratic in time, so that the instant at
 //! which a gap closes is the root of a quadratic.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::approach::Approaches;
@@ -28,7 +29,7 @@ pub struct Verlet {
 }
 
 /// When the impulsive contact of the velocity Verlet method acts.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum VerletImpacts {
     /// After the step in which an overlap with approach is found: the rule of every stepping method.

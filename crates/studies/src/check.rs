@@ -1,6 +1,8 @@
 //! Checks a scene, field by field, before anything is built from it.
 
-use crate::{Damping, Method, Scene, SceneError, Sdof, Structure};
+mod structure;
+
+use crate::{Method, Scene, SceneError, Structure};
 
 /// Refuses a value that is not `valid`.
 fn require(
@@ -40,26 +42,33 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
     }
     for (index, structure) in scene.structures.iter().enumerate() {
         if let Structure::Sdof(structure) = structure {
-            check_structure(index, structure)?;
+            structure::check(index, structure)?;
+            structure::unlike_names_before(index, structure, scene)?;
         }
     }
     check_method(scene)?;
     check_contacts(scene)
 }
 
+/// Refuses settings of the method and a duration that do not fit each other.
 pub(crate) fn check_method(scene: &Scene) -> Result<(), SceneError> {
     if let Method::Accuracy(accuracy) = scene.method {
         let valid = accuracy > 0.0 && accuracy < 1.0;
         let allowed = "a number > 0 and < 1, such as 0.01 for 1 %";
         require(valid, "method.accuracy".into(), accuracy, allowed)?;
     }
+    if let Some(duration) = scene.duration_s {
+        require(duration > 0.0, "duration_s".into(), duration, POSITIVE)?;
+    }
     let Some(dt) = scene.method.time_step() else {
-        let duration = scene.duration_s;
-        return require(duration > 0.0, "duration_s".into(), duration, POSITIVE);
+        return Ok(());
     };
     let place = format!("method.{}.time_step_s", scene.method.name());
     require(dt > 0.0, place, dt, POSITIVE)?;
-    check_steps(scene, dt)
+    match scene.duration_s {
+        Some(duration) => check_steps(scene, dt, duration),
+        None => Ok(()),
+    }
 }
 
 /// Refuses a time step with which a structure grows without bound, though it touch nobody.
@@ -82,8 +91,8 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
 /// Steps of a run times structures \[–\], which bounds its time and what it remembers: some minutes, and 0.8 GB.
 const MOST_STEPS: f64 = 1e8;
 
-fn check_steps(scene: &Scene, dt: f64) -> Result<(), SceneError> {
-    let (duration, place) = (scene.duration_s, || "duration_s".to_string());
+fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> {
+    let place = || "duration_s".to_string();
     let steps = duration / dt;
     let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
     let allowed = "a whole number of the method's time_step_s, at least 1";
@@ -126,52 +135,4 @@ fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
             })?;
     }
     Ok(())
-}
-
-fn check_structure(index: usize, structure: &Sdof) -> Result<(), SceneError> {
-    let place = |field: &str| format!("structures[{index}].sdof.{field}");
-    let Sdof {
-        mass_kg: m,
-        stiffness_n_per_m: k,
-        ..
-    } = *structure;
-    require(m > 0.0, place("mass_kg"), m, POSITIVE)?;
-    require(k > 0.0, place("stiffness_n_per_m"), k, POSITIVE)?;
-    match structure.damping {
-        Damping::Ratio(ratio) => {
-            require(ratio >= 0.0, place("damping.ratio"), ratio, NOT_NEGATIVE)?;
-        }
-        Damping::Rayleigh {
-            alpha_per_s,
-            beta_s,
-        } => {
-            require(
-                alpha_per_s >= 0.0,
-                place("damping.rayleigh.alpha_per_s"),
-                alpha_per_s,
-                NOT_NEGATIVE,
-            )?;
-            require(
-                beta_s >= 0.0,
-                place("damping.rayleigh.beta_s"),
-                beta_s,
-                NOT_NEGATIVE,
-            )?;
-        }
-    }
-    if let Some(force) = structure.yield_force_n {
-        require(force > 0.0, place("yield_force_n"), force, POSITIVE)?;
-    }
-    require(
-        true,
-        place("initial_displacement_m"),
-        structure.initial_displacement_m,
-        FINITE,
-    )?;
-    require(
-        true,
-        place("initial_velocity_m_per_s"),
-        structure.initial_velocity_m_per_s,
-        FINITE,
-    )
 }

@@ -44,6 +44,7 @@ impl Completed {
         // Where a scene asks for an accuracy, tables and figures show the method found for it.
         for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
             scene.method = prepared.method();
+            scene.duration_s = prepared.scene().duration_s;
         }
         let keeps_histories = file.study.output.needs_histories();
         let outcomes = prepared

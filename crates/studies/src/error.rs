@@ -4,8 +4,8 @@ use pounding_motion::{ReadError, RecordError};
 use pounding_solver::{LedgerError, ModelError, RunError};
 use thiserror::Error;
 
-use crate::Scene;
 use crate::plot::PlotError;
+use crate::{Fault, Scene};
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
 #[derive(Debug, Error)]
@@ -35,39 +35,17 @@ pub enum StudyError {
         /// What is wrong with it.
         source: Box<StudyError>,
     },
-    /// A file that is not JSON.
-    #[error("{}: not JSON: {source}", path.display())]
-    Syntax {
-        /// The file.
-        path: PathBuf,
-        /// What was found and expected, with line and column.
-        source: serde_json::Error,
-    },
-    /// A JSON file that is not of the expected form.
-    #[error("{}: {place}: {source}", path.display())]
+    /// A file that is neither good JSON nor good TOML, or not of the expected form.
+    #[error("{}{}: {}{fault}", path.display(), at(*position), in_field(place.as_deref()))]
     Form {
         /// The file.
         path: PathBuf,
-        /// The field, for example `scenes[0].structures[1].sdof.mass_kg`.
-        place: String,
-        /// What was found and expected, with line and column.
-        source: serde_json::Error,
-    },
-    /// No choice or several where a JSON file must make one, such as two contact laws for one contact.
-    #[error(
-        "{}: {place}: found none or several choices at line {line} column {column}, allowed is one, as \"choice\" or \
-         {{\"choice\": settings}}",
-        path.display()
-    )]
-    Choice {
-        /// The file.
-        path: PathBuf,
-        /// The field.
-        place: String,
-        /// Line of the fault.
-        line: usize,
-        /// Its column.
-        column: usize,
+        /// Line and column of the fault, counted from 1, where known.
+        position: Option<(usize, usize)>,
+        /// The field, for example `scenes[0].structures[1].sdof.mass_kg`; nothing for a fault of the text itself.
+        place: Option<String>,
+        /// What was found, and what is allowed.
+        fault: Box<Fault>,
     },
     /// A CSV file of the project that is not of the expected form.
     #[error("{}: {}", path.display(), counted_from_one(source))]
@@ -196,6 +174,18 @@ pub enum SceneError {
     /// A scene without structures.
     #[error("structures: found none, allowed one or more")]
     NoStructures,
+    /// Two structures of one name.
+    #[error(
+        "structures[{}].sdof.name: found \"{name}\", which structures[{}] is called; allowed are names that differ",
+        structures[1],
+        structures[0]
+    )]
+    NameTwice {
+        /// The name.
+        name: String,
+        /// Indices of both structures.
+        structures: [usize; 2],
+    },
     /// Neighbours that already overlap at t = 0.
     #[error(
         "contacts[{contact}].gap_m: found {gap}, but the initial displacements of structures[{contact}] and [{}] close \
@@ -244,6 +234,18 @@ impl SceneError {
             Self::Model(error)
         }
     }
+}
+
+/// A position, after the name of a file.
+fn at(position: Option<(usize, usize)>) -> String {
+    position.map_or_else(String::new, |(line, column)| {
+        format!(", line {line}, column {column}")
+    })
+}
+
+/// A field, before its fault.
+fn in_field(place: Option<&str>) -> String {
+    place.map_or_else(String::new, |place| format!("{place}: "))
 }
 
 /// The names behind the indices of a run's error.

@@ -20,7 +20,7 @@ impl Ladder {
     /// Steps for a scene, halved from the longest one \[s\] while a run has no more than so many steps of structures;
     /// the exact method at its finest.
     pub(crate) fn halved(scene: &Scene, longest: f64, most: f64) -> Self {
-        let duration = scene.duration_s;
+        let duration = scene.duration();
         // The longest, or the next shorter step of which the duration is a whole number.
         let first = (duration / longest - 1e-6).ceil().max(1.0);
         let per_run = scene.structures.len() as f64;

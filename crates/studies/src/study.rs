@@ -3,10 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
-use crate::{AtlasSettings, Edges, Ladder, Scene, StudyError};
+use crate::{AtlasSettings, Edges, Ladder, Scene, StudyError, read_file};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -91,7 +90,7 @@ impl StudyFile {
     /// # Errors
     /// [`StudyError`] naming the file and the field.
     pub fn read(path: &Path) -> Result<Self, StudyError> {
-        let study: Study = read_json(path)?;
+        let study: Study = read_file(path)?;
         let refuse = |found: String, allowed| StudyError::Study {
             path: path.to_path_buf(),
             place: "scenes",
@@ -147,54 +146,4 @@ impl StudyFile {
     pub fn base(&self) -> &Path {
         self.path.parent().unwrap_or_else(|| Path::new(""))
     }
-}
-
-/// Reads a JSON file; an error names the field.
-///
-/// # Errors
-/// [`StudyError::Unreadable`], [`StudyError::Syntax`], [`StudyError::Form`] or [`StudyError::Choice`].
-pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
-    let text = std::fs::read(path).map_err(|source| StudyError::Unreadable {
-        path: path.to_path_buf(),
-        source,
-    })?;
-    parse_json(&text, path)
-}
-
-/// Reads the text of a JSON file; the path serves messages only.
-///
-/// # Errors
-/// Those of [`read_json`] but of reading.
-pub fn parse_json<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyError> {
-    let syntax = |source| StudyError::Syntax {
-        path: path.to_path_buf(),
-        source,
-    };
-    // First as JSON of any form: the deserialiser of a type calls some fields of a wrong form bad syntax.
-    serde_json::from_slice::<IgnoredAny>(text).map_err(syntax)?;
-    let mut reader = serde_json::Deserializer::from_slice(text);
-    serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-        let path = path.to_path_buf();
-        let place = match error.path().to_string() {
-            whole if whole == "." => "top level".into(),
-            field => field,
-        };
-        let source = error.into_inner();
-        if source.is_syntax() && source.to_string().starts_with("expected value") {
-            // What serde_json says of an enum that is neither a string nor an object with one key.
-            let (line, column) = (source.line(), source.column());
-            StudyError::Choice {
-                path,
-                place,
-                line,
-                column,
-            }
-        } else {
-            StudyError::Form {
-                path,
-                place,
-                source,
-            }
-        }
-    })
 }

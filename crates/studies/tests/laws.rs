@@ -137,7 +137,7 @@ fn reference_free_impacts_and_what_depends_on_the_law() {
 #[test]
 fn extreme_a_scene_that_cannot_run_says_why_under_every_law() {
     let (mut completed, settings) = study();
-    completed.file.study.scenes[0].duration_s = -1.0;
+    completed.file.study.scenes[0].duration_s = Some(-1.0);
     let files = files(&(completed, settings));
     let failed = rows(&files, "scenes.csv");
     let failed: Vec<_> = failed

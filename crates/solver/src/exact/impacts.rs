@@ -6,10 +6,11 @@
 //! pairs with an impulse finds the solution. Impulses and rates are sums of terms of one sign, so that nothing cancels
 //! at extreme mass ratios.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What happens when several pairs of a row touch at the same instant.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SimultaneousImpacts {
     /// All pairs together; mirror-symmetric rows stay so.

@@ -93,7 +93,7 @@ impl Part {
 /// Interval of the histories that the claims look at \[s\]: of Tables 2 and 4 the end alone, of Fig. 15 all.
 fn interval(id: &str, scene: &Scene) -> Option<f64> {
     match id {
-        "table-2" | "table-4" => Some(scene.duration_s),
+        "table-2" | "table-4" => Some(scene.duration()),
         "figure-15" => scene.method.time_step(),
         _ => None,
     }

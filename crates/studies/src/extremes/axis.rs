@@ -138,7 +138,7 @@ impl Axis {
             Self::ImpactStiffness => stiffen(&mut pushed.scene, value)?,
             Self::LongRun => {
                 Self::DampingRatio.change(&mut pushed.scene, 0.0);
-                pushed.scene.duration_s = value * pushed.time_step;
+                pushed.scene.duration_s = Some(value * pushed.time_step);
             }
             Self::Cradle => {
                 Self::Cradle.change(&mut pushed.scene, value);
@@ -219,8 +219,8 @@ impl Pushed {
 
     /// Makes the duration a whole number of time steps, as a user has to.
     pub(crate) fn rounded(mut self) -> Self {
-        let n_steps = (self.scene.duration_s / self.time_step).round().max(1.0);
-        self.scene.duration_s = n_steps * self.time_step;
+        let n_steps = (self.scene.duration() / self.time_step).round().max(1.0);
+        self.scene.duration_s = Some(n_steps * self.time_step);
         self.scene.method = Method::EXACT;
         self
     }
@@ -228,7 +228,7 @@ impl Pushed {
     /// Changes samples, given their index and that of a fifth of the run.
     fn shake(&mut self, change: impl Fn(usize, usize, f64) -> f64) -> Result<(), String> {
         let step = self.record.time_step();
-        let fifth = 0.2 * self.scene.duration_s;
+        let fifth = 0.2 * self.scene.duration();
         let at = (0..self.record.samples().len())
             .find(|index| *index as f64 * step >= fifth)
             .unwrap_or(0);

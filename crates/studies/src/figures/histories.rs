@@ -13,7 +13,7 @@ pub(super) fn minus(text: &str) -> String {
 
 /// The axis of time of a scene.
 pub(super) fn time_axis(scene: &Scene) -> Axis {
-    Axis::over("Time (s)", 0.0, scene.duration_s)
+    Axis::over("Time (s)", 0.0, scene.duration())
 }
 
 /// The title of a study over its first panel, nothing over the others.
@@ -35,7 +35,7 @@ pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
         .iter()
         .enumerate()
         .map(|(i, sample)| (i as f64 * record.time_step(), in_g(*sample)))
-        .take_while(|(time, _)| *time <= scene.duration_s)
+        .take_while(|(time, _)| *time <= scene.duration())
         .collect();
     let peak = shown
         .iter()

@@ -9,7 +9,9 @@ use pounding_motion::{Accelerogram, Record, RecordError};
 use pounding_solver::{Clock, Integrator};
 
 use crate::advice::{Advice, Goal, advise};
-use crate::{Method, Quantity, RecordUse, Scene, SceneError, Structure, StudyError, check};
+use crate::{
+    FileUse, Method, Quantity, RecordUse, Scene, SceneError, Source, Structure, StudyError, check,
+};
 use model::Model;
 pub use run::Outcome;
 pub(crate) use run::{Audited, Recorders};
@@ -91,6 +93,12 @@ impl Prepared {
     ) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
         let record = used(&scene.record, file).map_err(|error| in_scene(error.into()))?;
+        let duration = scene.duration_under(record.duration());
+        let scene = &Scene {
+            duration_s: Some(duration),
+            ..scene.clone()
+        };
+        check::check_method(scene).map_err(in_scene)?;
         let model =
             Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
         let quantity = Quantity::All;
@@ -106,7 +114,7 @@ impl Prepared {
             unstable: check::free_limit(scene).err(),
             model,
             record,
-            clock: method.clock(scene.duration_s),
+            clock: method.clock(duration),
             integrator: method.integrator(),
         };
         prepared.scene.method = method;
@@ -166,7 +174,7 @@ impl Prepared {
         let integrator = other.integrator();
         integrator.check().map_err(|error| self.ended(error))?;
         Ok(Self {
-            clock: other.clock(scene.duration_s),
+            clock: other.clock(scene.duration()),
             integrator,
             unstable: check::free_limit(&scene).err(),
             forced: self.forced,
@@ -204,6 +212,11 @@ impl Prepared {
     /// nobody; nothing for a wall, and for a method without such a limit.
     pub fn critical_time_steps(&self) -> Vec<Option<f64>> {
         self.scene.critical_time_steps().collect()
+    }
+
+    /// Duration of the run \[s\].
+    pub fn duration(&self) -> f64 {
+        self.scene.duration()
     }
 
     /// Whether the scene was [forced](Self::forcing).
@@ -254,7 +267,8 @@ fn in_scene(scene: &Scene, source: SceneError) -> StudyError {
 
 /// Reads the file of a record.
 fn read(record: &RecordUse, base: &Path) -> Result<Accelerogram, StudyError> {
-    let path = base.join(&record.file);
+    let Source::File(FileUse { file }) = &record.source;
+    let path = base.join(file);
     match std::fs::read(&path) {
         Ok(text) => {
             pounding_motion::read(&text).map_err(|source| StudyError::Record { path, source })

@@ -221,7 +221,7 @@ impl<'a> Run<'a> {
 
     pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
         let method = (self.contender.method)(self.setting);
-        let clock = method.clock(self.scene.duration_s);
+        let clock = method.clock(self.scene.duration());
         self.prepared.run_by(&method.integrator(), clock, recorder)
     }
 }

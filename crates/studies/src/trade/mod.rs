@@ -101,7 +101,7 @@ fn check(completed: &Completed, ladder: &Ladder) -> Result<(), StudyError> {
         ));
     }
     let fits = |scene: &crate::Scene, time_step: f64| {
-        let steps = scene.duration_s / time_step;
+        let steps = scene.duration() / time_step;
         (steps - steps.round()).abs() <= 1e-6 && steps < 1e9
     };
     let scenes = &completed.file.study.scenes;

@@ -1,0 +1,196 @@
+//! What is wrong with a field of a file, in words: the deserialisers' messages name types of Rust.
+
+/// What is wrong with a file or one of its fields.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Text that is not JSON, with what its parser says.
+    #[error("not JSON: {0}")]
+    Json(String),
+    /// Text that is not TOML, with what its parser says.
+    #[error("not TOML: {0}")]
+    Toml(String),
+    /// Bytes that are not UTF-8.
+    #[error("the text is not UTF-8 from byte {byte} on; save it as UTF-8")]
+    NotUtf8 {
+        /// Bytes before the fault.
+        byte: usize,
+    },
+    /// A file of a study where a scene is asked for.
+    #[error(
+        "found `{0}`, which a study has: a scene is one entry of its `scenes`, in a file of its own"
+    )]
+    Study(String),
+    /// A field that is not known.
+    #[error(
+        "found the field `{found}`, allowed are {}{}",
+        listed(allowed),
+        meant(found, allowed)
+    )]
+    UnknownField {
+        /// The field.
+        found: String,
+        /// Fields known there.
+        allowed: Vec<String>,
+    },
+    /// A choice that is not known.
+    #[error(
+        "found `{found}`, allowed are {}{}",
+        listed(allowed),
+        meant(found, allowed)
+    )]
+    UnknownChoice {
+        /// What was chosen.
+        found: String,
+        /// Choices known there.
+        allowed: Vec<String>,
+    },
+    /// A field that must be there.
+    #[error("found no `{0}`, which must be there; add it")]
+    Missing(String),
+    /// A field that is there twice.
+    #[error("found `{0}` twice, allowed is once; delete one")]
+    Twice(String),
+    /// A value of another type.
+    #[error("found {found}, allowed is {allowed}")]
+    Type {
+        /// What was found, in words.
+        found: String,
+        /// What is allowed, in words.
+        allowed: String,
+    },
+    /// A number beyond all numbers of 64 bits.
+    #[error("found a number beyond 1.8e308, allowed are smaller ones")]
+    Beyond,
+    /// No choice or several where one must be made, such as two contact laws for one contact.
+    #[error("found none or several choices, allowed is one, {0}")]
+    Choice(&'static str),
+    /// What a type says of itself.
+    #[error("{0}")]
+    Own(String),
+}
+
+/// A choice in the words of a file.
+const ONE_CHOICE: &str = "the name of one, or a table with one of them and its settings";
+/// The choice that is met most often.
+const ONE_DAMPING: &str = "such as {\"ratio\": 0.05} in JSON, { ratio = 0.05 } in TOML";
+
+impl Fault {
+    /// What a deserialiser says of a field.
+    pub(crate) fn of(message: &str, place: &str) -> Self {
+        let known = |allowed: &str| quoted(allowed);
+        if let Some((found, allowed)) = message
+            .strip_prefix("unknown field ")
+            .and_then(|rest| rest.split_once(", "))
+        {
+            let found = quoted(found).concat();
+            let allowed = known(allowed);
+            let of_study = matches!(found.as_str(), "title" | "scenes" | "output" | "notes");
+            return if of_study && allowed.iter().any(|field| field == "structures") {
+                Self::Study(found)
+            } else {
+                Self::UnknownField { found, allowed }
+            };
+        }
+        if let Some((found, allowed)) = message
+            .strip_prefix("unknown variant ")
+            .and_then(|rest| rest.split_once(", "))
+        {
+            let (found, allowed) = (quoted(found).concat(), known(allowed));
+            return Self::UnknownChoice { found, allowed };
+        }
+        if let Some(field) = message.strip_prefix("missing field ") {
+            return Self::Missing(quoted(field).concat());
+        }
+        if let Some(field) = message.strip_prefix("duplicate field ") {
+            return Self::Twice(quoted(field).concat());
+        }
+        if message == "number out of range" {
+            return Self::Beyond;
+        }
+        if is_choice(message) {
+            return Self::Choice(if place.ends_with("damping") {
+                ONE_DAMPING
+            } else {
+                ONE_CHOICE
+            });
+        }
+        for begin in ["invalid type: ", "invalid value: ", "invalid length "] {
+            let rest = message.strip_prefix(begin);
+            if let Some((found, allowed)) = rest.and_then(|rest| rest.split_once(", expected ")) {
+                return Self::Type {
+                    found: in_words(found),
+                    allowed: in_words(allowed),
+                };
+            }
+        }
+        Self::Own(message.into())
+    }
+}
+
+/// Whether a message says of an enum that it is neither a word nor a table with one key.
+fn is_choice(message: &str) -> bool {
+    message.starts_with("expected value")
+        || message.starts_with("wanted exactly 1 element")
+        || message.starts_with("wanted string or table")
+        || message.starts_with("wanted string or inline table")
+        || (message.starts_with("invalid type: ") && message.ends_with("expected string or map"))
+}
+
+/// What stands between backticks.
+fn quoted(text: &str) -> Vec<String> {
+    text.split('`')
+        .skip(1)
+        .step_by(2)
+        .map(String::from)
+        .collect()
+}
+
+/// Types of Rust in the words of a file.
+fn in_words(text: &str) -> String {
+    for (rust, words) in [
+        ("floating point ", "the number "),
+        ("integer ", "the number "),
+        ("boolean ", ""),
+        ("string ", "the text "),
+    ] {
+        if let Some(value) = text.strip_prefix(rust) {
+            return format!("{words}{}", value.trim_matches('`'));
+        }
+    }
+    match text {
+        "f64" => "a number".into(),
+        "u32" | "usize" | "u64" => "a whole number >= 0".into(),
+        "a boolean" => "true or false".into(),
+        "a string" => "a text".into(),
+        "a sequence" | "sequence" => "a list".into(),
+        "map" | "a map" => "a table".into(),
+        "null" | "unit value" => "nothing (null)".into(),
+        "an array of length 2" => "a list of two".into(),
+        "0" | "1" | "3" => format!("a list of {text}"),
+        other => match other.strip_prefix("struct ") {
+            Some(_) => "a table of fields".into(),
+            None => other.into(),
+        },
+    }
+}
+
+fn listed(words: &[String]) -> String {
+    let words: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
+    words.join(", ")
+}
+
+/// Likeness from which on a word is taken for another one misspelt.
+const ALIKE: f64 = 0.8;
+
+/// The word that was meant, where one is near.
+fn meant(found: &str, allowed: &[String]) -> String {
+    let likeness = |word: &String| strsim::jaro_winkler(found, word);
+    let nearest = allowed
+        .iter()
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    match nearest.filter(|word| likeness(word) > ALIKE) {
+        Some(word) => format!("; perhaps `{word}` is meant"),
+        None => String::new(),
+    }
+}

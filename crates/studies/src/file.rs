@@ -1,0 +1,129 @@
+//! Files that people write: JSON or TOML, of one form.
+
+use std::path::Path;
+
+use serde::de::{DeserializeOwned, IgnoredAny};
+
+use crate::{Fault, StudyError};
+
+/// Reads a JSON or TOML file; an error names the line and the field.
+///
+/// # Errors
+/// [`StudyError::Unreadable`] or [`StudyError::Form`].
+pub fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
+    let text = std::fs::read(path).map_err(|source| StudyError::Unreadable {
+        path: path.to_path_buf(),
+        source,
+    })?;
+    parse(&text, path)
+}
+
+/// Reads the text of a JSON or TOML file: JSON where its first letter is `{` or the ending of its name says so.
+///
+/// # Errors
+/// [`StudyError::Form`], with the `path` that the text came from.
+pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyError> {
+    // What some editors put before UTF-8.
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let is_json = path.extension().is_some_and(|ending| ending == "json");
+    let refused = if is_json || text.trim_ascii_start().starts_with(b"{") {
+        json(text)
+    } else {
+        toml(text)
+    };
+    refused.map_err(|refused| StudyError::Form {
+        path: path.to_path_buf(),
+        position: refused.position,
+        place: refused.place,
+        fault: Box::new(refused.fault),
+    })
+}
+
+/// Why a text is refused.
+struct Refused {
+    position: Option<(usize, usize)>,
+    place: Option<String>,
+    fault: Fault,
+}
+
+fn json<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
+    let position = |error: &serde_json::Error| Some((error.line(), error.column()));
+    // First as JSON of any form: the deserialiser of a type calls some fields of a wrong form bad syntax.
+    serde_json::from_slice::<IgnoredAny>(text).map_err(|error| Refused {
+        position: position(&error),
+        place: None,
+        fault: Fault::Json(without_position(&error)),
+    })?;
+    let mut reader = serde_json::Deserializer::from_slice(text);
+    serde_path_to_error::deserialize(&mut reader).map_err(|error| {
+        let place = named(error.path());
+        let error = error.into_inner();
+        let fault = Fault::of(&without_position(&error), &place);
+        Refused {
+            position: position(&error),
+            place: Some(place),
+            fault,
+        }
+    })
+}
+
+fn toml<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
+    let position =
+        |text: &str, error: &toml::de::Error| Some(line_and_column(text, error.span()?.start));
+    let text = std::str::from_utf8(text).map_err(|error| Refused {
+        position: None,
+        place: None,
+        fault: Fault::NotUtf8 {
+            byte: error.valid_up_to(),
+        },
+    })?;
+    let syntax = |error: toml::de::Error| Refused {
+        position: position(text, &error),
+        place: None,
+        fault: Fault::Toml(one_line(error.message())),
+    };
+    let reader = toml::Deserializer::parse(text).map_err(syntax)?;
+    serde_path_to_error::deserialize(reader).map_err(|error| {
+        let place = named(error.path());
+        let error = error.into_inner();
+        Refused {
+            position: position(text, &error),
+            fault: Fault::of(&one_line(error.message()), &place),
+            place: Some(place),
+        }
+    })
+}
+
+/// The place in words.
+fn named(path: &serde_path_to_error::Path) -> String {
+    match path.to_string() {
+        whole if whole == "." => "top level".into(),
+        field => field,
+    }
+}
+
+/// The message of an error of JSON, which ends with a position.
+fn without_position(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    match message.rsplit_once(" at line ") {
+        Some((message, _)) => message.into(),
+        None => message,
+    }
+}
+
+fn one_line(message: &str) -> String {
+    message.lines().collect::<Vec<_>>().join(", ")
+}
+
+/// Line and column of a byte, counted from 1, the column in letters.
+fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
+    let before = text.get(..byte).unwrap_or(text);
+    let line = before.matches('\n').count() + 1;
+    let column = before
+        .chars()
+        .rev()
+        .take_while(|letter| *letter != '\n')
+        .count()
+        + 1;
+    (line, column)
+}

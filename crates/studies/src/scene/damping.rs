@@ -1,0 +1,49 @@
+//! How the viscous damping of a structure is given.
+
+use pounding_solver::Damping as SolverDamping;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How the viscous damping of a structure is given.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Damping {
+    /// Damping ratio ζ \[–\], ≥ 0; 0.05 is 5 %.
+    Ratio(f64),
+    /// Rayleigh damping c = α m + β k.
+    Rayleigh {
+        /// Mass coefficient α \[1/s\], ≥ 0.
+        alpha_per_s: f64,
+        /// Stiffness coefficient β \[s\], ≥ 0.
+        beta_s: f64,
+    },
+    /// Rayleigh damping that has these ratios at two frequencies.
+    TwoFrequencies {
+        /// The frequencies \[Hz\], 0 < first < second.
+        frequencies_hz: [f64; 2],
+        /// The damping ratio at each \[–\], ≥ 0.
+        ratios: [f64; 2],
+    },
+}
+
+impl Damping {
+    /// In the words of the solver; an undamped structure where two frequencies are out of range, which the check of a
+    /// scene refuses.
+    pub(super) fn to_solver(self) -> SolverDamping {
+        match self {
+            Self::Ratio(ratio) => SolverDamping::Ratio(ratio),
+            Self::Rayleigh {
+                alpha_per_s,
+                beta_s,
+            } => SolverDamping::Rayleigh {
+                alpha: alpha_per_s,
+                beta: beta_s,
+            },
+            Self::TwoFrequencies {
+                frequencies_hz,
+                ratios,
+            } => SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios)
+                .unwrap_or(SolverDamping::Ratio(0.0)),
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The method that integrates a scene, with its settings.
+
+use pounding_solver::{Exact, ImpactRule, SimultaneousImpacts, Start, VerletImpacts};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A method of time integration with its settings.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Method {
+    /// Central difference method.
+    CentralDifference {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// How the first step begins.
+        start: Start,
+        /// How impulsive contact acts.
+        #[serde(default, skip_serializing_if = "is_default")]
+        impacts: ImpactRule,
+        /// Steps into which a time step is divided for structures that touch, 1 to 1000.
+        #[serde(default = "one_step", skip_serializing_if = "is_one_step")]
+        contact_substeps: u32,
+    },
+    /// Newmark's method.
+    Newmark {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// β \[–\]: 1/4 is average acceleration, 1/6 linear acceleration.
+        beta: f64,
+        /// γ \[–\]: 1/2 for order two.
+        gamma: f64,
+    },
+    /// HHT-α method.
+    Hht {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// α \[–\], −1/3 (most damping of what the step cannot follow) to 0 (none).
+        alpha: f64,
+    },
+    /// Velocity Verlet method.
+    VelocityVerlet {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// When impulsive contact acts.
+        #[serde(default, skip_serializing_if = "is_default")]
+        impacts: VerletImpacts,
+    },
+    /// Classical Runge–Kutta method.
+    Rk4 {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+    },
+    /// Moreau–Jean time stepping.
+    MoreauJean {
+        /// Time step \[s\], > 0.
+        time_step_s: f64,
+        /// θ \[–\], 1/2 (order two while nothing touches) to 1.
+        theta: f64,
+    },
+    /// Event-driven integration with power series; it has no time step.
+    Exact {
+        /// Relative size of what a piece in compliant contact leaves out \[–\], 1e-16 to 1e-3.
+        #[serde(default = "finest", skip_serializing_if = "is_finest")]
+        tolerance: f64,
+        /// What happens when several pairs touch at the same instant.
+        #[serde(default, skip_serializing_if = "is_default")]
+        simultaneous_impacts: SimultaneousImpacts,
+    },
+    /// The cheapest method that is no further than this from the exact one in anything printed \[–\], > 0 and < 1,
+    /// found when the scene is [prepared](crate::Prepared::new).
+    Accuracy(f64),
+}
+
+fn finest() -> f64 {
+    Exact::default().tolerance
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_finest(tolerance: &f64) -> bool {
+    *tolerance <= finest()
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+fn one_step() -> u32 {
+    1
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_one_step(n: &u32) -> bool {
+    *n == one_step()
+}
+
+impl Method {
+    /// The exact method with its usual settings.
+    pub const EXACT: Self = Self::Exact {
+        tolerance: 1e-16,
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    };
+
+    /// Name as scene files spell it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::CentralDifference { .. } => "central_difference",
+            Self::Newmark { .. } => "newmark",
+            Self::Hht { .. } => "hht",
+            Self::VelocityVerlet { .. } => "velocity_verlet",
+            Self::Rk4 { .. } => "rk4",
+            Self::MoreauJean { .. } => "moreau_jean",
+            Self::Exact { .. } => "exact",
+            Self::Accuracy(_) => "accuracy",
+        }
+    }
+
+    /// Time step \[s\]; nothing for the exact method, and for an accuracy whose method is not yet found.
+    pub fn time_step(&self) -> Option<f64> {
+        match *self {
+            Self::CentralDifference { time_step_s, .. }
+            | Self::Newmark { time_step_s, .. }
+            | Self::Hht { time_step_s, .. }
+            | Self::VelocityVerlet { time_step_s, .. }
+            | Self::Rk4 { time_step_s }
+            | Self::MoreauJean { time_step_s, .. } => Some(time_step_s),
+            Self::Exact { .. } | Self::Accuracy(_) => None,
+        }
+    }
+
+    /// The same method with another time step \[s\]; one that has none stays as it is.
+    #[must_use]
+    pub(crate) fn with_time_step(mut self, step: f64) -> Self {
+        match &mut self {
+            Self::CentralDifference { time_step_s, .. }
+            | Self::Newmark { time_step_s, .. }
+            | Self::Hht { time_step_s, .. }
+            | Self::VelocityVerlet { time_step_s, .. }
+            | Self::Rk4 { time_step_s }
+            | Self::MoreauJean { time_step_s, .. } => *time_step_s = step,
+            Self::Exact { .. } | Self::Accuracy(_) => {}
+        }
+        self
+    }
+
+    /// Time step \[s\] where a study shows something per step: it [asks](crate::Output) for methods that have one.
+    pub(crate) fn step(&self) -> f64 {
+        self.time_step()
+            .expect("a study that shows steps was refused scenes without them")
+    }
+}

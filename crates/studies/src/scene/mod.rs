@@ -1,0 +1,97 @@
+//! What a user writes: a row of structures under a record, with its settings.
+
+mod damping;
+mod method;
+mod record;
+mod structure;
+
+use pounding_contact::ContactLaw;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use damping::Damping;
+pub use method::Method;
+pub use record::{FileUse, RecordUse, Source};
+pub use structure::{Sdof, Structure};
+
+/// One row of structures under one record, with the method that integrates it.
+///
+/// Structures stand left to right. Checking happens when the scene is [prepared](crate::Prepared).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Name, unique within its study.
+    pub name: String,
+    /// The record and how it is used.
+    pub record: RecordUse,
+    /// Duration of the run \[s\], a whole number of time steps; without it that of the record and two of the longest
+    /// natural periods after it, made a whole number of steps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub duration_s: Option<f64>,
+    /// The structures and walls, from left to right.
+    pub structures: Vec<Structure>,
+    /// One contact between each structure and its right neighbour; absent when the structures stand apart.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contacts: Option<Vec<Contact>>,
+    /// The method of time integration; without it the exact one.
+    #[serde(default = "exact")]
+    pub method: Method,
+}
+
+fn exact() -> Method {
+    Method::EXACT
+}
+
+/// Periods of free vibration after a record where a scene does not say how long it lasts: the second one is there to see
+/// that the first has the peak.
+const PERIODS_AFTER_RECORD: f64 = 2.0;
+
+impl Scene {
+    /// Duration of the run \[s\] under a record of some duration \[s\].
+    pub(crate) fn duration_under(&self, record: f64) -> f64 {
+        self.duration_s.unwrap_or_else(|| {
+            let longest = self.structures.iter().filter_map(Structure::period);
+            let least = record + PERIODS_AFTER_RECORD * longest.fold(0.0, f64::max);
+            match self.method.time_step() {
+                Some(step) => (least / step - 1e-6).ceil() * step,
+                None => least,
+            }
+        })
+    }
+
+    /// Duration of the run \[s\] of a scene that was prepared.
+    pub(crate) fn duration(&self) -> f64 {
+        let known = "preparing a scene finds its duration";
+        self.duration_s.expect(known)
+    }
+
+    /// Of every structure and wall the time step \[s\] from which on it grows without bound, though it touch nobody;
+    /// nothing for a wall, and for a method without such a limit.
+    pub(crate) fn critical_time_steps(&self) -> impl Iterator<Item = Option<f64>> {
+        let integrator = self.method.time_step().map(|_| self.method.integrator());
+        self.structures
+            .iter()
+            .map(move |structure| match structure {
+                Structure::Sdof(sdof) => integrator?.critical_time_step(&sdof.oscillation()),
+                Structure::Wall => None,
+            })
+    }
+
+    /// The least of them and its structure.
+    pub(crate) fn critical_time_step(&self) -> Option<(usize, f64)> {
+        let limits = self.critical_time_steps().enumerate();
+        limits
+            .filter_map(|(index, limit)| Some((index, limit?)))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
+/// What lies between two neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Gap at rest \[m\], ≥ 0.
+    pub gap_m: f64,
+    /// The contact law.
+    pub law: ContactLaw,
+}

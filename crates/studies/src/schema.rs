@@ -1,0 +1,34 @@
+//! The form of a scene file, for editors.
+
+use schemars::generate::SchemaSettings;
+use schemars::transform::{RecursiveTransform, Transform};
+use schemars::{Schema, SchemaGenerator};
+
+use crate::Scene;
+
+/// The JSON Schema (2020-12) of a scene file, made from the types that read it.
+///
+/// # Panics
+/// Never: a schema is made of text and numbers.
+pub fn scene_schema() -> String {
+    let settings = SchemaSettings::draft2020_12();
+    let generator = SchemaGenerator::new(settings);
+    let mut schema = generator.into_root_schema_for::<Scene>();
+    RecursiveTransform(plain).transform(&mut schema);
+    let mut text = serde_json::to_string_pretty(&schema).expect("a schema is JSON");
+    text.push('\n');
+    text
+}
+
+/// A description as an editor shows it: the documentation of the types without its marks for links.
+fn plain(schema: &mut Schema) {
+    let Some(serde_json::Value::String(text)) = schema.get_mut("description") else {
+        return;
+    };
+    let mut plain = text.replace("](crate::Prepared)", "]");
+    for mark in ["\\[", "\\]"] {
+        plain = plain.replace(mark, if mark == "\\[" { "(" } else { ")" });
+    }
+    plain = plain.replace(['[', ']'], "");
+    *text = plain.split_whitespace().collect::<Vec<_>>().join(" ");
+}
