@@ -1,12 +1,38 @@
-//! The answer of `pounding check`: what would run, and what its time step can follow, as plain text.
+//! `pounding check`: what would run, and what its time step can follow.
+
+use std::path::PathBuf;
 
 use pounding::studies::{ContactLimit, Limits, Prepared, STEPS_PER_CONTACT, Structure, digits};
 
 use crate::summary::{method_lines, record_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
 
+const EXAMPLES: &str = "\
+Example:
+  pounding check studies/examples/two-structures.json
+
+The collisions to expect are those of the exact run, which takes some
+milliseconds.";
+
+/// What is asked of `check`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The scene, a TOML or JSON file.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+}
+
+/// Checks a scene; returns what would run.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let path = &asked.scene;
+    super::prepare(path, true)
+        .map(|prepared| of(&prepared))
+        .map_err(|error| error.in_file(path).to_string())
+}
+
 /// The plan of a scene.
-pub(crate) fn of(prepared: &Prepared) -> String {
+fn of(prepared: &Prepared) -> String {
     let scene = prepared.scene();
     let mut parts = vec![
         paragraph("Scene", &scene.name),

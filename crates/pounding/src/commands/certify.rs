@@ -1,48 +1,105 @@
-//! `pounding laws` and `pounding certify`.
+//! `pounding certify`: what a contact law and a method deliver to a free impact.
 
 mod printed;
 
-use pounding::contact::{Clamp, LawName};
+use clap::ValueEnum;
+use pounding::contact::{Calibration, Clamp, LawName};
 use pounding::studies::{Certificate, CertificateError, FreeCollision, StepMethod, Wanted};
 
-use crate::arguments::{Certify, Format};
-use crate::text::paragraph;
+use super::positive;
 use printed::{Cell, Fact, Line};
+
+const USAGE: &str = "pounding certify <LAW> --restitution <E> --masses <LEFT> <RIGHT>
+                        --speed <V0> [OPTIONS]";
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding certify hertz_damp --restitution 0.65 --masses 75e3 3e6 --speed 0.3
+  pounding certify kelvin_voigt --restitution 0.65 --masses 75e3 3e6 \\
+    --speed 0.3 --calibration literature --time-step 0.001";
+
+/// A free impact to be certified.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES, override_usage = USAGE)]
+pub(crate) struct Arguments {
+    /// The law; `pounding laws` lists them.
+    #[arg(value_name = "LAW", value_parser = law)]
+    law: LawName,
+    /// Coefficient of restitution asked for.
+    #[arg(long, value_name = "E")]
+    restitution: f64,
+    /// Masses of the neighbours [kg].
+    #[arg(long, required = true, num_args = 2, value_names = ["LEFT", "RIGHT"], value_parser = positive)]
+    masses: Vec<f64>,
+    /// Approach speed [m/s].
+    #[arg(long, value_name = "V0", value_parser = positive)]
+    speed: f64,
+    /// Impact stiffness [N/m or N/m^1.5]; 9.35e7 or 2.75e9 where not given.
+    #[arg(long, value_name = "K", value_parser = positive)]
+    stiffness: Option<f64>,
+    /// How the damping is chosen.
+    #[arg(long, value_enum, default_value_t = By::Exact)]
+    calibration: By,
+    /// Time step of the methods [s]; without it none is tried.
+    #[arg(long, value_name = "DT", value_parser = positive)]
+    time_step: Option<f64>,
+    /// The method; without it all are tried.
+    #[arg(long, value_name = "METHOD", value_parser = method, requires = "time_step")]
+    method: Option<StepMethod>,
+    /// What to print.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// How the damping of a law is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum By {
+    /// By the relation that holds exactly.
+    Exact,
+    /// By the formula of the literature.
+    Literature,
+}
+
+impl From<By> for Calibration {
+    fn from(by: By) -> Self {
+        match by {
+            By::Exact => Self::Exact,
+            By::Literature => Self::Literature,
+        }
+    }
+}
+
+/// What is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For a reader.
+    Text,
+    /// For a table.
+    Csv,
+    /// For a program.
+    Json,
+}
+
+/// A law by its name.
+fn law(name: &str) -> Result<LawName, String> {
+    let names = LawName::ALL.map(|law| law.description().name);
+    LawName::from_name(name).ok_or_else(|| format!("allowed are {}", names.join(", ")))
+}
+
+/// A method with time steps by its name.
+fn method(name: &str) -> Result<StepMethod, String> {
+    let names: Vec<_> = StepMethod::all().map(StepMethod::name).collect();
+    let named = StepMethod::all().find(|method| method.name() == name);
+    named.ok_or_else(|| format!("allowed are {}", names.join(", ")))
+}
 
 /// Impact stiffness of the pounding literature for Hertz springs \[N/m^1.5\].
 const HERTZ: f64 = 2.75e9;
 /// The same for linear springs \[N/m\].
 const LINEAR: f64 = 9.35e7;
 
-/// Every law: its force, formulas, parameters and source.
-pub(crate) fn laws() -> String {
-    let law = |name: &LawName| {
-        let about = name.description();
-        let lines = [
-            ("Law", Some(about.name)),
-            ("Force", Some(about.force)),
-            ("Formula", about.formula),
-            ("Delivers", about.relation.or(Some("found numerically"))),
-            ("Fields", Some(&about.parameters.join(", "))),
-            ("Source", Some(about.citation)),
-        ];
-        let lines = lines
-            .into_iter()
-            .filter_map(|(label, text)| Some(paragraph(label, text?)));
-        lines.collect::<String>()
-    };
-    let laws: Vec<_> = LawName::ALL.iter().map(law).collect();
-    format!("{}\n{}", laws.join("\n"), paragraph("Notes", NOTES))
-}
-
-const NOTES: &str = "δ deformation, δ̇ its rate, v₀ approach speed, m reduced mass, e restitution.\nFormula: \
-                     the authors' damping for an e asked. Delivers: the e of a free impact, exactly. Fields: as in a \
-                     scene, where corrected_hertz_damp, hunt_crossley and gonthier are hertz_damp; instead of its damping a law \
-                     may be given a `restitution` and a `calibration`.\n`pounding certify` \
-                     prints what a law and a method really deliver.";
-
 /// The certificate that was asked for.
-pub(crate) fn certify(asked: &Certify) -> Result<String, String> {
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let law = asked.law;
     let usual = match law.stiffness_unit() {
         Some("N/m") => LINEAR,

@@ -1,13 +1,101 @@
-//! The answer of `pounding advise`, as plain text.
+//! `pounding advise`: the cheapest method and time step for an accuracy.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
 
 use pounding::studies::{
-    Advice, EVALUATIONS_PER_PIECE, LONGEST_STEP, MOST_STEPS, Prepared, Quantity, Trial, digits,
+    Advice, EVALUATIONS_PER_PIECE, Goal, LONGEST_STEP, MOST_STEPS, Method, Prepared, Quantity,
+    Scene, StudyError, Trial, advise, digits, read_file,
 };
 
+use crate::progress::Progress;
 use crate::text::{NONE, paragraph, percent, short, table};
 
+const EXAMPLES: &str = "\
+Examples:
+  pounding advise studies/examples/two-structures.json --error 1%
+  pounding advise studies/examples/two-structures.json --error 0.1% \\
+    --quantity momentum
+
+A scene with \"method\": {\"accuracy\": 0.01} asks for the same when it is run.";
+
+/// What is asked of `advise`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The scene, a TOML or JSON file; its own method does not matter.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Largest error, as 1% or 0.01.
+    #[arg(long, value_parser = error)]
+    error: f64,
+    /// Of what.
+    #[arg(long, value_enum, default_value_t = OfWhat::All)]
+    quantity: OfWhat,
+}
+
+/// The quantity whose error counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum OfWhat {
+    /// Transferred momentum of every structure.
+    Momentum,
+    /// Peak displacement of every structure.
+    Displacement,
+    /// Peak shear forces and peak pounding forces.
+    Force,
+    /// First and largest impulse of every pair.
+    Impulse,
+    /// Time of the first collision of every pair.
+    Time,
+    /// All of these, and equal numbers of collisions.
+    All,
+}
+
+impl From<OfWhat> for Quantity {
+    fn from(of_what: OfWhat) -> Self {
+        match of_what {
+            OfWhat::Momentum => Self::Momentum,
+            OfWhat::Displacement => Self::Displacement,
+            OfWhat::Force => Self::Force,
+            OfWhat::Impulse => Self::Impulse,
+            OfWhat::Time => Self::Time,
+            OfWhat::All => Self::All,
+        }
+    }
+}
+
+/// An error as a part of 1 or in per cent.
+fn error(text: &str) -> Result<f64, String> {
+    let (number, unit) = match text.strip_suffix('%') {
+        Some(number) => (number.trim_end(), 0.01),
+        None => (text, 1.0),
+    };
+    match number.parse::<f64>() {
+        Ok(value) if value * unit > 0.0 && value * unit < 1.0 => Ok(value * unit),
+        _ => Err("allowed is more than 0 and less than 1, such as 0.01 or 1%".into()),
+    }
+}
+
+/// Runs a scene with every method; returns the advice.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let path = &asked.scene;
+    let message = |error: StudyError| error.in_file(path).to_string();
+    let mut scene: Scene = read_file(path).map_err(message)?;
+    // The method of the scene does not matter, not even whether it suits the scene.
+    scene.method = Method::EXACT;
+    let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;
+    let progress = Progress::new();
+    let goal = Goal {
+        error: asked.error,
+        quantity: asked.quantity.into(),
+    };
+    let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
+    Ok(of(&prepared, &advice))
+}
+
 /// The recommended method, the line for the scene, and what every method would cost.
-pub(crate) fn of(prepared: &Prepared, advice: &Advice) -> String {
+fn of(prepared: &Prepared, advice: &Advice) -> String {
     let best = advice.best();
     let goal = percent(advice.goal.error);
     let step = best.method.time_step().map_or(String::new(), |step| {

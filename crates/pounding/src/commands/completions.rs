@@ -1,0 +1,25 @@
+//! `pounding completions`: what a shell needs to complete the program's commands.
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding completions bash > ~/.local/share/bash-completion/completions/pounding
+  pounding completions fish > ~/.config/fish/completions/pounding.fish";
+
+/// What is asked of `completions`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The shell.
+    shell: Shell,
+}
+
+/// The script for a shell.
+pub(crate) fn answer(asked: &Arguments) -> String {
+    let mut script = Vec::new();
+    let mut program = super::Program::command();
+    clap_complete::generate(asked.shell, &mut program, "pounding", &mut script);
+    String::from_utf8_lossy(&script).into_owned()
+}

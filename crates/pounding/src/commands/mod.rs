@@ -1,0 +1,95 @@
+//! The commands, a file each: what is asked on the command line, and the answer.
+
+mod advise;
+mod certify;
+mod check;
+mod completions;
+mod laws;
+mod run;
+mod schema;
+
+use std::path::Path;
+
+use clap::{Parser, Subcommand};
+use pounding::studies::{Prepared, StudyError, read_file};
+
+use crate::progress::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding check studies/examples/two-structures.json
+  pounding run studies/examples/two-structures.json
+  pounding COMMAND --help
+
+Exit codes: 0 done; 1 an input was refused or a run failed, with the reason on
+standard error; 2 the command line was not understood.";
+
+/// Earthquake-induced structural pounding.
+#[derive(Debug, Parser)]
+#[command(name = "pounding", bin_name = "pounding", version, after_help = EXAMPLES)]
+pub(crate) struct Program {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Print what would run, and what its time step can follow.
+    Check(check::Arguments),
+    /// Run a scene and print peaks, collisions, errors and work.
+    Run(run::Arguments),
+    /// Find the cheapest method and time step for an accuracy.
+    Advise(advise::Arguments),
+    /// List the contact laws: forces, formulas, parameters, sources.
+    Laws,
+    /// Print what a contact law and a method deliver to a free impact.
+    Certify(certify::Arguments),
+    /// Print the JSON Schema of a scene file, for editors.
+    #[command(after_help = schema::EXAMPLES)]
+    Schema,
+    /// Print a script that lets a shell complete commands.
+    Completions(completions::Arguments),
+}
+
+impl Program {
+    /// What is printed.
+    ///
+    /// # Errors
+    /// What is said on standard error.
+    pub(crate) fn answer(&self) -> Result<String, String> {
+        match &self.command {
+            Command::Check(asked) => check::answer(asked),
+            Command::Run(asked) => run::answer(asked),
+            Command::Advise(asked) => advise::answer(asked),
+            Command::Laws => Ok(laws::answer()),
+            Command::Certify(asked) => certify::answer(asked),
+            Command::Schema => Ok(schema::answer()),
+            Command::Completions(asked) => Ok(completions::answer(asked)),
+        }
+    }
+}
+
+/// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`Prepared::forcing`].
+fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
+    let scene = read_file(path)?;
+    let progress = Progress::new();
+    let step = |of| progress.step(of);
+    if force {
+        Prepared::forcing(&scene, folder(path), &step)
+    } else {
+        Prepared::watched(&scene, folder(path), &step)
+    }
+}
+
+/// Folder of a file.
+fn folder(path: &Path) -> &Path {
+    path.parent().unwrap_or_else(|| Path::new(""))
+}
+
+/// A finite number > 0.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err("allowed is a finite number > 0".into()),
+    }
+}

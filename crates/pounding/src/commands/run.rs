@@ -1,0 +1,59 @@
+//! `pounding run`: runs a scene and says what happened.
+
+use std::path::{Path, PathBuf};
+
+use pounding::studies::{SceneError, StudyError};
+
+use crate::summary;
+
+const EXAMPLES: &str = "\
+Example:
+  pounding run studies/examples/two-structures.json
+
+A scene is one entry of `scenes` in a file of studies/; the path of its record
+is relative to the folder of the file that holds the scene.";
+
+/// What is asked of `run`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The scene, a TOML or JSON file.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Do not measure the errors; saves the exact run.
+    #[arg(long)]
+    no_error: bool,
+    /// Print what is refused, too, with a warning.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Runs a scene; returns the summary.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let path = &asked.scene;
+    let prepared = super::prepare(path, asked.force).map_err(|error| hint(error, path))?;
+    let review = prepared
+        .review(!asked.no_error)
+        .map_err(|error| hint(error, path))?;
+    Ok(summary::of(&prepared, &review))
+}
+
+/// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
+fn hint(error: StudyError, path: &Path) -> String {
+    let refused = matches!(
+        &error,
+        StudyError::Broken { .. }
+            | StudyError::Scene {
+                source: SceneError::Unstable { .. },
+                ..
+            }
+    );
+    let message = error.in_file(path).to_string();
+    if refused {
+        format!(
+            "{message}; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"
+        )
+    } else {
+        message
+    }
+}
