@@ -1,15 +1,6 @@
 //! What a file holds, before the caller says what one g is worth.
 
-use crate::{Record, RecordError};
-
-/// An `AccelerationUnit` is the unit of the values in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AccelerationUnit {
-    /// Multiples of the acceleration of gravity, g.
-    StandardGravity,
-    /// Metres per second squared.
-    MetrePerSecondSquared,
-}
+use crate::{AccelerationUnit, Format, Reading, Record, RecordError};
 
 /// An `Accelerogram` is what a file holds: a time step and values in the unit of the file.
 ///
@@ -17,13 +8,20 @@ pub enum AccelerationUnit {
 /// zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accelerogram {
+    pub(crate) format: Format,
     pub(crate) time_step: f64,
     pub(crate) values: Vec<f64>,
     pub(crate) unit: AccelerationUnit,
     pub(crate) provenance: String,
+    pub(crate) readings: Vec<Reading>,
 }
 
 impl Accelerogram {
+    /// Returns the format that the file was found to be in.
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
     /// Returns the time between two values \[s\], above zero.
     pub fn time_step(&self) -> f64 {
         self.time_step
@@ -39,16 +37,23 @@ impl Accelerogram {
         self.unit
     }
 
-    /// Returns what the file says of itself: the comments of a CSV or the title lines of an AT2,
-    /// one per line.
+    /// Returns what the file says of itself: the comments of a CSV or the title lines of other
+    /// formats, one per line.
     pub fn provenance(&self) -> &str {
         &self.provenance
+    }
+
+    /// Returns what was read and where it stood: format, component, number of samples, time step,
+    /// unit, the peak that the header states, and whatever else bears on the values.
+    pub fn readings(&self) -> &[Reading] {
+        &self.readings
     }
 
     /// Turns the values into m/s², with one g worth `gravity` \[m/s²\].
     ///
     /// The value of g belongs to the use of a record, not to its file: studies that are compared
-    /// with each other must take the same. Values that are in m/s² already are left as they are.
+    /// with each other must take the same. Units without g do not depend on it, and powers of ten
+    /// divide, so that 12.3 cm/s² become the number that is written 0.123 m/s².
     ///
     /// # Errors
     /// Refuses a `gravity` that is not finite and above zero, or one that makes a value infinite.
@@ -57,13 +62,8 @@ impl Accelerogram {
             return Err(RecordError::Gravity { found: gravity });
         }
         let mut samples = self.values;
-        match self.unit {
-            AccelerationUnit::StandardGravity => {
-                for sample in &mut samples {
-                    *sample *= gravity;
-                }
-            }
-            AccelerationUnit::MetrePerSecondSquared => {}
+        for sample in &mut samples {
+            *sample = self.unit.to_si(*sample, gravity);
         }
         Record::new(self.time_step, samples, self.provenance)
     }

@@ -1,33 +1,175 @@
-//! Which format a text is in.
+//! Which format a file is in, and what every format does alike.
 
-use crate::line::lines;
-use crate::{Accelerogram, ReadError, at2, read_at2, read_csv};
+mod at2;
+mod csv;
+mod draft;
+mod time_column;
 
-/// Reads the text of a file in any format known, recognised by its content and not by a file name.
+use crate::line::{Line, lines};
+use crate::{Accelerogram, Declared, Place, ReadError};
+use draft::{Draft, Scale, Stated, reading};
+
+/// A `Format` is a layout of record files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Two-column CSV with a header of this project.
+    Csv,
+    /// PEER AT2 and what goes by that name.
+    PeerAt2,
+}
+
+impl Format {
+    /// All formats that are read.
+    pub const ALL: [Self; 2] = [Self::Csv, Self::PeerAt2];
+
+    /// Returns the name that is printed.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "CSV",
+            Self::PeerAt2 => "PEER AT2",
+        }
+    }
+
+    /// The names of all formats, for a message.
+    pub(crate) fn names() -> String {
+        Self::ALL.map(Self::name).join(", ")
+    }
+}
+
+/// The bytes of a file and, should it be a text, its lines.
+struct File<'t> {
+    bytes: &'t [u8],
+    lines: Vec<Line<'t>>,
+}
+
+/// One component of a file.
+struct Component {
+    name: String,
+    place: Place,
+}
+
+/// How one format is read; each of its files has one of these.
+struct Reader {
+    format: Format,
+    /// Whether the file is in this format, by its content.
+    recognises: fn(&File<'_>) -> bool,
+    /// The components in their order; none where a file holds one that has no name.
+    components: fn(&File<'_>) -> Result<Vec<Component>, ReadError>,
+    /// The component of that index, 0 where none has a name.
+    read: fn(&File<'_>, usize) -> Result<Draft, ReadError>,
+}
+
+/// The readers; the first that recognises a file reads it.
+const READERS: [Reader; 2] = [at2::READER, csv::READER];
+
+/// Reads the bytes of a file in any [`Format`], recognised by its content and not by a file name.
 ///
-/// The formats are two-column CSV, see [`read_csv`], and PEER AT2, see [`read_at2`]. The text may
-/// hold any bytes; those that are not UTF-8 are replaced in titles and refused in numbers.
+/// The file must say everything itself; see [`read_declared`].
 ///
 /// # Errors
-/// Says which line, what was found there and what is allowed; see [`ReadError`].
-pub fn read(text: &[u8]) -> Result<Accelerogram, ReadError> {
-    let lines = lines(text);
-    if at2::is_at2(&lines) {
-        return read_at2(text);
-    }
-    let first = lines
+/// Says where, what was found there, what is allowed and what to do; see [`ReadError`].
+pub fn read(bytes: &[u8]) -> Result<Accelerogram, ReadError> {
+    read_declared(bytes, &Declared::default())
+}
+
+/// Reads the bytes of a file in any [`Format`], with what the caller knows of it.
+///
+/// Where a header states the number of samples or their peak, the values must have both. The text
+/// may hold any bytes; those that are not UTF-8 are replaced in titles and refused in numbers.
+///
+/// # Errors
+/// Says where, what was found there, what is allowed and what to do; see [`ReadError`]. Refuses what
+/// neither the file nor the caller says, and what both say differently.
+pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, ReadError> {
+    let file = File::new(bytes);
+    let reader = reader(&file)?;
+    let components = (reader.components)(&file)?;
+    let index = chosen(&components, declared.component.as_deref())?;
+    let component = components
+        .get(index)
+        .map(|component| reading("component", Some(component.place), &component.name));
+    (reader.read)(&file, index)?.settle(reader.format, component, declared)
+}
+
+/// Returns the names of the components of a file, in their order; none for a file with one that
+/// has no name.
+///
+/// # Errors
+/// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
+pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
+    let file = File::new(bytes);
+    let components = (reader(&file)?.components)(&file)?;
+    Ok(names(components))
+}
+
+fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
+    components
+        .into_iter()
+        .map(|component| component.name)
+        .collect()
+}
+
+/// Index of the component that is declared, or of the only one.
+fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, ReadError> {
+    let names = || {
+        components
+            .iter()
+            .map(|component| component.name.clone())
+            .collect()
+    };
+    let Some(declared) = declared else {
+        return if components.len() > 1 {
+            Err(ReadError::ComponentNeeded { names: names() })
+        } else {
+            Ok(0)
+        };
+    };
+    let declared = declared.trim();
+    // A name comes before a number: channels may be called 3, 1, 2.
+    let by_name = components
         .iter()
-        .find(|line| !line.is_blank() && !line.is_comment())
-        .ok_or(ReadError::Empty)?;
-    // Two words and a comma are enough: a CSV without its header is told what the header must be, and
-    // not that it is unknown. Titles of other formats have commas too, but more words.
-    let fields: Vec<&[u8]> = first.bytes.split(|byte| *byte == b',').collect();
-    let is_word = |field: &&[u8]| !field.trim_ascii().contains(&b' ');
-    if fields.len() == 2 && fields.iter().all(is_word) {
-        return read_csv(text);
-    }
-    Err(ReadError::UnknownFormat {
-        line: first.number,
-        found: first.excerpt(),
+        .position(|component| component.name.eq_ignore_ascii_case(declared));
+    let by_number = || {
+        let number: usize = declared.parse().ok()?;
+        (1..=components.len().max(1))
+            .contains(&number)
+            .then(|| number - 1)
+    };
+    by_name
+        .or_else(by_number)
+        .ok_or_else(|| ReadError::UnknownComponent {
+            found: declared.to_owned(),
+            names: names(),
+        })
+}
+
+/// For the formats whose files hold one component without a name.
+fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    Ok(Vec::new())
+}
+
+fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {
+    let known = READERS.iter().find(|reader| (reader.recognises)(file));
+    known.ok_or_else(|| match file.first() {
+        None => ReadError::Empty,
+        Some(line) => ReadError::UnknownFormat {
+            line: line.number,
+            found: line.excerpt(),
+        },
     })
+}
+
+impl<'t> File<'t> {
+    fn new(bytes: &'t [u8]) -> Self {
+        Self {
+            bytes,
+            lines: lines(bytes),
+        }
+    }
+
+    /// The first line that is neither blank nor a comment.
+    fn first(&self) -> Option<Line<'t>> {
+        let mut lines = self.lines.iter().copied();
+        lines.find(|line| !line.is_blank() && !line.is_comment())
+    }
 }

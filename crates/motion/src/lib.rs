@@ -10,20 +10,28 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Left out on purpose: opening files, baseline correction, filtering, and every format but
-//! two-column CSV and PEER AT2. A velocity or displacement history is refused, not differentiated.
+//! A file may leave its unit, its time step or the choice of a component to the caller, who gives
+//! them to [`read_declared`]. Nothing is guessed: [`Accelerogram::readings`] tells what was taken
+//! from which line.
+//!
+//! Left out on purpose: opening files. A velocity or displacement history is refused, not
+//! differentiated.
 
 mod accelerogram;
-mod at2;
+mod declared;
 mod error;
 mod format;
 mod line;
+mod read_error;
+mod reading;
 mod record;
-mod two_column;
+mod unit;
 
-pub use accelerogram::{AccelerationUnit, Accelerogram};
-pub use at2::read_at2;
-pub use error::{ReadError, RecordError};
-pub use format::read;
+pub use accelerogram::Accelerogram;
+pub use declared::Declared;
+pub use error::RecordError;
+pub use format::{Format, components, read, read_declared};
+pub use read_error::ReadError;
+pub use reading::{Place, Reading};
 pub use record::Record;
-pub use two_column::read_csv;
+pub use unit::AccelerationUnit;

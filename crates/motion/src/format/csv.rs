@@ -1,10 +1,27 @@
 //! Two-column CSV: a time and an acceleration to a line, comments after `#`.
 
-mod time_column;
+use super::time_column::TimeColumn;
+use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
+use crate::line::Line;
+use crate::{AccelerationUnit, Place, ReadError};
 
-use crate::line::{Line, lines};
-use crate::{AccelerationUnit, Accelerogram, ReadError};
-use time_column::TimeColumn;
+pub(super) const READER: Reader = Reader {
+    format: Format::Csv,
+    recognises,
+    components: one_component,
+    read: |file, _| read(file),
+};
+
+// Two words and a comma are enough: a CSV without its header is told what the header must be, and
+// not that it is unknown. Titles of other formats have commas too, but more words.
+fn recognises(file: &File<'_>) -> bool {
+    let fields: Vec<&[u8]> = file
+        .first()
+        .map(|line| line.bytes.split(|byte| *byte == b',').collect())
+        .unwrap_or_default();
+    let is_word = |field: &&[u8]| !field.trim_ascii().contains(&b' ');
+    fields.len() == 2 && fields.iter().all(is_word)
+}
 
 /// Reads a two-column CSV: comment lines that begin with `#`, a header, then a time and a value to
 /// a line.
@@ -18,10 +35,9 @@ use time_column::TimeColumn;
 /// # Errors
 /// Refuses another header, a line without exactly two finite numbers, fewer than two samples, and
 /// times that do not keep to the rules above.
-pub fn read_csv(text: &[u8]) -> Result<Accelerogram, ReadError> {
-    let lines = lines(text);
+fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+    let lines = file.lines.iter().copied();
     let (comments, rows): (Vec<Line<'_>>, Vec<Line<'_>>) = lines
-        .into_iter()
         .filter(|line| !line.is_blank())
         .partition(|line| line.is_comment());
     let mut records = split(&rows).into_iter();
@@ -29,6 +45,7 @@ pub fn read_csv(text: &[u8]) -> Result<Accelerogram, ReadError> {
     let unit = unit(header, &columns)?;
     let mut times = TimeColumn::default();
     let mut values = Vec::new();
+    let mut end = header;
     for (line, record) in records {
         if record.len() != 2 {
             return Err(ReadError::FieldCount {
@@ -38,17 +55,24 @@ pub fn read_csv(text: &[u8]) -> Result<Accelerogram, ReadError> {
         }
         times.push(line, &record[0])?;
         values.push(line.finite(2, &record[1])?);
+        end = line;
     }
-    let grid = times.grid()?;
-    if grid.starts_after_one_step {
-        values.insert(0, 0.0);
-    }
-    let provenance: Vec<String> = comments.iter().map(|line| comment(*line)).collect();
-    Ok(Accelerogram {
-        time_step: grid.time_step,
+    let comments: Vec<String> = comments.iter().map(|line| comment(*line)).collect();
+    let (time_step, remark) = times.into_step(&mut values)?;
+    Ok(Draft {
         values,
-        unit,
-        provenance: provenance.join("\n"),
+        end: Place::Line(end.number),
+        digit: 0.0,
+        count: None,
+        time_step: Some(time_step),
+        scale: Scale::Unit(Stated {
+            value: unit,
+            place: Place::Line(header.number),
+            text: header.excerpt(),
+        }),
+        peak: None,
+        provenance: comments.join("\n"),
+        remarks: remark.into_iter().collect(),
     })
 }
 

@@ -1,7 +1,8 @@
 //! The time step behind a column of printed times.
 
-use crate::ReadError;
+use super::{Stated, reading};
 use crate::line::Line;
+use crate::{Place, ReadError, Reading};
 
 /// Largest departure from equal steps that is not due to printing, in steps.
 const UNEVENNESS: f64 = 1e-6;
@@ -18,9 +19,9 @@ pub(super) struct TimeColumn {
 }
 
 /// Equal steps, and whether the first printed time is 0 or one step.
-pub(super) struct Grid {
-    pub(super) time_step: f64,
-    pub(super) starts_after_one_step: bool,
+struct Grid {
+    time_step: f64,
+    starts_after_one_step: bool,
 }
 
 impl TimeColumn {
@@ -31,7 +32,30 @@ impl TimeColumn {
         Ok(())
     }
 
-    pub(super) fn grid(&self) -> Result<Grid, ReadError> {
+    /// The time step; values that begin one step late get the state of rest at t = 0.
+    pub(super) fn into_step(
+        self,
+        values: &mut Vec<f64>,
+    ) -> Result<(Stated<f64>, Option<Reading>), ReadError> {
+        let grid = self.grid()?;
+        let place = Place::Line(self.lines[0]);
+        let remark = grid.starts_after_one_step.then(|| {
+            values.insert(0, 0.0);
+            reading(
+                "state of rest",
+                Some(place),
+                "0 put at t = 0, where the file has nothing",
+            )
+        });
+        let stated = Stated {
+            value: grid.time_step,
+            place,
+            text: format!("times from {} s on", self.times[0]),
+        };
+        Ok((stated, remark))
+    }
+
+    fn grid(&self) -> Result<Grid, ReadError> {
         let (&[first, ..], &[.., last]) = (&self.times[..], &self.times[..]) else {
             return Err(ReadError::TooFewSamples { found: 0 });
         };
@@ -49,7 +73,10 @@ impl TimeColumn {
         if !mean.is_finite() {
             // Times near ±1.8e308, whose difference is beyond every number.
             let line = self.lines[self.lines.len() - 1];
-            return Err(ReadError::TimeStep { line, found: mean });
+            return Err(ReadError::TimeStep {
+                place: Place::Line(line),
+                found: mean,
+            });
         }
         let (time_step, slack) = self.time_step(mean).ok_or_else(|| self.unevenness())?;
         let starts_after_one_step = (first - time_step).abs() <= slack;

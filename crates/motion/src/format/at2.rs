@@ -3,9 +3,15 @@
 mod header;
 mod values;
 
-use crate::line::lines;
-use crate::{AccelerationUnit, Accelerogram, ReadError};
-pub(crate) use header::is_at2;
+use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
+use crate::{AccelerationUnit, Place, ReadError};
+
+pub(super) const READER: Reader = Reader {
+    format: Format::PeerAt2,
+    recognises: |file| header::is_at2(&file.lines),
+    components: one_component,
+    read: |file, _| read(file),
+};
 
 /// Reads a PEER AT2 file: title lines, a line with NPTS and DT, then acceleration in g.
 ///
@@ -20,30 +26,38 @@ pub(crate) use header::is_at2;
 /// # Errors
 /// Refuses a file without a readable line of NPTS and DT, velocity and displacement, other units
 /// than g or none, a field that is not a finite number, and more or fewer values than NPTS.
-pub fn read_at2(text: &[u8]) -> Result<Accelerogram, ReadError> {
-    let lines = lines(text);
-    if lines.iter().all(|line| line.is_blank()) {
-        return Err(ReadError::Empty);
-    }
-    let (titles, count, data) = header::split(&lines)?;
-    header::check_quantity(titles, count)?;
-    let (n_samples, time_step) = header::count_and_step(count)?;
-    let (values, last_line) = values::read(count, data)?;
-    if values.len() != n_samples {
-        return Err(ReadError::SampleCount {
-            line: last_line,
-            found: values.len(),
-            allowed: n_samples,
-        });
-    }
+fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+    let (titles, line, data) = header::split(&file.lines)?;
+    let unit = header::unit(titles, line)?;
+    let (n_samples, time_step) = header::count_and_step(line)?;
+    let (values, end) = values::read(line, data)?;
     let titles: Vec<String> = titles
         .iter()
         .map(|line| line.text().trim().to_owned())
         .collect();
-    Ok(Accelerogram {
-        time_step,
+    let place = Place::Line(line.number);
+    let text = line.excerpt();
+    Ok(Draft {
         values,
-        unit: AccelerationUnit::StandardGravity,
+        end: Place::Line(end),
+        digit: 0.0,
+        count: Some(Stated {
+            value: n_samples,
+            place,
+            text: text.clone(),
+        }),
+        time_step: Some(Stated {
+            value: time_step,
+            place,
+            text,
+        }),
+        scale: Scale::Unit(Stated {
+            value: AccelerationUnit::StandardGravity,
+            place: Place::Line(unit.number),
+            text: unit.excerpt(),
+        }),
+        peak: None,
         provenance: titles.join("\n"),
+        remarks: Vec::new(),
     })
 }

@@ -1,7 +1,7 @@
 //! The header: what the values are, how many there are, and how far apart.
 
-use crate::ReadError;
 use crate::line::{Line, number};
+use crate::{Place, ReadError};
 
 /// Lines in which NPTS and DT are looked for. PEER has them on line 4, rotated and matched records
 /// on line 7.
@@ -11,7 +11,7 @@ const HEADER_LINES: usize = 10;
 const COUNT_LINE: usize = 4;
 
 /// Whether a text has a line with NPTS and DT, or at least says that it is a record of PEER.
-pub(crate) fn is_at2(lines: &[Line<'_>]) -> bool {
+pub(super) fn is_at2(lines: &[Line<'_>]) -> bool {
     count_line(lines).is_some()
         || lines.first().is_some_and(|line| {
             let words = words(*line);
@@ -94,16 +94,16 @@ pub(super) fn count_and_step(line: Line<'_>) -> Result<(usize, f64), ReadError> 
     }
     if !(step.is_finite() && step > 0.0) {
         return Err(ReadError::TimeStep {
-            line: line.number,
+            place: Place::Line(line.number),
             found: step,
         });
     }
     Ok((count, step))
 }
 
-/// Makes sure that the titles say acceleration in g, the line next to the numbers first.
-pub(super) fn check_quantity(titles: &[Line<'_>], count: Line<'_>) -> Result<(), ReadError> {
-    let mut other = None;
+/// The title line that says acceleration in g, the one next to the numbers first.
+pub(super) fn unit<'t>(titles: &[Line<'t>], count: Line<'_>) -> Result<Line<'t>, ReadError> {
+    let mut other: Option<Line<'t>> = None;
     for line in titles.iter().rev() {
         let words = words(*line);
         let says = |known: &[&str]| words.iter().any(|word| known.contains(&word.as_str()));
@@ -124,7 +124,7 @@ pub(super) fn check_quantity(titles: &[Line<'_>], count: Line<'_>) -> Result<(),
             ) && matches!(pair[1].as_str(), "G" | "GS" | "G'S")
         });
         if in_g {
-            return Ok(());
+            return Ok(*line);
         }
         other.get_or_insert(*line);
     }

@@ -1,0 +1,19 @@
+//! What the caller says of a file that the file does not say itself.
+
+use crate::AccelerationUnit;
+
+/// `Declared` is what the caller knows of a file; nothing by default.
+///
+/// What a file says itself may be repeated, but not contradicted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Declared {
+    /// Unit of the accelerations.
+    pub unit: Option<AccelerationUnit>,
+    /// Time between two samples \[s\], above zero.
+    pub time_step: Option<f64>,
+    /// Which of several components is taken: its name as the file spells it, see
+    /// [`components`](crate::components), or its number from 1.
+    pub component: Option<String>,
+    /// What one count of a digitiser is worth, in [`unit`](Self::unit); not zero.
+    pub per_count: Option<f64>,
+}

@@ -1,0 +1,364 @@
+//! What can go wrong with a file, one variant for each thing the user can put right.
+
+use crate::{AccelerationUnit, Format, Place};
+
+/// A `ReadError` says why a text was not read as a ground motion.
+///
+/// Lines, fields and columns are counted from 1. `found` is the start of the offending text.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ReadError {
+    /// The text holds nothing but blank lines and comments.
+    #[error(
+        "the text holds nothing but blank lines and comments; give a header followed by numbers"
+    )]
+    Empty,
+    /// The text looks like none of the formats known.
+    #[error(
+        "line {line} reads {found:?}, which begins none of the formats known: {}; \
+         fetch the file again in one of them, or write one number to a line",
+        Format::names()
+    )]
+    UnknownFormat {
+        /// Line that is neither blank nor a comment, the first of them.
+        line: usize,
+        /// What that line holds.
+        found: String,
+    },
+    /// The header of a CSV is absent or names a column that is not known.
+    #[error(
+        "line {line} reads {found:?}, but the header of a CSV must be `time_s,acceleration_g` \
+         or `time_s,acceleration_m_per_s2`; put the one that gives the unit above the numbers"
+    )]
+    Columns {
+        /// Line where the header should stand.
+        line: usize,
+        /// What stands there.
+        found: String,
+    },
+    /// A line of a CSV does not have one time and one acceleration.
+    #[error(
+        "line {line} has {found} field(s), allowed are 2, the time and the acceleration; \
+         write one sample to a line, with a comma between"
+    )]
+    FieldCount {
+        /// Line of the sample.
+        line: usize,
+        /// Fields in that line.
+        found: usize,
+    },
+    /// A field is not a number.
+    #[error(
+        "line {line}, field {field}: {found:?} is not a number; write it like -0.00640 or -.6403182E-02"
+    )]
+    NotANumber {
+        /// Line of the field.
+        line: usize,
+        /// Which field of the line.
+        field: usize,
+        /// What the field holds.
+        found: String,
+    },
+    /// A field is NaN or infinite, or a number too large for 64 bits.
+    #[error(
+        "line {line}, field {field}: {found:?} is not finite, and every number must be; \
+         put a measured value there or cut the record before it"
+    )]
+    NotFinite {
+        /// Line of the field.
+        line: usize,
+        /// Which field of the line.
+        field: usize,
+        /// What the field holds.
+        found: String,
+    },
+    /// A CSV has too few samples to tell its time step.
+    #[error(
+        "{found} sample(s) found, but the time step is taken from the time column and needs at least 2"
+    )]
+    TooFewSamples {
+        /// Samples in the file.
+        found: usize,
+    },
+    /// A time of a CSV is not after the one before.
+    #[error(
+        "line {line}: the time is {found} s, allowed are times after the {allowed} s of the line before; \
+         sort the lines by time and keep one of each"
+    )]
+    TimeOrder {
+        /// Line whose time is too early.
+        line: usize,
+        /// Its time \[s\].
+        found: f64,
+        /// Time of the line before \[s\].
+        allowed: f64,
+    },
+    /// The times of a CSV do not rise in equal steps.
+    #[error(
+        "line {line}: the time changes by {found} s from the line before, allowed is the {allowed} s of the other \
+         lines; resample the record to equal steps or print its times with more decimals"
+    )]
+    UnevenTime {
+        /// Line whose step stands out most.
+        line: usize,
+        /// Step from the line before \[s\].
+        found: f64,
+        /// Median step of the file \[s\].
+        allowed: f64,
+    },
+    /// A CSV starts neither at t = 0 nor one time step later.
+    #[error(
+        "line {line}: the first time is {found} s, allowed are 0 s and one time step, {time_step} s; \
+         shift the time column so that the record begins there"
+    )]
+    StartTime {
+        /// Line of the first sample.
+        line: usize,
+        /// Its time \[s\].
+        found: f64,
+        /// Time step of the file \[s\].
+        time_step: f64,
+    },
+    /// The time step is not a finite number above zero.
+    #[error(
+        "{place}: the time step is {found} s, and must be finite and above 0 s; correct it there"
+    )]
+    TimeStep {
+        /// Place that gives the time step; in a CSV the last line.
+        place: Place,
+        /// Time step found \[s\].
+        found: f64,
+    },
+    /// No line of an AT2 header gives the number of samples and the time step.
+    #[error(
+        "no line among the first {searched} gives the number of samples and the time step; \
+         write line 4 as `NPTS= 4000, DT= .01000 SEC`"
+    )]
+    NoCountLine {
+        /// Lines that were searched.
+        searched: usize,
+    },
+    /// The line of an AT2 header with NPTS and DT is not understood.
+    #[error(
+        "line {line} reads {found:?}, but must give a whole number of samples above 0 and the time step in seconds, \
+         and no other number; write it as `NPTS= 4000, DT= .01000 SEC`"
+    )]
+    CountLine {
+        /// Line with NPTS and DT.
+        line: usize,
+        /// What it holds.
+        found: String,
+    },
+    /// An AT2 header names another quantity or unit than acceleration in g.
+    #[error(
+        "line {line} reads {found:?}, but only acceleration in units of g is read; \
+         take the .AT2 file of the record"
+    )]
+    Quantity {
+        /// Line that names the quantity or its unit.
+        line: usize,
+        /// What it holds.
+        found: String,
+    },
+    /// An AT2 header names no unit.
+    #[error(
+        "no line above line {line} says in which unit the values are; \
+         if they are in g, let line 3 read `ACCELERATION TIME HISTORY IN UNITS OF G`"
+    )]
+    NoUnit {
+        /// Line with NPTS and DT, which ends the header.
+        line: usize,
+    },
+    /// A file holds more or fewer values than its header declares.
+    #[error(
+        "the values end at {place} after {found} of them, but the header declares {allowed}; \
+         fetch the file again, or correct the header if the values are complete"
+    )]
+    SampleCount {
+        /// Place of the last value, or the header's last line where there is none.
+        place: Place,
+        /// Values in the file.
+        found: usize,
+        /// Values declared by the header.
+        allowed: usize,
+    },
+    /// The largest value is not the peak that the header states.
+    #[error(
+        "{place} states a peak of {stated:?}, but the largest value read is {found} {}; \
+         one of them is damaged or in another unit: fetch the file again",
+        unit.symbol()
+    )]
+    Peak {
+        /// Place of the peak in the header.
+        place: Place,
+        /// The peak as the header has it.
+        stated: String,
+        /// Largest value of the file, without its sign.
+        found: f64,
+        /// Unit of the values.
+        unit: AccelerationUnit,
+    },
+    /// A value is the mark that the format keeps for one that is missing.
+    #[error(
+        "line {line}, field {field}: {found:?} marks a missing value; cut the record before it or take another"
+    )]
+    Missing {
+        /// Line of the field.
+        line: usize,
+        /// Which field of the line.
+        field: usize,
+        /// What the field holds.
+        found: String,
+    },
+    /// A part of a header is not what the format asks for.
+    #[error("{place} reads {found:?}, but {allowed} should stand there; fetch the file again")]
+    Header {
+        /// Where it stands.
+        place: Place,
+        /// What stands there.
+        found: String,
+        /// What should stand there.
+        allowed: &'static str,
+    },
+    /// A file ends before what must follow.
+    #[error("the file ends at {place}, before {allowed}; fetch it again")]
+    Truncated {
+        /// Last place of the file.
+        place: Place,
+        /// What should follow.
+        allowed: &'static str,
+    },
+    /// A file holds something else than a history of accelerations.
+    #[error("{place} reads {found:?}, but only histories of acceleration are read; take {instead}")]
+    NotAcceleration {
+        /// Where the file says what it holds.
+        place: Place,
+        /// What it says.
+        found: String,
+        /// What to take instead.
+        instead: &'static str,
+    },
+    /// A file names a unit that is none of an acceleration that is known.
+    #[error(
+        "{place} gives the unit {found:?}, allowed are those of an acceleration: {}; \
+         if the file means one of them, write it there",
+        AccelerationUnit::names()
+    )]
+    UnknownUnit {
+        /// Where the unit stands.
+        place: Place,
+        /// What it reads.
+        found: String,
+    },
+    /// A file does not state its unit, and none is declared.
+    #[error(
+        "the file does not say in which unit its values are; declare it as `unit`, one of {}",
+        AccelerationUnit::names()
+    )]
+    UnitNotStated,
+    /// A declared unit is not that of the file.
+    #[error(
+        "{place} says that the values are in {}, but {} is declared as `unit`; leave the declaration away",
+        found.name(), declared.name()
+    )]
+    UnitContradiction {
+        /// Where the file states its unit.
+        place: Place,
+        /// Unit of the file.
+        found: AccelerationUnit,
+        /// Unit declared.
+        declared: AccelerationUnit,
+    },
+    /// A file does not state its time step, and none is declared.
+    #[error(
+        "the file does not say how far apart its values are; declare it as `time_step` in seconds"
+    )]
+    TimeStepNotStated,
+    /// A declared time step is not that of the file.
+    #[error(
+        "{place} gives a time step of {found} s, but {declared} s is declared as `time_step`; \
+         leave the declaration away"
+    )]
+    TimeStepContradiction {
+        /// Where the file states its time step.
+        place: Place,
+        /// Time step of the file \[s\].
+        found: f64,
+        /// Time step declared \[s\].
+        declared: f64,
+    },
+    /// A declared time step is not a finite number above zero.
+    #[error("the declared `time_step` is {found} s, and must be finite and above 0 s")]
+    DeclaredTimeStep {
+        /// Time step declared \[s\].
+        found: f64,
+    },
+    /// The values are counts of a digitiser, and it is not declared what one is worth.
+    #[error(
+        "{place} reads {found:?}: the values are counts of a digitiser; \
+         declare what one is worth as `per_count`, and in which `unit`"
+    )]
+    Counts {
+        /// Where the file says so.
+        place: Place,
+        /// What it says.
+        found: String,
+    },
+    /// A worth of counts is declared for values that have a unit.
+    #[error(
+        "{place} says that the values are in {}, but `per_count` is declared as {declared}; \
+         leave it away, there are no counts to scale",
+        found.name()
+    )]
+    NoCounts {
+        /// Where the file states its unit.
+        place: Place,
+        /// Unit of the file.
+        found: AccelerationUnit,
+        /// Worth of a count declared.
+        declared: f64,
+    },
+    /// A declared worth of a count cannot scale the values.
+    #[error(
+        "the declared `per_count` is {found}, and must be finite, not 0, and keep every value finite"
+    )]
+    DeclaredPerCount {
+        /// Worth of a count declared.
+        found: f64,
+    },
+    /// A file holds several components, and none is chosen.
+    #[error(
+        "the file holds {} components: {}; choose one by its name or its number as `component`",
+        names.len(), listed(names)
+    )]
+    ComponentNeeded {
+        /// Names of the components in their order.
+        names: Vec<String>,
+    },
+    /// The declared component is none of the file's.
+    #[error(
+        "{found:?} is declared as `component`, but the file holds {}; choose one of them by its name or its number",
+        listed(names)
+    )]
+    UnknownComponent {
+        /// Component declared.
+        found: String,
+        /// Names of the components in their order.
+        names: Vec<String>,
+    },
+}
+
+/// Most components that a message lists.
+const MOST_LISTED: usize = 50;
+
+fn listed(names: &[String]) -> String {
+    let mut listed: Vec<String> = names
+        .iter()
+        .take(MOST_LISTED)
+        .enumerate()
+        .map(|(index, name)| format!("{} = {name:?}", index + 1))
+        .collect();
+    if names.len() > MOST_LISTED {
+        listed.push("…".to_owned());
+    }
+    listed.join(", ")
+}

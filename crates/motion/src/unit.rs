@@ -1,0 +1,83 @@
+//! The units in which files give accelerations.
+
+/// An `AccelerationUnit` is the unit of the values in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AccelerationUnit {
+    /// Multiples of the acceleration of gravity, g.
+    StandardGravity,
+    /// Metres per second squared.
+    MetrePerSecondSquared,
+    /// Centimetres per second squared, also called gal.
+    CentimetrePerSecondSquared,
+    /// Millimetres per second squared.
+    MillimetrePerSecondSquared,
+    /// Thousandths of g.
+    MilliG,
+    /// Tenths of g, as old uncorrected accelerograms have them.
+    TenthG,
+}
+
+impl AccelerationUnit {
+    /// All units, in the order of their definition.
+    pub const ALL: [Self; 6] = [
+        Self::StandardGravity,
+        Self::MetrePerSecondSquared,
+        Self::CentimetrePerSecondSquared,
+        Self::MillimetrePerSecondSquared,
+        Self::MilliG,
+        Self::TenthG,
+    ];
+
+    /// Returns the name by which scene files and options call the unit.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::StandardGravity => "g",
+            Self::MetrePerSecondSquared => "m_per_s2",
+            Self::CentimetrePerSecondSquared => "cm_per_s2",
+            Self::MillimetrePerSecondSquared => "mm_per_s2",
+            Self::MilliG => "mg",
+            Self::TenthG => "g_per_10",
+        }
+    }
+
+    /// Returns the symbol that is printed behind a number.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::StandardGravity => "g",
+            Self::MetrePerSecondSquared => "m/s²",
+            Self::CentimetrePerSecondSquared => "cm/s²",
+            Self::MillimetrePerSecondSquared => "mm/s²",
+            Self::MilliG => "mg",
+            Self::TenthG => "g/10",
+        }
+    }
+
+    /// Returns the unit of that [`name`](Self::name), if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|unit| unit.name() == name)
+    }
+
+    /// Turns a value in this unit into m/s², with one g worth `gravity` \[m/s²\].
+    ///
+    /// Powers of ten divide: 12.3 cm/s² become the f64 that is written 0.123.
+    pub(crate) fn to_si(self, value: f64, gravity: f64) -> f64 {
+        match self {
+            Self::StandardGravity => value * gravity,
+            Self::MetrePerSecondSquared => value,
+            Self::CentimetrePerSecondSquared => value / 100.0,
+            Self::MillimetrePerSecondSquared => value / 1000.0,
+            Self::MilliG => value / 1000.0 * gravity,
+            Self::TenthG => value / 10.0 * gravity,
+        }
+    }
+
+    /// Whether the worth of the unit depends on that of g.
+    pub(crate) fn needs_gravity(self) -> bool {
+        matches!(self, Self::StandardGravity | Self::MilliG | Self::TenthG)
+    }
+
+    /// The names of all units, for a message.
+    pub(crate) fn names() -> String {
+        Self::ALL.map(Self::name).join(", ")
+    }
+}
