@@ -1,13 +1,27 @@
 //! Which format a file is in, and what every format does alike.
 
 mod at2;
+mod columns;
+mod cosmos;
+mod csmip_v1;
+mod csmip_v2;
+mod csmip_v3;
 mod csv;
 mod draft;
+mod eqsig;
+mod esm;
+mod geonet;
+mod knet;
+mod miniseed;
+mod plain;
+mod sac;
+mod smc;
 mod time_column;
+mod title;
 
 use crate::line::{Line, lines};
 use crate::{Accelerogram, Declared, Place, ReadError};
-use draft::{Draft, Scale, Stated, reading};
+use draft::{Draft, Peak, Scale, Stated, reading};
 
 /// A `Format` is a layout of record files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,17 +30,72 @@ pub enum Format {
     Csv,
     /// PEER AT2 and what goes by that name.
     PeerAt2,
+    /// CSMIP (CDMG) volume 1, uncorrected.
+    CsmipV1,
+    /// CSMIP (CDMG) volume 2, corrected.
+    CsmipV2,
+    /// COSMOS 1.2, volumes 0 to 2.
+    Cosmos,
+    /// SMC of the US Geological Survey.
+    UsgsSmc,
+    /// Volume 2 of the University of Southern California.
+    UscV2,
+    /// K-NET and KiK-net of Japan.
+    KNet,
+    /// ASC of ESM and ITACA.
+    Esm,
+    /// V1A and V2A of `GeoNet`, New Zealand.
+    GeoNet,
+    /// Volume 1 of RENADIC, Chile.
+    RenadicV1,
+    /// Seismic Analysis Code, binary.
+    Sac,
+    /// miniSEED 2 and 3, binary.
+    MiniSeed,
+    /// A title, a line with number and step, then values.
+    Eqsig,
+    /// One or two columns of numbers.
+    Plain,
 }
 
 impl Format {
     /// All formats that are read.
-    pub const ALL: [Self; 2] = [Self::Csv, Self::PeerAt2];
+    pub const ALL: [Self; 15] = [
+        Self::Csv,
+        Self::PeerAt2,
+        Self::CsmipV1,
+        Self::CsmipV2,
+        Self::Cosmos,
+        Self::UsgsSmc,
+        Self::UscV2,
+        Self::KNet,
+        Self::Esm,
+        Self::GeoNet,
+        Self::RenadicV1,
+        Self::Sac,
+        Self::MiniSeed,
+        Self::Eqsig,
+        Self::Plain,
+    ];
 
     /// Returns the name that is printed.
     pub fn name(self) -> &'static str {
         match self {
             Self::Csv => "CSV",
             Self::PeerAt2 => "PEER AT2",
+            Self::CsmipV1 => "CSMIP V1",
+            Self::CsmipV2 => "CSMIP V2",
+            Self::Cosmos => "COSMOS 1.2",
+            Self::UsgsSmc => "USGS SMC",
+            Self::UscV2 => "USC V2",
+            Self::KNet => "K-NET",
+            Self::Esm => "ESM ASC",
+            Self::GeoNet => "GeoNet",
+            Self::RenadicV1 => "RENADIC V1",
+            Self::Sac => "SAC",
+            Self::MiniSeed => "miniSEED",
+            Self::Eqsig => "eqsig",
+            Self::Plain => "plain text",
         }
     }
 
@@ -60,7 +129,24 @@ struct Reader {
 }
 
 /// The readers; the first that recognises a file reads it.
-const READERS: [Reader; 2] = [at2::READER, csv::READER];
+const READERS: [Reader; 16] = [
+    sac::READER,
+    miniseed::READER,
+    cosmos::READER,
+    csmip_v3::READER,
+    csmip_v2::USC,
+    csmip_v2::READER,
+    smc::READER,
+    geonet::READER,
+    csmip_v1::RENADIC,
+    csmip_v1::READER,
+    knet::READER,
+    esm::READER,
+    at2::READER,
+    csv::READER,
+    eqsig::READER,
+    plain::READER,
+];
 
 /// Reads the bytes of a file in any [`Format`], recognised by its content and not by a file name.
 ///
@@ -143,7 +229,18 @@ fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, Rea
         })
 }
 
+/// The lines from each at which something begins to the next.
+fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<&'l [Line<'t>]> {
+    let mut starts: Vec<usize> = (0..lines.len()).filter(|index| begins(*index)).collect();
+    starts.push(lines.len());
+    starts
+        .windows(2)
+        .map(|pair| &lines[pair[0]..pair[1]])
+        .collect()
+}
+
 /// For the formats whose files hold one component without a name.
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
 fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(Vec::new())
 }

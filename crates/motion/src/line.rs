@@ -36,6 +36,23 @@ impl<'a> Line<'a> {
         excerpt(self.bytes)
     }
 
+    /// The pieces between blanks.
+    pub(crate) fn pieces(self) -> impl Iterator<Item = &'a [u8]> {
+        self.bytes
+            .split(u8::is_ascii_whitespace)
+            .filter(|piece| !piece.is_empty())
+    }
+
+    /// The fields between commas, or else between blanks.
+    pub(crate) fn fields(self) -> Vec<&'a [u8]> {
+        if self.bytes.contains(&b',') {
+            let fields = self.bytes.split(|byte| *byte == b',');
+            fields.map(<[u8]>::trim_ascii).collect()
+        } else {
+            self.pieces().collect()
+        }
+    }
+
     /// The number in a field of this line; `field` counts from 1.
     pub(crate) fn finite(self, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
         let line = self.number;
@@ -85,7 +102,7 @@ pub(crate) fn number(bytes: &[u8]) -> Option<f64> {
         .or_else(|| text.replace(['D', 'd'], "E").parse().ok())
 }
 
-fn excerpt(bytes: &[u8]) -> String {
+pub(crate) fn excerpt(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes.trim_ascii());
     match text.char_indices().nth(EXCERPT) {
         Some((end, _)) => format!("{}…", &text[..end]),

@@ -197,6 +197,20 @@ pub enum ReadError {
         /// Unit of the values.
         unit: AccelerationUnit,
     },
+    /// A line of plain text has more or fewer columns than can be read.
+    #[error(
+        "line {line} has {found} column(s), allowed are {}; write time and acceleration alone, \
+         or one acceleration to a line",
+        allowed.map_or("1 or 2".to_owned(), |allowed| format!("{allowed} as in the first line of numbers"))
+    )]
+    PlainColumns {
+        /// Line of the numbers.
+        line: usize,
+        /// Columns in that line.
+        found: usize,
+        /// Columns of the first line of numbers, where it can be read.
+        allowed: Option<usize>,
+    },
     /// A value is the mark that the format keeps for one that is missing.
     #[error(
         "line {line}, field {field}: {found:?} marks a missing value; cut the record before it or take another"

@@ -186,10 +186,3 @@ fn extreme_values() {
     assert_snapshot!(refusal(&with_values(4, "-12.3\u{b2}5-34.500\n")), @r#"line 5, field 1: "-12.3²" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(18_446_744_073_709_551_615, "0.1\n")), @"the values end at line 5 after 1 of them, but the header declares 18446744073709551615; fetch the file again, or correct the header if the values are complete");
 }
-
-#[test]
-fn extreme_unknown_format() {
-    assert_snapshot!(refusal("Response spectra (86 periods, .04 - 15 sec)\n"), @r#"line 1 reads "Response spectra (86 periods, .04 - 15 sec)", which begins none of the formats known: CSV, PEER AT2; fetch the file again in one of them, or write one number to a line"#);
-    assert_snapshot!(refusal("\n1 CORRECTED ACCELEROGRAM\n*\n"), @r#"line 2 reads "1 CORRECTED ACCELEROGRAM", which begins none of the formats known: CSV, PEER AT2; fetch the file again in one of them, or write one number to a line"#);
-    assert_snapshot!(refusal("0.0 0.1\n0.1 0.2\n0.2 0.3\n3 0.5\n"),  @r#"line 1 reads "0.0 0.1", which begins none of the formats known: CSV, PEER AT2; fetch the file again in one of them, or write one number to a line"#);
-}

@@ -12,15 +12,20 @@ pub(super) const READER: Reader = Reader {
     read: |file, _| read(file),
 };
 
-// Two words and a comma are enough: a CSV without its header is told what the header must be, and
-// not that it is unknown. Titles of other formats have commas too, but more words.
+/// Two words and a comma, the first of which begins like the header: what is wrong with the rest
+/// is told, and not taken for the titles of plain text.
 fn recognises(file: &File<'_>) -> bool {
     let fields: Vec<&[u8]> = file
         .first()
         .map(|line| line.bytes.split(|byte| *byte == b',').collect())
         .unwrap_or_default();
-    let is_word = |field: &&[u8]| !field.trim_ascii().contains(&b' ');
-    fields.len() == 2 && fields.iter().all(is_word)
+    let is_header = |field: &&[u8]| {
+        let word = field.trim_ascii();
+        word.strip_prefix(b"\"")
+            .unwrap_or(word)
+            .starts_with(b"time_s")
+    };
+    fields.len() == 2 && fields.first().is_some_and(is_header)
 }
 
 /// Reads a two-column CSV: comment lines that begin with `#`, a header, then a time and a value to

@@ -1,0 +1,208 @@
+//! Numbers in fixed columns, as Fortran writes them.
+//!
+//! Such numbers may touch, so lines are cut by bytes and never split at blanks.
+
+use crate::line::{Line, excerpt, number};
+use crate::{Place, ReadError};
+
+/// Most fields of a line and bytes of a field that a format may ask for.
+const WIDEST: usize = 1000;
+
+/// A Fortran format of equal fields, such as 8F10.5: eight to a line, each ten bytes wide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Columns {
+    pub(super) per_line: usize,
+    width: usize,
+    /// Whether the numbers are whole and have no point.
+    whole: bool,
+}
+
+/// The numbers of some lines.
+#[derive(Debug)]
+pub(super) struct Numbers {
+    pub(super) values: Vec<f64>,
+    /// Place of the last number.
+    pub(super) end: Place,
+    /// Unit of the last printed digit of the largest number.
+    pub(super) digit: f64,
+}
+
+impl Columns {
+    pub(super) const fn new(per_line: usize, width: usize) -> Self {
+        let whole = false;
+        Self {
+            per_line,
+            width,
+            whole,
+        }
+    }
+
+    /// The last format in brackets that a line names, such as `(8F10.5)` or `(1P6E13.6)`.
+    pub(super) fn named_in(line: Line<'_>) -> Option<Self> {
+        let text = line.text().to_ascii_uppercase();
+        let mut brackets = text.rsplit('(').filter_map(|part| part.split_once(')'));
+        brackets.find_map(|(inside, _)| Self::parse(inside))
+    }
+
+    /// Reads `8F10.5`, `10I8` or `1P,5E15.7`.
+    fn parse(format: &str) -> Option<Self> {
+        let compact: String = format.chars().filter(|letter| *letter != ' ').collect();
+        let format = match compact.split_once('P') {
+            Some((_, format)) => format.trim_start_matches(','),
+            None => &compact,
+        };
+        let letter = format.find(['F', 'E', 'D', 'G', 'I'])?;
+        let (per_line, field) = format.split_at(letter);
+        let width: String = field[1..]
+            .chars()
+            .take_while(char::is_ascii_digit)
+            .collect();
+        let per_line = if per_line.is_empty() { "1" } else { per_line };
+        let columns = Self {
+            per_line: per_line.parse().ok()?,
+            width: width.parse().ok()?,
+            whole: field.starts_with('I'),
+        };
+        let is_sane = |number: usize| (1..=WIDEST).contains(&number);
+        (is_sane(columns.per_line) && is_sane(columns.width)).then_some(columns)
+    }
+
+    /// Lines that hold so many numbers.
+    pub(super) fn lines_of(self, count: usize) -> usize {
+        count.div_ceil(self.per_line)
+    }
+
+    /// The fields of a line up to its last that is not blank.
+    pub(super) fn fields(self, line: Line<'_>) -> impl Iterator<Item = &[u8]> {
+        line.bytes
+            .trim_ascii_end()
+            .chunks(self.width)
+            .take(self.per_line)
+    }
+
+    /// The numbers of these lines. Values in `missing` are marks and refused.
+    pub(super) fn numbers(
+        self,
+        header: Line<'_>,
+        lines: &[Line<'_>],
+        missing: &[f64],
+    ) -> Result<Numbers, ReadError> {
+        let mut values = Vec::new();
+        let mut largest = Largest::default();
+        for line in lines {
+            for (index, field) in self.fields(*line).enumerate() {
+                let value = if self.whole {
+                    line.finite(index + 1, field)?
+                } else {
+                    decimal(*line, index + 1, field)?
+                };
+                check_present(*line, index + 1, field, missing)?;
+                largest.see(value, field);
+                values.push(value);
+            }
+        }
+        Ok(Numbers {
+            values,
+            end: Place::Line(lines.last().map_or(header.number, |line| line.number)),
+            digit: largest.digit(),
+        })
+    }
+
+    /// Numbers of a header, whole or with a point; what is no number is left out.
+    pub(super) fn header(self, lines: &[Line<'_>]) -> Vec<Option<f64>> {
+        let fields = lines.iter().flat_map(|line| self.fields(*line));
+        fields.map(number).collect()
+    }
+}
+
+/// A number with a point. Without one Fortran would put it somewhere, and a field that was cut at
+/// the wrong column often has none.
+pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
+    let value = line.finite(field, bytes)?;
+    if bytes.contains(&b'.') {
+        return Ok(value);
+    }
+    Err(ReadError::NotANumber {
+        line: line.number,
+        field,
+        found: excerpt(bytes),
+    })
+}
+
+/// Refuses a mark that stands for a value that is missing.
+pub(super) fn check_present(
+    line: Line<'_>,
+    field: usize,
+    bytes: &[u8],
+    missing: &[f64],
+) -> Result<(), ReadError> {
+    let value = number(bytes);
+    if value.is_some_and(|value| missing.iter().any(|mark| is_mark(value, *mark))) {
+        return Err(ReadError::Missing {
+            line: line.number,
+            field,
+            found: excerpt(bytes),
+        });
+    }
+    Ok(())
+}
+
+/// Whether a number is a mark, to the last bit: marks are written the same everywhere.
+pub(super) fn is_mark(value: f64, mark: f64) -> bool {
+    value.total_cmp(&mark).is_eq()
+}
+
+/// The largest of printed numbers, and how finely it is printed.
+#[derive(Default)]
+pub(super) struct Largest<'t> {
+    value: f64,
+    field: &'t [u8],
+}
+
+impl<'t> Largest<'t> {
+    pub(super) fn see(&mut self, value: f64, field: &'t [u8]) {
+        if value.abs() >= self.value {
+            self.value = value.abs();
+            self.field = field;
+        }
+    }
+
+    pub(super) fn digit(&self) -> f64 {
+        last_digit(self.field)
+    }
+}
+
+/// The unit of the last digit of a printed number: 0.01 for `-12.50`, 10 for `1.5E+2`.
+pub(super) fn last_digit(field: &[u8]) -> f64 {
+    let text = String::from_utf8_lossy(field.trim_ascii()).to_ascii_uppercase();
+    let (mantissa, exponent) = text.split_once(['E', 'D']).unwrap_or((&text, "0"));
+    let decimals = mantissa
+        .split_once('.')
+        .map_or(0, |(_, decimals)| decimals.len());
+    let exponent: i64 = exponent.parse().unwrap_or(0);
+    let decimals = i64::try_from(decimals).unwrap_or(i64::MAX);
+    let exponent = exponent.saturating_sub(decimals).clamp(-400, 400);
+    format!("1e{exponent}")
+        .parse()
+        .expect("a number in exponent notation")
+}
+
+/// The lines from the first on that hold nothing but numbers.
+pub(super) fn leading_data<'l, 't>(lines: &'l [Line<'t>]) -> &'l [Line<'t>] {
+    let end = lines.iter().position(|line| !is_data(*line));
+    &lines[..end.unwrap_or(lines.len())]
+}
+
+fn is_data(line: Line<'_>) -> bool {
+    let of_numbers = |byte: &u8| {
+        byte.is_ascii_digit() || matches!(byte, b' ' | b'\t' | b'+' | b'-' | b'.' | b'*')
+            // NaN and Inf are refused as numbers, not taken for the end.
+            || b"EeDdNnAaIiFf".contains(byte)
+    };
+    !line.is_blank()
+        && line
+            .bytes
+            .iter()
+            .any(|byte| matches!(byte, b'.' | b'*') || byte.is_ascii_digit())
+        && line.bytes.iter().all(of_numbers)
+}

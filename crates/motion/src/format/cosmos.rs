@@ -1,0 +1,250 @@
+//! COSMOS 1.2, volumes 0 to 2: per channel titles, whole numbers, numbers with a point, comments
+//! and the values, each block with a line above that says how it is printed.
+//!
+//! The 62nd of the numbers with a point is the time step in milliseconds, the 64th the peak. The
+//! number of values and a code for their unit stand on the line above them. A volume 2 may have
+//! velocity and displacement as further channels; only those of acceleration are listed. Volume 1
+//! was at hand, volumes 0 and 2 were not.
+
+use super::columns::{Columns, is_mark, last_digit, leading_data};
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated, reading};
+use crate::line::{Line, number};
+use crate::{AccelerationUnit, Place, ReadError};
+
+pub(super) const READER: Reader = Reader {
+    format: Format::Cosmos,
+    recognises: |file| file.lines.first().is_some_and(|line| starts(*line)),
+    components,
+    read,
+};
+
+fn starts(line: Line<'_>) -> bool {
+    title::holds(line, "(FORMAT V01") && title::holds(line, "TEXT LINES")
+}
+
+/// The channels that hold accelerations.
+fn channels<'l, 't>(file: &'l File<'t>) -> Result<Vec<&'l [Line<'t>]>, ReadError> {
+    let mut channels = super::blocks(&file.lines, |index| starts(file.lines[index]));
+    channels.retain(|channel| title::holds(channel[0], "ACCEL"));
+    if channels.is_empty() {
+        let line = file.lines[0];
+        return Err(ReadError::NotAcceleration {
+            place: Place::Line(line.number),
+            found: line.excerpt(),
+            instead: "the channels of acceleration of the record",
+        });
+    }
+    Ok(channels)
+}
+
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    let channels = channels(file)?;
+    Ok(channels.into_iter().map(component).collect())
+}
+
+/// The channel as the titles name it: `Sta Cha:  1: 340 deg`, up to what is put in brackets.
+fn component(channel: &[Line<'_>]) -> Component {
+    let titles = &channel[..channel.len().min(13)];
+    let line = title::line_with(titles, "STA CHA").unwrap_or(channel[0]);
+    let text = line.text();
+    let name = text.split(['(', ',']).next().unwrap_or_default();
+    Component {
+        name: title::words(name),
+        place: Place::Line(line.number),
+    }
+}
+
+/// A block of a channel: the line above it, its own lines, and what follows.
+struct Block<'l, 't> {
+    line: Line<'t>,
+    lines: &'l [Line<'t>],
+    rest: &'l [Line<'t>],
+}
+
+/// Splits off a block of as many lines as the line above says, behind a word.
+fn block<'l, 't>(lines: &'l [Line<'t>], word: &str) -> Result<Block<'l, 't>, ReadError> {
+    let (line, rest) = needed(lines.split_first(), None, "a block of its header")?;
+    let text = line.text();
+    let place = Place::Line(line.number);
+    let n_lines = title::after(&text, word).and_then(title::first_number);
+    let n_lines = n_lines.and_then(|number| number.parse().ok());
+    let n_lines: usize = n_lines.ok_or_else(|| ReadError::Header {
+        place,
+        found: line.excerpt(),
+        allowed: "the number of lines of the block below",
+    })?;
+    let split = rest.split_at_checked(n_lines);
+    let (lines, rest) = needed(
+        split,
+        rest.last().copied().or(Some(*line)),
+        "the end of its header",
+    )?;
+    Ok(Block {
+        line: *line,
+        lines,
+        rest,
+    })
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let channels = channels(file)?;
+    let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
+    let n_titles = title::after(&channel[0].text(), "WITH")
+        .and_then(|text| title::first_number(text)?.parse().ok());
+    let titles = channel.get(..n_titles.unwrap_or(13));
+    let titles = needed(titles, channel.last().copied(), "its titles")?;
+    let whole = block(&channel[titles.len()..], "FOLLOW ON")?;
+    let real = block(whole.rest, "FOLLOW ON")?;
+    let comments = block(real.rest, "")?;
+    let last = comments.lines.last().unwrap_or(&comments.line);
+    let (line, data) = needed(comments.rest.split_first(), Some(*last), "the values")?;
+    let scale = scale(*line)?;
+    let unknown = unknown(titles);
+    let marks = [unknown];
+    // In counts the mark is as good a value as any.
+    let marks = if matches!(scale, Scale::Counts(_)) {
+        &[][..]
+    } else {
+        &marks[..]
+    };
+    let columns = Columns::named_in(*line);
+    let columns = columns.ok_or_else(|| ReadError::Header {
+        place: Place::Line(line.number),
+        found: line.excerpt(),
+        allowed: "a Fortran format such as Format=(8F10.5)",
+    })?;
+    let numbers = columns.numbers(*line, leading_data(data), marks)?;
+    let header = Header::new(&real, unknown);
+    let time_step = header.stated(62).map(|step| Stated {
+        value: step.value / 1000.0,
+        ..step
+    });
+    let text = line.text();
+    check_duration(*line, numbers.values.len(), time_step.as_ref())?;
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(title::count(
+            *line,
+            title::first_number(&text).unwrap_or_default(),
+        )?),
+        time_step,
+        scale,
+        peak: header.stated(64).map(|stated| Peak {
+            digit: last_digit(stated.value.to_string().as_bytes()),
+            stated,
+            unit: None,
+        }),
+        provenance: title::provenance(titles),
+        remarks: vec![reading(
+            "columns",
+            Some(Place::Line(line.number)),
+            "as the line says",
+        )],
+    })
+}
+
+/// The numbers with a point, and the mark of those that are unknown.
+struct Header<'l, 't> {
+    numbers: Vec<Option<f64>>,
+    lines: &'l [Line<'t>],
+    per_line: usize,
+    unknown: f64,
+}
+
+impl<'l, 't> Header<'l, 't> {
+    fn new(block: &Block<'l, 't>, unknown: f64) -> Self {
+        let columns = Columns::named_in(block.line).unwrap_or(Columns::new(5, 15));
+        Self {
+            numbers: columns.header(block.lines),
+            lines: block.lines,
+            per_line: columns.per_line,
+            unknown,
+        }
+    }
+
+    /// The n-th number, from 1, unless it is unknown.
+    fn stated(&self, n: usize) -> Option<Stated<f64>> {
+        let value = self.numbers.get(n - 1).copied().flatten()?;
+        let line = self.lines.get((n - 1) / self.per_line)?;
+        (!is_mark(value, self.unknown) && value.is_finite()).then(|| Stated {
+            value,
+            place: Place::Line(line.number),
+            text: format!("number {n} of the block: {value}"),
+        })
+    }
+}
+
+/// The mark of what is unknown, from a title such as `Values used when parameter or data value is
+/// unknown/unspecified:   -999, -999.0`.
+fn unknown(titles: &[Line<'_>]) -> f64 {
+    let line = title::line_with(titles, "UNKNOWN");
+    let marks = line.and_then(|line| {
+        let text = line.text();
+        let mark = text.rsplit([',', ' ']).find(|word| !word.is_empty())?;
+        number(mark.as_bytes())
+    });
+    marks.unwrap_or(-999.0)
+}
+
+/// What the values are, from a line such as `7000  acceleration pts, approx   70 secs,
+/// units=cm/sec2(04),Format=(8F10.5)`.
+fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
+    let place = Place::Line(line.number);
+    let text = line.excerpt();
+    if !title::holds(line, "ACC") {
+        return Err(ReadError::NotAcceleration {
+            place,
+            found: text,
+            instead: "the channels of acceleration of the record",
+        });
+    }
+    let whole = line.text();
+    let units = title::after(&whole, "UNITS").unwrap_or_default();
+    let code = units
+        .split_once('(')
+        .and_then(|(_, rest)| rest.split_once(')'));
+    let unit = match code.map_or("", |(code, _)| code.trim()) {
+        "02" | "2" => AccelerationUnit::StandardGravity,
+        "04" | "4" | "10" => AccelerationUnit::CentimetrePerSecondSquared,
+        "11" => AccelerationUnit::MilliG,
+        "50" => {
+            return Ok(Scale::Counts(Stated {
+                value: (),
+                place,
+                text,
+            }));
+        }
+        _ => return Err(ReadError::UnknownUnit { place, found: text }),
+    };
+    Ok(Scale::Unit(Stated {
+        value: unit,
+        place,
+        text,
+    }))
+}
+
+/// Holds number and time step against `approx   70 secs`. Files count the last step or do not.
+fn check_duration(
+    line: Line<'_>,
+    n_samples: usize,
+    time_step: Option<&Stated<f64>>,
+) -> Result<(), ReadError> {
+    let text = line.text();
+    let stated = title::after(&text, "APPROX").and_then(title::first_number);
+    let stated = stated.and_then(|stated| number(stated.as_bytes()));
+    let (Some(stated), Some(step)) = (stated, time_step) else {
+        return Ok(());
+    };
+    let found = n_samples as f64 * step.value;
+    if (found - stated).abs() <= 1.0 + step.value {
+        return Ok(());
+    }
+    Err(ReadError::Header {
+        place: Place::Line(line.number),
+        found: line.excerpt(),
+        allowed: "a duration that the number of values and the time step of the header give",
+    })
+}

@@ -1,0 +1,192 @@
+//! CSMIP (CDMG) volume 1 and RENADIC volume 1: uncorrected accelerograms, per channel 13 titles and
+//! 14 lines of numbers, then the values.
+//!
+//! Newer files have a line such as `13200 Accelerogram points at 200 pts/sec in units of g.
+//! Format:(8f9.6)` above values alone. Older ones have pairs of time and value, five to a line of
+//! 10F7, and a title such as `UNITS ARE SEC AND G/10`.
+//!
+//! No file of either network was at hand: this follows descriptions of the format and programs
+//! that read it.
+
+use super::columns::{Columns, Largest, decimal, leading_data};
+use super::csmip_v2::component;
+use super::time_column::TimeColumn;
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated, reading};
+use crate::line::{Line, number};
+use crate::{Place, ReadError};
+
+/// Lines of titles of a channel, and of all of its header.
+const TITLES: usize = 13;
+const HEADER: usize = 27;
+
+/// Pairs of time and value.
+const PAIRS: Columns = Columns::new(10, 7);
+
+pub(super) const READER: Reader = Reader {
+    format: Format::CsmipV1,
+    recognises,
+    components: |file| Ok(components(file)),
+    read,
+};
+
+pub(super) const RENADIC: Reader = Reader {
+    format: Format::RenadicV1,
+    recognises: |file| {
+        let titles = &file.lines[..file.lines.len().min(TITLES)];
+        recognises(file) && title::line_with(titles, "RENADIC").is_some()
+    },
+    components: |file| Ok(components(file)),
+    read,
+};
+
+fn recognises(file: &File<'_>) -> bool {
+    file.lines.first().is_some_and(|line| starts(*line))
+}
+
+fn starts(line: Line<'_>) -> bool {
+    title::holds(line, "UNCORRECTED ACCELEROGRAM")
+}
+
+fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
+    super::blocks(&file.lines, |index| starts(file.lines[index]))
+}
+
+fn components(file: &File<'_>) -> Vec<Component> {
+    let channels = channels(file);
+    channels
+        .into_iter()
+        .map(|channel| component(&channel[..channel.len().min(TITLES)]))
+        .collect()
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let channels = channels(file);
+    let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
+    let next = needed(channel.get(HEADER), channel.last().copied(), "the values")?;
+    let (header, data) = channel.split_at(HEADER);
+    if title::holds(*next, "POINTS") {
+        evenly_spaced(header, *next, &data[1..])
+    } else {
+        pairs(header, data)
+    }
+}
+
+fn evenly_spaced(
+    header: &[Line<'_>],
+    line: Line<'_>,
+    data: &[Line<'_>],
+) -> Result<Draft, ReadError> {
+    let titles = &header[..TITLES];
+    let text = line.text();
+    let n_samples = title::first_number(&text).unwrap_or_default();
+    let rate = title::after(&text, "POINTS AT").and_then(title::first_number);
+    let step = rate
+        .and_then(|rate| number(rate.as_bytes()))
+        .map(|rate| 1.0 / rate);
+    let unit = title::after(&text, "UNITS OF").or_else(|| title::after(&text, " IN "));
+    let columns = Columns::named_in(line).unwrap_or(Columns::new(8, 9));
+    let numbers = columns.numbers(line, leading_data(data), &[])?;
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(title::count(line, n_samples)?),
+        time_step: Some(title::time_step(line, step)?),
+        scale: Scale::Unit(title::stated_unit(line, unit.unwrap_or_default())?),
+        peak: peak(titles),
+        provenance: title::provenance(titles),
+        remarks: Vec::new(),
+    })
+}
+
+fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
+    let titles = &header[..TITLES];
+    let mut times = TimeColumn::default();
+    let mut values = Vec::new();
+    let mut largest = Largest::default();
+    let data = leading_data(data);
+    for line in data {
+        let fields: Vec<&[u8]> = PAIRS.fields(*line).collect();
+        for (index, pair) in fields.chunks(2).enumerate() {
+            let &[time, value] = pair else {
+                return Err(ReadError::Header {
+                    place: Place::Line(line.number),
+                    found: line.excerpt(),
+                    allowed: "a value behind each time",
+                });
+            };
+            decimal(*line, 2 * index + 1, time)?;
+            times.push(*line, time)?;
+            let number = decimal(*line, 2 * index + 2, value)?;
+            largest.see(number, value);
+            values.push(number);
+        }
+    }
+    let count = n_pairs(header)?;
+    let end = data
+        .last()
+        .map_or(header[HEADER - 1].number, |line| line.number);
+    if values.len() != count.value {
+        return Err(ReadError::SampleCount {
+            place: Place::Line(end),
+            found: values.len(),
+            allowed: count.value,
+        });
+    }
+    let unit = needed(
+        title::line_with(titles, "UNITS"),
+        header.last().copied(),
+        "its unit",
+    )?;
+    let (time_step, rest) = times.into_step(&mut values)?;
+    let remark = reading(
+        "columns",
+        Some(Place::Line(header[HEADER - 1].number + 1)),
+        "pairs of time and value",
+    );
+    Ok(Draft {
+        values,
+        end: Place::Line(end),
+        digit: largest.digit(),
+        // Held against the pairs above: a state of rest may have come before them.
+        count: None,
+        time_step: Some(time_step),
+        scale: Scale::Unit(title::stated_unit(
+            unit,
+            title::after(&unit.text(), "UNITS").unwrap_or_default(),
+        )?),
+        peak: peak(titles),
+        provenance: title::provenance(titles),
+        remarks: rest.into_iter().chain([remark]).collect(),
+    })
+}
+
+/// The number of pairs: of a title such as `NO. OF POINTS =   8820`, else the 28th of the whole
+/// numbers.
+fn n_pairs(header: &[Line<'_>]) -> Result<Stated<usize>, ReadError> {
+    if let Some(line) = title::line_with(&header[..TITLES], "POINTS") {
+        let text = line.text();
+        let count = title::after(&text, "POINTS").and_then(title::first_number);
+        return title::count(line, count.unwrap_or_default());
+    }
+    let line = header[TITLES + 1];
+    let whole = Columns::new(16, 5).header(&header[TITLES..TITLES + 7]);
+    let count = whole.get(27).copied().flatten();
+    title::count(
+        line,
+        &count.map(|count| count.to_string()).unwrap_or_default(),
+    )
+}
+
+/// The peak of a title such as `UNCOR MAX  =  -.275 G`.
+fn peak(titles: &[Line<'_>]) -> Option<Peak> {
+    titles.iter().find_map(|line| {
+        let text = line.text();
+        let value = title::after(&text, "MAX")?
+            .trim_start()
+            .strip_prefix('=')?
+            .to_owned();
+        title::peak(*line, &value)
+    })
+}

@@ -1,0 +1,133 @@
+//! CSMIP (CDMG) volume 2 and USC volume 2: per channel titles and numbers, then blocks of
+//! acceleration, velocity and displacement, of which the first is read.
+//!
+//! The line above each block tells how many values there are, their step, their unit and, in newer
+//! files, their Fortran format; older ones have 8F10.3.
+
+use super::columns::{Columns, leading_data};
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, reading};
+use crate::line::{Line, number};
+use crate::{Place, ReadError};
+
+/// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
+const TITLES: usize = 25;
+
+/// Lines after a channel's first among which its header ends.
+const SEARCHED: usize = 80;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::CsmipV2,
+    recognises,
+    components: |file| Ok(components(file)),
+    read,
+};
+
+/// Volume 2 of the University of Southern California, which other networks took up.
+pub(super) const USC: Reader = Reader {
+    format: Format::UscV2,
+    recognises: |file| recognises(file) && is_usc(file),
+    components: |file| Ok(components(file)),
+    read,
+};
+
+fn recognises(file: &File<'_>) -> bool {
+    starts(&file.lines, 0)
+}
+
+fn is_usc(file: &File<'_>) -> bool {
+    let titles = &file.lines[..file.lines.len().min(TITLES)];
+    title::line_with(titles, "STATION USC").is_some()
+}
+
+/// Whether a channel begins here: `CORRECTED ACCELEROGRAM`, and on the next line the uncorrected
+/// one that it was made from.
+fn starts(lines: &[Line<'_>], index: usize) -> bool {
+    let (Some(first), Some(second)) = (lines.get(index), lines.get(index + 1)) else {
+        return false;
+    };
+    title::holds(*first, "CORRECTED ACCELEROGRAM")
+        && !title::holds(*first, "UNCORRECTED ACCELEROGRAM")
+        && title::holds(*second, "UNCORRECTED ACCELEROGRAM")
+}
+
+/// The lines of each channel.
+fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
+    super::blocks(&file.lines, |index| starts(&file.lines, index))
+}
+
+fn components(file: &File<'_>) -> Vec<Component> {
+    channels(file).into_iter().map(component).collect()
+}
+
+/// The channel as the titles name it: `CHAN  1:  90 DEG` or `COMP N08W`.
+pub(super) fn component(lines: &[Line<'_>]) -> Component {
+    let titles = &lines[..lines.len().min(TITLES)];
+    let named = titles.iter().find(|line| {
+        let words = line.bytes.trim_ascii();
+        ["CHAN", "COMP"].iter().any(|word| {
+            words
+                .get(..4)
+                .is_some_and(|start| start.eq_ignore_ascii_case(word.as_bytes()))
+        })
+    });
+    let line = named.unwrap_or(&lines[0]);
+    let text = line.text();
+    let mut words: Vec<&str> = text.split_whitespace().collect();
+    if words[0].eq_ignore_ascii_case("COMP") {
+        // The length of the title may follow.
+        words.truncate(2);
+    }
+    Component {
+        name: words.join(" "),
+        place: Place::Line(line.number),
+    }
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let channels = channels(file);
+    let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
+    let titles = &channel[..channel.len().min(TITLES)];
+    let header = channel
+        .iter()
+        .take(SEARCHED)
+        .position(|line| is_block(*line));
+    let header = needed(
+        header,
+        channel.last().copied(),
+        "a line such as `3251 POINTS OF ACCEL DATA`",
+    )?;
+    let (line, data) = (channel[header], &channel[header + 1..]);
+    let text = line.text();
+    let n_samples = title::first_number(&text).unwrap_or_default();
+    let spacing = title::after(&text, "SPACED AT").unwrap_or_default();
+    let step = title::first_number(spacing).and_then(|step| number(step.as_bytes()));
+    let unit = title::after(spacing, "SEC").unwrap_or_default();
+    let named = Columns::named_in(line);
+    let columns = named.unwrap_or(Columns::new(8, 10));
+    let numbers = columns.numbers(line, leading_data(data), &[])?;
+    let peak = title::line_with(titles, "PEAK ACCELERATION");
+    let cut = if named.is_some() {
+        "as the line says"
+    } else {
+        "8F10, as the format has it"
+    };
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(title::count(line, n_samples)?),
+        time_step: Some(title::time_step(line, step)?),
+        scale: Scale::Unit(title::stated_unit(line, unit)?),
+        peak: peak
+            .and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?)),
+        provenance: title::provenance(titles),
+        remarks: vec![reading("columns", Some(Place::Line(line.number)), cut)],
+    })
+}
+
+fn is_block(line: Line<'_>) -> bool {
+    title::holds(line, "POINTS OF ACC")
+        && title::holds(line, "SPACED AT")
+        && !title::holds(line, "POINTS OF ACCEL, VELOC")
+}

@@ -1,0 +1,75 @@
+//! ESM and ITACA ASC: 64 lines of a key and a value, then a value to a line.
+
+use super::columns::{Largest, decimal, leading_data};
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale};
+use crate::line::{Line, number};
+use crate::{Place, ReadError};
+
+/// Lines in which keys are looked for; their number is 64 in all files seen.
+const HEADER: usize = 100;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::Esm,
+    recognises: |file| {
+        title::value_of(&file.lines[..file.lines.len().min(1)], "EVENT_NAME:").is_some()
+    },
+    components,
+    read: |file, _| read(file),
+};
+
+fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
+    let searched = &file.lines[..file.lines.len().min(HEADER)];
+    let is_key = |line: &&Line<'_>| line.bytes.contains(&b':');
+    &searched[..searched.iter().take_while(is_key).count()]
+}
+
+fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
+    let header = header(file);
+    needed(title::value_of(header, key), header.last().copied(), key)
+}
+
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    let (line, name) = value(file, "STREAM:")?;
+    Ok(vec![Component {
+        name,
+        place: Place::Line(line.number),
+    }])
+}
+
+fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+    let header = header(file);
+    let last = header[header.len() - 1];
+    let (kind_line, kind) = value(file, "DATA_TYPE:")?;
+    if !kind.eq_ignore_ascii_case("ACCELERATION") {
+        return Err(ReadError::NotAcceleration {
+            place: Place::Line(kind_line.number),
+            found: kind_line.excerpt(),
+            instead: "the .ACC.ASC file of the record",
+        });
+    }
+    let (count_line, count) = value(file, "NDATA:")?;
+    let (step_line, step) = value(file, "SAMPLING_INTERVAL_S:")?;
+    let (unit_line, unit) = value(file, "UNITS:")?;
+    let peak = header.iter().find(|line| line.bytes.starts_with(b"PGA_"));
+    let mut values = Vec::new();
+    let mut largest = Largest::default();
+    let mut end = last;
+    for line in leading_data(&file.lines[header.len()..]) {
+        let value = decimal(*line, 1, line.bytes)?;
+        largest.see(value, line.bytes);
+        values.push(value);
+        end = *line;
+    }
+    Ok(Draft {
+        values,
+        end: Place::Line(end.number),
+        digit: largest.digit(),
+        count: Some(title::count(count_line, &count)?),
+        time_step: Some(title::time_step(step_line, number(step.as_bytes()))?),
+        scale: Scale::Unit(title::stated_unit(unit_line, &unit)?),
+        peak: peak.and_then(|line| title::peak(*line, line.text().split_once(':')?.1)),
+        provenance: title::provenance(header),
+        remarks: Vec::new(),
+    })
+}

@@ -1,0 +1,114 @@
+//! `GeoNet` V1A and V2A: three components, each with 16 titles, numbers in 10I8 and 10F8, then
+//! accelerations in 10F8.1; a V2A goes on with velocity and displacement.
+//!
+//! Values are in mm/s². A V2A was at hand, a V1A was not; since the offset of uncorrected values is
+//! not known to be in its peak, only that of a V2A is checked.
+
+use super::columns::{Columns, leading_data};
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use crate::line::Line;
+use crate::{AccelerationUnit, Place, ReadError};
+
+/// Lines of titles, of whole numbers, and of all of the header.
+const TITLES: usize = 16;
+const WHOLE: usize = 4;
+const HEADER: usize = 26;
+
+const COLUMNS: Columns = Columns::new(10, 8);
+
+pub(super) const READER: Reader = Reader {
+    format: Format::GeoNet,
+    recognises: |file| file.lines.first().is_some_and(|line| starts(*line)),
+    components: |file| Ok(components(file)),
+    read,
+};
+
+fn starts(line: Line<'_>) -> bool {
+    title::holds(line, "CORRECTED ACCELEROGRAM") && title::holds(line, "GNS SCIENCE")
+}
+
+fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
+    super::blocks(&file.lines, |index| starts(file.lines[index]))
+}
+
+fn components(file: &File<'_>) -> Vec<Component> {
+    let component = |channel: &[Line<'_>]| {
+        let titles = &channel[..channel.len().min(TITLES)];
+        let line = title::line_with(titles, "COMPONENT").unwrap_or(channel[0]);
+        let text = line.text();
+        let name = text.split_whitespace().nth(1).unwrap_or_default();
+        Component {
+            name: name.to_owned(),
+            place: Place::Line(line.number),
+        }
+    };
+    channels(file).into_iter().map(component).collect()
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let channels = channels(file);
+    let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
+    let header = needed(
+        channel.get(..HEADER),
+        channel.last().copied(),
+        "the numbers of its header",
+    )?;
+    let (titles, numbers) = header.split_at(TITLES);
+    let (whole_lines, real_lines) = numbers.split_at(WHOLE);
+    let whole = COLUMNS.header(whole_lines);
+    let real = COLUMNS.header(real_lines);
+    let uncorrected = title::holds(titles[0], "UNCORRECTED");
+    // The first six of the last line: raw numbers of samples of each quantity, then corrected ones.
+    let count = whole
+        .get(if uncorrected { 30 } else { 33 })
+        .copied()
+        .flatten();
+    let count = count.map(|count| count.to_string()).unwrap_or_default();
+    let count = title::count(whole_lines[WHOLE - 1], &count)?;
+    let data = &channel[HEADER..];
+    let rows = COLUMNS.lines_of(count.value).min(data.len());
+    let numbers = COLUMNS.numbers(header[HEADER - 1], leading_data(&data[..rows]), &[])?;
+    let quantity = title::line_with(titles, "ACCELERATION:");
+    let unit = match quantity {
+        Some(line) => {
+            let text = line.text();
+            title::stated_unit(line, title::after(&text, "PEAK").unwrap_or_default())?
+        }
+        None => Stated {
+            value: AccelerationUnit::MillimetrePerSecondSquared,
+            place: Place::Line(titles[0].number),
+            text: "as the format has it".to_owned(),
+        },
+    };
+    let step = time_step(titles, &real, count.value);
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(count),
+        time_step: Some(title::time_step(real_lines[2], step)?),
+        scale: Scale::Unit(unit),
+        peak: quantity
+            .filter(|_| !uncorrected)
+            .and_then(|line| title::peak(line, title::after(&line.text(), "PEAK")?)),
+        provenance: title::provenance(titles),
+        remarks: Vec::new(),
+    })
+}
+
+/// The 26th number with a point, or the 25th, that of the recorder: the one that fits the duration
+/// of the titles.
+fn time_step(titles: &[Line<'_>], real: &[Option<f64>], n_samples: usize) -> Option<f64> {
+    let steps = [25, 24].map(|index| real.get(index).copied().flatten());
+    let line = title::line_with(titles, "DURATION")?;
+    let text = line.text();
+    let duration: f64 = title::first_number(title::after(&text, "DURATION")?)?
+        .parse()
+        .ok()?;
+    let fits = |step: &f64| {
+        let found = (n_samples - 1) as f64 * step;
+        (found - duration).abs() <= 1.5 * step.abs()
+    };
+    steps.into_iter().flatten().find(fits)
+}

@@ -1,0 +1,106 @@
+//! K-NET and KiK-net: 17 lines of keys, then whole numbers of a digitiser, eight to a line.
+//!
+//! The scale factor of the header, such as `3920(gal)/6182761`, turns counts into gal. The counts
+//! have an offset, so their mean is removed, as it is for the peak in the header. Directions are
+//! compass points, or on KiK-net 1 to 3 in the borehole and 4 to 6 at the surface.
+//!
+//! The network does not let its files be passed on, and none was at hand: this follows its
+//! description and programs that read it.
+
+use super::columns::check_present;
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, Stated, reading};
+use crate::line::{Line, number};
+use crate::{AccelerationUnit, Place, ReadError};
+
+/// Lines in which keys are looked for.
+const HEADER: usize = 40;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::KNet,
+    recognises: |file| {
+        let header = &file.lines[..file.lines.len().min(HEADER)];
+        title::value_of(&header[..header.len().min(1)], "Origin Time").is_some()
+            && title::value_of(header, "Scale Factor").is_some()
+    },
+    components,
+    read: |file, _| read(file),
+};
+
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    let (line, name) = value(file, "Dir.")?;
+    Ok(vec![Component {
+        name,
+        place: Place::Line(line.number),
+    }])
+}
+
+fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
+    let header = &file.lines[..file.lines.len().min(HEADER)];
+    needed(title::value_of(header, key), header.last().copied(), key)
+}
+
+fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+    let (rate_line, rate) = value(file, "Sampling Freq(Hz)")?;
+    let rate = title::first_number(&rate).and_then(|rate| number(rate.as_bytes()));
+    let (duration_line, duration) = value(file, "Duration Time(s)")?;
+    let duration = number(duration.as_bytes());
+    let (scale_line, scale) = value(file, "Scale Factor")?;
+    let (gal, counts) = scale_factor(scale_line, &scale)?;
+    let (peak_line, peak) = value(file, "Max. Acc. (gal)")?;
+    let (memo, _) = value(file, "Memo")?;
+    let mut values = Vec::new();
+    let mut end = memo;
+    for line in &file.lines[memo.number..] {
+        for (index, field) in line.pieces().enumerate() {
+            check_present(*line, index + 1, field, &[])?;
+            values.push(line.finite(index + 1, field)?);
+            end = *line;
+        }
+    }
+    let n_samples = duration
+        .zip(rate)
+        .map(|(duration, rate)| (duration * rate).round().to_string());
+    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    for value in &mut values {
+        *value = (*value - mean) * gal / counts;
+    }
+    let remark = format!(
+        "{} gal, the mean of the record, taken off",
+        mean * gal / counts
+    );
+    Ok(Draft {
+        values,
+        end: Place::Line(end.number),
+        digit: gal / counts,
+        count: Some(title::count(duration_line, &n_samples.unwrap_or_default())?),
+        time_step: Some(title::time_step(rate_line, rate.map(|rate| 1.0 / rate))?),
+        scale: Scale::Unit(Stated {
+            value: AccelerationUnit::CentimetrePerSecondSquared,
+            place: Place::Line(scale_line.number),
+            text: scale_line.excerpt(),
+        }),
+        peak: title::peak(peak_line, &peak),
+        provenance: title::provenance(&file.lines[..memo.number]),
+        remarks: vec![
+            reading("scale factor", Some(Place::Line(scale_line.number)), &scale),
+            reading("mean removed", None, &remark),
+        ],
+    })
+}
+
+/// Gal and counts of `3920(gal)/6182761`.
+fn scale_factor(line: Line<'_>, text: &str) -> Result<(f64, f64), ReadError> {
+    let parts = text.split_once('/').and_then(|(gal, counts)| {
+        let gal = gal.trim().strip_suffix("(gal)")?;
+        Some((number(gal.as_bytes())?, number(counts.as_bytes())?))
+    });
+    let usable = |value: f64| value.is_finite() && value > 0.0;
+    parts
+        .filter(|(gal, counts)| usable(*gal) && usable(*counts) && usable(gal / counts))
+        .ok_or_else(|| ReadError::Header {
+            place: Place::Line(line.number),
+            found: line.excerpt(),
+            allowed: "a scale factor such as 3920(gal)/6182761",
+        })
+}

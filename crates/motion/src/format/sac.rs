@@ -1,0 +1,187 @@
+//! SAC: a binary header of 632 bytes, then values in single precision.
+//!
+//! The byte order is the one in which the version of the header is 6 or 7. The header tells whether
+//! the values are accelerations, but not their unit. A step in single precision is taken as the
+//! shortest decimal that it stands for, 0.02 and not 0.01999999955.
+
+use super::columns::is_mark;
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated, reading};
+use crate::{Place, ReadError};
+
+/// Bytes of the header, and of what version 7 adds behind the values.
+const HEADER: usize = 632;
+const FOOTER: usize = 176;
+
+/// First bytes of fields.
+const STEP: usize = 0;
+const SMALLEST: usize = 4;
+const LARGEST: usize = 8;
+const VERSION: usize = 304;
+const COUNT: usize = 316;
+const KIND: usize = 340;
+const QUANTITY: usize = 344;
+const EVEN: usize = 420;
+const CHANNEL: usize = 600;
+
+/// Mark of a field that is not set.
+const UNSET: f64 = -12345.0;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::Sac,
+    recognises: |file| Sac::new(file.bytes).is_some(),
+    components,
+    read: |file, _| read(file),
+};
+
+/// The bytes of a file and their order.
+struct Sac<'t> {
+    bytes: &'t [u8],
+    big_endian: bool,
+}
+
+impl<'t> Sac<'t> {
+    fn new(bytes: &'t [u8]) -> Option<Self> {
+        let header = bytes.get(..HEADER)?;
+        [true, false]
+            .map(|big_endian| Self { bytes, big_endian })
+            .into_iter()
+            .find(|sac| {
+                matches!(sac.whole(VERSION), 6 | 7)
+                    // Text has no such bytes.
+                    && header.contains(&0)
+            })
+    }
+
+    fn word(&self, at: usize) -> [u8; 4] {
+        let mut word = [0; 4];
+        word.copy_from_slice(&self.bytes[at..at + 4]);
+        word
+    }
+
+    fn whole(&self, at: usize) -> i32 {
+        let word = self.word(at);
+        if self.big_endian {
+            i32::from_be_bytes(word)
+        } else {
+            i32::from_le_bytes(word)
+        }
+    }
+
+    fn single(&self, at: usize) -> f32 {
+        f32::from_bits(self.whole(at).cast_unsigned())
+    }
+
+    fn refused(&self, at: usize, allowed: &'static str) -> ReadError {
+        ReadError::Header {
+            place: byte(at),
+            found: self.whole(at).to_string(),
+            allowed,
+        }
+    }
+}
+
+fn byte(at: usize) -> Place {
+    Place::Byte(at + 1)
+}
+
+fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, ReadError> {
+    Sac::new(file.bytes).ok_or(ReadError::Empty)
+}
+
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    let name = &sac(file)?.bytes[CHANNEL..CHANNEL + 8];
+    let name = name.split(|byte| *byte == 0).next().unwrap_or_default();
+    let name = String::from_utf8_lossy(name.trim_ascii()).into_owned();
+    if name.is_empty() || name == "-12345" {
+        return Ok(Vec::new());
+    }
+    Ok(vec![Component {
+        name,
+        place: byte(CHANNEL),
+    }])
+}
+
+fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+    let sac = sac(file)?;
+    if sac.whole(KIND) != 1 {
+        return Err(sac.refused(KIND, "1, a time series"));
+    }
+    if sac.whole(EVEN) != 1 {
+        return Err(sac.refused(EVEN, "1, values at equal steps"));
+    }
+    // 5 is unknown, 8 an acceleration; 6, 7 and 50 are displacement, velocity and volts.
+    let quantity = match sac.whole(QUANTITY) {
+        8 => "acceleration",
+        5 | -12345 => "not stated",
+        other => {
+            return Err(ReadError::NotAcceleration {
+                place: byte(QUANTITY),
+                found: format!("IDEP {other}"),
+                instead: "the file of accelerations (IDEP 8)",
+            });
+        }
+    };
+    let count = usize::try_from(sac.whole(COUNT))
+        .ok()
+        .filter(|count| *count > 0);
+    let count = count.ok_or_else(|| sac.refused(COUNT, "a number of samples above 0"))?;
+    let data = &file.bytes[HEADER..];
+    let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
+    let n_values = data.len().saturating_sub(footer) / 4;
+    let mut values = Vec::with_capacity(n_values);
+    for index in 0..n_values {
+        let at = HEADER + 4 * index;
+        let value = f64::from(sac.single(at));
+        if !value.is_finite() {
+            return Err(ReadError::Header {
+                place: byte(at),
+                found: value.to_string(),
+                allowed: "a finite value",
+            });
+        }
+        values.push(value);
+    }
+    let step = sac.single(STEP);
+    Ok(Draft {
+        values,
+        end: byte(HEADER + 4 * n_values.saturating_sub(1)),
+        digit: 0.0,
+        count: Some(Stated {
+            value: count,
+            place: byte(COUNT),
+            text: count.to_string(),
+        }),
+        time_step: Some(Stated {
+            value: shortest(step),
+            place: byte(STEP),
+            text: step.to_string(),
+        }),
+        scale: Scale::Unknown,
+        peak: peak(&sac),
+        provenance: String::new(),
+        remarks: vec![reading("quantity", None, quantity)],
+    })
+}
+
+/// The number that the shortest decimal of a single precision is.
+fn shortest(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::from(value))
+}
+
+fn peak(sac: &Sac<'_>) -> Option<Peak> {
+    let [smallest, largest] = [SMALLEST, LARGEST].map(|at| f64::from(sac.single(at)));
+    let is_set = |value: f64| value.is_finite() && !is_mark(value, UNSET);
+    if !(is_set(smallest) && is_set(largest)) {
+        return None;
+    }
+    let value = smallest.abs().max(largest.abs());
+    Some(Peak {
+        stated: Stated {
+            value,
+            place: byte(SMALLEST),
+            text: format!("{smallest} to {largest}"),
+        },
+        digit: value * f64::from(f32::EPSILON),
+        unit: None,
+    })
+}

@@ -1,0 +1,182 @@
+//! What titles of many formats say alike: units, numbers behind a word, keys.
+
+use super::columns::last_digit;
+use super::{Peak, Stated};
+use crate::line::{Line, excerpt, number};
+use crate::{AccelerationUnit, Place, ReadError};
+
+/// Spellings of units, in capitals.
+const UNITS: [(&str, AccelerationUnit); 25] = {
+    use AccelerationUnit::{
+        CentimetrePerSecondSquared as Cm, MetrePerSecondSquared as M, MilliG,
+        MillimetrePerSecondSquared as Mm, StandardGravity as G, TenthG,
+    };
+    [
+        ("G", G),
+        ("G'S", G),
+        ("GS", G),
+        ("G/10", TenthG),
+        ("G/10.", TenthG),
+        ("MG", MilliG),
+        ("GAL", Cm),
+        ("GALS", Cm),
+        ("CM/SEC/SEC", Cm),
+        ("CMS/SEC/SEC", Cm),
+        ("CM/SEC2", Cm),
+        ("CM/SEC^2", Cm),
+        ("CM/SEC**2", Cm),
+        ("CM/S/S", Cm),
+        ("CM/S2", Cm),
+        ("CM/S^2", Cm),
+        ("CM/S**2", Cm),
+        ("M/S/S", M),
+        ("M/S2", M),
+        ("M/S^2", M),
+        ("M/SEC/SEC", M),
+        ("M/SEC2", M),
+        ("MM/S/S", Mm),
+        ("MM/S2", Mm),
+        ("MM/S^2", Mm),
+    ]
+};
+
+/// The first unit of an acceleration that stands in a text as a word of its own.
+pub(super) fn unit_in(text: &str) -> Option<AccelerationUnit> {
+    let capitals = text.to_ascii_uppercase();
+    let separates = |letter: char| {
+        !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*'))
+    };
+    capitals.split(separates).find_map(|word| {
+        let known = UNITS.iter().find(|(name, _)| *name == word);
+        known.map(|(_, unit)| *unit)
+    })
+}
+
+/// The unit that a line states in a part of it, or a refusal.
+pub(super) fn stated_unit(
+    line: Line<'_>,
+    text: &str,
+) -> Result<Stated<AccelerationUnit>, ReadError> {
+    let place = Place::Line(line.number);
+    let unit = unit_in(text).ok_or_else(|| ReadError::UnknownUnit {
+        place,
+        found: line.excerpt(),
+    })?;
+    Ok(Stated {
+        value: unit,
+        place,
+        text: excerpt(text.as_bytes()),
+    })
+}
+
+/// The first number of a text that stands by itself, as it is printed.
+pub(super) fn first_number(text: &str) -> Option<&str> {
+    let separates =
+        |letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':' | '/');
+    text.split(separates)
+        .map(|word| word.trim_end_matches(|letter: char| !letter.is_ascii_digit() && letter != '.'))
+        .find(|word| {
+            word.bytes().any(|byte| byte.is_ascii_digit()) && number(word.as_bytes()).is_some()
+        })
+}
+
+/// What follows a word in a text, whatever its capitals.
+pub(super) fn after<'t>(text: &'t str, word: &str) -> Option<&'t str> {
+    let at = text.to_ascii_uppercase().find(word)?;
+    text.get(at + word.len()..)
+}
+
+/// The first of these lines that holds a word, whatever its capitals.
+pub(super) fn line_with<'t>(lines: &[Line<'t>], word: &str) -> Option<Line<'t>> {
+    lines.iter().copied().find(|line| holds(*line, word))
+}
+
+/// Whether a line holds a word, given in capitals.
+pub(super) fn holds(line: Line<'_>, word: &str) -> bool {
+    line.bytes
+        .windows(word.len())
+        .any(|window| window.eq_ignore_ascii_case(word.as_bytes()))
+}
+
+/// What a header gives behind a key, such as ` cm/s^2` behind `UNITS:`.
+pub(super) fn value_of<'t>(lines: &[Line<'t>], key: &str) -> Option<(Line<'t>, String)> {
+    let line = lines.iter().copied().find(|line| {
+        line.bytes
+            .get(..key.len())
+            .is_some_and(|start| start.eq_ignore_ascii_case(key.as_bytes()))
+    })?;
+    let value = String::from_utf8_lossy(&line.bytes[key.len()..]);
+    Some((line, value.trim().to_owned()))
+}
+
+/// A line or a refusal that says what should stand in its place.
+pub(super) fn needed<T>(
+    found: Option<T>,
+    last: Option<Line<'_>>,
+    allowed: &'static str,
+) -> Result<T, ReadError> {
+    found.ok_or_else(|| ReadError::Truncated {
+        place: Place::Line(last.map_or(1, |line| line.number)),
+        allowed,
+    })
+}
+
+/// A number of a line, as a count above zero.
+pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, ReadError> {
+    let place = Place::Line(line.number);
+    let value = text.trim().parse().ok().filter(|count| *count > 0);
+    let value = value.ok_or_else(|| ReadError::Header {
+        place,
+        found: line.excerpt(),
+        allowed: "a whole number of samples above 0",
+    })?;
+    Ok(Stated {
+        value,
+        place,
+        text: line.excerpt(),
+    })
+}
+
+/// A time step \[s\] of a line; whether it is above zero is seen later.
+pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64>, ReadError> {
+    let place = Place::Line(line.number);
+    let value = value.ok_or_else(|| ReadError::Header {
+        place,
+        found: line.excerpt(),
+        allowed: "a time step",
+    })?;
+    Ok(Stated {
+        value,
+        place,
+        text: line.excerpt(),
+    })
+}
+
+/// The peak that a piece of a line states as its first number.
+pub(super) fn peak(line: Line<'_>, text: &str) -> Option<Peak> {
+    let printed = first_number(text)?;
+    Some(Peak {
+        stated: Stated {
+            value: number(printed.as_bytes()).filter(|value| value.is_finite())?,
+            place: Place::Line(line.number),
+            text: line.excerpt(),
+        },
+        digit: last_digit(printed.as_bytes()),
+        unit: unit_in(text),
+    })
+}
+
+/// Titles as one text, a line each, without blanks at the ends and blank lines.
+pub(super) fn provenance(lines: &[Line<'_>]) -> String {
+    let lines: Vec<String> = lines
+        .iter()
+        .filter(|line| !line.is_blank())
+        .map(|line| line.text().trim().to_owned())
+        .collect();
+    lines.join("\n")
+}
+
+/// Words of a text with one blank between.
+pub(super) fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
