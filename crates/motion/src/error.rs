@@ -48,4 +48,59 @@ pub enum RecordError {
         /// Largest number of samples.
         allowed: u32,
     },
+    /// A setting of a filter or of a generated motion is out of its range.
+    #[error("{setting} is {found}, allowed is {allowed}")]
+    Setting {
+        /// Name of the setting.
+        setting: &'static str,
+        /// Its value.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// A frequency is too high for the time step of the samples.
+    #[error(
+        "{setting} is {found} Hz, allowed is below {nyquist} Hz, the highest frequency that samples of this time step \
+         hold; lower it, or shorten the time step"
+    )]
+    Frequency {
+        /// Name of the setting.
+        setting: &'static str,
+        /// The frequency \[Hz\].
+        found: f64,
+        /// Half of one over the time step \[Hz\].
+        nyquist: f64,
+    },
+    /// The corners of a band-pass filter leave no band between them.
+    #[error(
+        "low_corner is {low} Hz and high_corner is {high} Hz, allowed is a low corner below the high one; exchange or \
+         part them"
+    )]
+    Corners {
+        /// Low corner \[Hz\].
+        low: f64,
+        /// High corner \[Hz\].
+        high: f64,
+    },
+    /// A record is too short for the samples that a filter reflects at its ends.
+    #[error(
+        "the record has {found} samples, but filtering forward and backward needs {allowed} or more at order {order}; \
+         lower the order, or filter forward only"
+    )]
+    TooShort {
+        /// Samples of the record.
+        found: usize,
+        /// Fewest samples that suffice.
+        allowed: usize,
+        /// Order of the filter.
+        order: u32,
+    },
+    /// A record without any acceleration cannot be scaled to one.
+    #[error(
+        "every acceleration of the record is 0 m/s², and no factor makes {target} m/s² of that"
+    )]
+    AllZero {
+        /// Peak asked for \[m/s²\].
+        target: f64,
+    },
 }

@@ -1,4 +1,4 @@
-//! Ground motion records: read, resample, scale, reverse.
+//! Ground motion records: read, processed, measured, generated.
 //!
 //! Text goes in and numbers come out: [`read`] turns the bytes of a file into an [`Accelerogram`],
 //! which becomes a [`Record`] \[m/s²\] once the caller says what one g is worth.
@@ -14,24 +14,46 @@
 //! them to [`read_declared`]. Nothing is guessed: [`Accelerogram::readings`] tells what was taken
 //! from which line.
 //!
-//! Left out on purpose: opening files. A velocity or displacement history is refused, not
-//! differentiated.
+//! Motions without a file are [`Harmonic`], [`RickerPulse`], [`HalfSinePulse`] and [`StochasticMotion`].
+//!
+//! Left out on purpose: opening files, and baseline correction beyond [`Record::detrended`]. A velocity or displacement
+//! history is refused, not differentiated.
 
 mod accelerogram;
+mod at_rest;
+mod band_pass;
+mod butterworth;
 mod declared;
+mod detrend;
+mod envelope;
 mod error;
 mod format;
+mod ground;
+mod harmonic;
+mod integration;
 mod line;
+mod measures;
+mod pulses;
 mod read_error;
 mod reading;
 mod record;
+mod stochastic;
 mod unit;
 
 pub use accelerogram::Accelerogram;
+pub use band_pass::{BandPass, Passes};
 pub use declared::Declared;
+pub use detrend::Trend;
+pub use envelope::Envelope;
 pub use error::RecordError;
 pub use format::{Format, components, read, read_declared};
+pub use ground::GroundFilter;
+pub use harmonic::Harmonic;
+pub use integration::Integrated;
+pub use measures::{Interval, Measures};
+pub use pulses::{HalfSinePulse, RickerPulse};
 pub use read_error::ReadError;
 pub use reading::{Place, Reading};
 pub use record::Record;
+pub use stochastic::{StochasticMotion, Strength};
 pub use unit::AccelerationUnit;

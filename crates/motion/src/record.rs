@@ -104,17 +104,7 @@ impl Record {
     /// # Errors
     /// Refuses a time step that is not finite and above zero, or that needs more than 10⁸ samples.
     pub fn resampled(&self, time_step: f64) -> Result<Self, RecordError> {
-        checked_step(time_step)?;
-        let duration = self.duration();
-        let last = (duration / time_step + COINCIDENCE).floor();
-        if last >= f64::from(MAX_SAMPLES) {
-            return Err(RecordError::TooManySamples {
-                time_step,
-                duration,
-                allowed: MAX_SAMPLES,
-            });
-        }
-        let samples = (0..=whole(last))
+        let samples = (0..=steps(self.duration(), time_step)?)
             .map(|step| self.at(step as f64 * time_step))
             .collect();
         Self::new(time_step, samples, self.source.clone())
@@ -131,6 +121,21 @@ impl Record {
         }
         let samples = self.samples.iter().map(|sample| factor * sample).collect();
         Self::new(self.time_step, samples, self.source.clone())
+    }
+
+    /// Returns the record with every acceleration multiplied by one factor ≥ 0, such that the largest magnitude is
+    /// `target` \[m/s²\], ≥ 0, to rounding.
+    ///
+    /// # Errors
+    /// Refuses a target that is negative or not finite, and a record that is zero throughout.
+    pub fn scaled_to_peak(&self, target: f64) -> Result<Self, RecordError> {
+        let allowed = "a finite number >= 0 m/s²";
+        within("the peak to scale to", target, target >= 0.0, allowed)?;
+        let peak = self.peak().1.abs();
+        if peak == 0.0 {
+            return Err(RecordError::AllZero { target });
+        }
+        self.scaled(target / peak)
     }
 
     /// Returns the record with the sign of every acceleration changed: the same shaking, right for
@@ -156,6 +161,41 @@ impl Record {
             }
         }
         (peak.0 as f64 * self.time_step, peak.1)
+    }
+}
+
+/// The number of whole time steps \[s\] in a finite duration ≥ 0 \[s\].
+///
+/// # Errors
+/// Refuses a time step that is not finite and above zero, or more steps than fit in memory.
+pub(crate) fn steps(duration: f64, time_step: f64) -> Result<usize, RecordError> {
+    checked_step(time_step)?;
+    let steps = (duration / time_step + COINCIDENCE).floor();
+    if steps >= f64::from(MAX_SAMPLES) {
+        return Err(RecordError::TooManySamples {
+            time_step,
+            duration,
+            allowed: MAX_SAMPLES,
+        });
+    }
+    Ok(whole(steps))
+}
+
+/// Refuses a setting that is not finite or not valid.
+pub(crate) fn within(
+    setting: &'static str,
+    found: f64,
+    valid: bool,
+    allowed: &'static str,
+) -> Result<(), RecordError> {
+    if valid && found.is_finite() {
+        Ok(())
+    } else {
+        Err(RecordError::Setting {
+            setting,
+            found,
+            allowed,
+        })
     }
 }
 

@@ -1,0 +1,141 @@
+//! Band-pass filtering of a record.
+
+use crate::butterworth::Cascade;
+use crate::{Record, RecordError};
+
+/// Highest order; above it the response rings for longer than records last.
+const HIGHEST_ORDER: u32 = 10;
+
+/// How often a filter runs over a record.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Passes {
+    /// Forward and backward: nothing is delayed, every gain counts twice (one half at the corners), and some of the
+    /// motion appears before its cause.
+    #[default]
+    ForwardAndBackward,
+    /// Forward only, from rest: causal, with the delays of the filter.
+    Forward,
+}
+
+/// A Butterworth band-pass filter.
+///
+/// Its gain in one pass is 1/√2 at the corners. Filtered records are no longer zero outside their ends in full: velocity
+/// and displacement of a filtered record want zeros before and after it (D. M. Boore, *Bull. Seism. Soc. Am.* 95
+/// (2005) 745).
+#[derive(Debug, Clone, PartialEq)]
+pub struct BandPass {
+    /// Order of the low-pass filter that the band is made of, 1 ..= 10; the band-pass filter has twice as many poles.
+    pub order: u32,
+    /// Corner below which the motion is taken away \[Hz\], > 0.
+    pub low_corner: f64,
+    /// Corner above which it is \[Hz\], above the low one and below half of one over the time step.
+    pub high_corner: f64,
+    /// How often the filter runs over the record.
+    pub passes: Passes,
+}
+
+impl BandPass {
+    /// Checks the settings against the time step \[s\] of a record.
+    fn check(&self, time_step: f64) -> Result<(), RecordError> {
+        if !(1..=HIGHEST_ORDER).contains(&self.order) {
+            return Err(RecordError::Setting {
+                setting: "order",
+                found: f64::from(self.order),
+                allowed: "1 to 10",
+            });
+        }
+        if !(self.low_corner.is_finite() && self.low_corner > 0.0) {
+            return Err(RecordError::Setting {
+                setting: "low_corner",
+                found: self.low_corner,
+                allowed: "a finite number > 0 Hz",
+            });
+        }
+        below_nyquist("high_corner", self.high_corner, time_step)?;
+        if self.low_corner < self.high_corner {
+            Ok(())
+        } else {
+            Err(RecordError::Corners {
+                low: self.low_corner,
+                high: self.high_corner,
+            })
+        }
+    }
+
+    /// Samples that are reflected at either end: three times the number of poles and one, as `scipy` does.
+    fn padding(&self) -> usize {
+        3 * (2 * self.order as usize + 1)
+    }
+}
+
+/// Refuses a frequency \[Hz\] that samples `time_step` \[s\] apart do not hold, or none.
+pub(crate) fn below_nyquist(
+    setting: &'static str,
+    found: f64,
+    time_step: f64,
+) -> Result<(), RecordError> {
+    let nyquist = 0.5 / time_step;
+    if found < nyquist {
+        Ok(())
+    } else {
+        Err(RecordError::Frequency {
+            setting,
+            found,
+            nyquist,
+        })
+    }
+}
+
+impl Record {
+    /// Returns the record through a band-pass filter.
+    ///
+    /// Forward and backward, the record is extended at either end by 3 (2·order + 1) samples, turned about its end
+    /// point, and the filter starts settled on the first of them; both as in `scipy.signal.sosfiltfilt`.
+    ///
+    /// # Errors
+    /// Refuses settings out of range, a corner that the time step does not allow, and a record no longer than its
+    /// extension.
+    pub fn band_passed(&self, filter: &BandPass) -> Result<Self, RecordError> {
+        filter.check(self.time_step())?;
+        let [low, high] =
+            [filter.low_corner, filter.high_corner].map(|corner| corner * self.time_step());
+        let mut cascade = Cascade::band_pass(filter.order, low, high);
+        let samples = match filter.passes {
+            Passes::Forward => {
+                let samples = self.samples().iter();
+                samples.map(|&sample| cascade.next(sample)).collect()
+            }
+            Passes::ForwardAndBackward => {
+                let padding = filter.padding();
+                if self.samples().len() <= padding {
+                    return Err(RecordError::TooShort {
+                        found: self.samples().len(),
+                        allowed: padding + 1,
+                        order: filter.order,
+                    });
+                }
+                there_and_back(&mut cascade, self.samples(), padding)
+            }
+        };
+        Self::new(self.time_step(), samples, self.source())
+    }
+}
+
+/// Filters more samples than `padding` forward, then backward.
+fn there_and_back(cascade: &mut Cascade, samples: &[f64], padding: usize) -> Vec<f64> {
+    let last = samples.len() - 1;
+    let before = (1..=padding)
+        .rev()
+        .map(|index| 2.0 * samples[0] - samples[index]);
+    let after = (1..=padding).map(|index| 2.0 * samples[last] - samples[last - index]);
+    let mut extended: Vec<f64> = before.chain(samples.iter().copied()).chain(after).collect();
+    cascade.settle(extended[0]);
+    for sample in &mut extended {
+        *sample = cascade.next(*sample);
+    }
+    cascade.settle(extended[extended.len() - 1]);
+    for sample in extended.iter_mut().rev() {
+        *sample = cascade.next(*sample);
+    }
+    extended[padding..=padding + last].to_vec()
+}

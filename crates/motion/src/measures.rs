@@ -1,0 +1,150 @@
+//! How strong a ground motion is, in single numbers.
+
+use std::f64::consts::PI;
+
+use crate::Record;
+use crate::integration::Step;
+
+/// Standard acceleration of gravity in the Arias intensity \[m/s²\].
+const STANDARD_GRAVITY: f64 = 9.806_65;
+
+/// Halvings of a time step that find an instant in it to rounding.
+const HALVINGS: u32 = 53;
+
+/// Intensity measures of a ground motion that is linear between samples, exact to rounding.
+///
+/// Velocity and displacement are those of [`Record::integrated`], without correction of the baseline. A measure whose
+/// integrand is too large for a number of 64 bits is infinite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measures {
+    /// Peak ground acceleration, the largest magnitude \[m/s²\].
+    pub pga: f64,
+    /// Peak ground velocity, between samples too \[m/s\].
+    pub pgv: f64,
+    /// Peak ground displacement, between samples too \[m\].
+    pub pgd: f64,
+    /// Arias intensity π/(2g) ∫a² dt with g = 9.80665 m/s² \[m/s\] (A. Arias in *Seismic Design for Nuclear Power
+    /// Plants*, MIT Press 1970, 438).
+    pub arias: f64,
+    /// Cumulative absolute velocity ∫|a| dt over the whole record, without threshold \[m/s\] (EPRI report NP-5930,
+    /// 1988; the "standardised" one of 1991 leaves out seconds below 0.025 g).
+    pub cav: f64,
+    /// When the Arias intensity grows from 5 % to 75 % of its final value; nothing where that is zero or infinite.
+    pub d5_75: Option<Interval>,
+    /// When it grows from 5 % to 95 % (M. D. Trifunac and A. G. Brady, *Bull. Seism. Soc. Am.* 65 (1975) 581).
+    pub d5_95: Option<Interval>,
+}
+
+/// An interval of time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// Start \[s\].
+    pub start: f64,
+    /// End \[s\], not before the start.
+    pub end: f64,
+}
+
+impl Interval {
+    /// Returns its length \[s\], ≥ 0.
+    pub fn duration(&self) -> f64 {
+        self.end - self.start
+    }
+}
+
+impl Record {
+    /// Returns the intensity measures of the record.
+    pub fn measures(&self) -> Measures {
+        let time_step = self.time_step();
+        let (mut pgv, mut pgd, mut cav) = (0.0_f64, 0.0_f64, 0.0);
+        let mut squares = vec![0.0];
+        let mut square = 0.0;
+        for step in self.steps() {
+            let [v, u] = peaks(&step, time_step);
+            (pgv, pgd) = (pgv.max(v), pgd.max(u));
+            cav += magnitude(step.accelerations, time_step);
+            square += squared(step.accelerations, 1.0) * time_step;
+            squares.push(square);
+        }
+        let interval = |from, to| {
+            let instant = |share| self.instant(&squares, share * square);
+            (square > 0.0 && square.is_finite()).then(|| Interval {
+                start: instant(from),
+                end: instant(to),
+            })
+        };
+        Measures {
+            pga: self.peak().1.abs(),
+            pgv,
+            pgd,
+            arias: PI / (2.0 * STANDARD_GRAVITY) * square,
+            cav,
+            d5_75: interval(0.05, 0.75),
+            d5_95: interval(0.05, 0.95),
+        }
+    }
+
+    /// The instant \[s\] at which ∫a² dt reaches a value below its last, from its values at the samples.
+    fn instant(&self, squares: &[f64], wanted: f64) -> f64 {
+        let index = squares.partition_point(|&square| square <= wanted) - 1;
+        let (Some(&left), Some(&right)) =
+            (self.samples().get(index), self.samples().get(index + 1))
+        else {
+            return self.duration();
+        };
+        let missing = (wanted - squares[index]) / self.time_step();
+        let [mut below, mut above] = [0.0, 1.0];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (below + above);
+            if squared([left, right], middle) <= missing {
+                below = middle;
+            } else {
+                above = middle;
+            }
+        }
+        (index as f64 + below) * self.time_step()
+    }
+}
+
+/// ∫a² over the first part of a step, 0..=1 of it, in time steps.
+fn squared([start, end]: [f64; 2], part: f64) -> f64 {
+    let end = start + (end - start) * part;
+    // A sum of squares: where they overflow it is infinite, and nothing else.
+    part * (start * start + (start + end) * (start + end) + end * end) / 6.0
+}
+
+/// ∫|a| dt over a step.
+fn magnitude([start, end]: [f64; 2], time_step: f64) -> f64 {
+    let sum = start.abs() + end.abs();
+    let crosses = (start < 0.0 && end > 0.0) || (start > 0.0 && end < 0.0);
+    if crosses {
+        // Two triangles: start²/sum and end²/sum of the step are their shares, without squares that overflow.
+        let (left, right) = (start.abs() / sum, end.abs() / sum);
+        0.5 * time_step * (left * start.abs() + right * end.abs())
+    } else {
+        0.5 * time_step * sum
+    }
+}
+
+/// Largest magnitudes of velocity and displacement in a step, its start and end included.
+fn peaks(step: &Step, time_step: f64) -> [f64; 2] {
+    let [start, end] = step.accelerations;
+    let slope = (end - start) / time_step;
+    let mut peaks = [0.0_f64; 2];
+    let mut take = |time: f64| {
+        let values = step.at(time, time_step);
+        peaks = [0, 1].map(|index| peaks[index].max(values[index].abs()));
+    };
+    take(0.0);
+    take(time_step);
+    // Velocity has an extremum where the acceleration is zero, displacement where the velocity is.
+    let root = (start * start - 2.0 * slope * step.velocity).sqrt();
+    let pivot = -(start + root.copysign(start));
+    let inside = [-start / slope, pivot / slope, 2.0 * step.velocity / pivot];
+    for time in inside {
+        // Not so for a time that is no number: then there is no such instant.
+        if time > 0.0 && time < time_step {
+            take(time);
+        }
+    }
+    peaks
+}

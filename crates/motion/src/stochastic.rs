@@ -1,0 +1,160 @@
+//! Seeded stochastic ground motion by spectral representation.
+
+use std::f64::consts::TAU;
+
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+use crate::at_rest::brought_to_rest;
+use crate::band_pass::below_nyquist;
+use crate::record::{steps, within};
+use crate::{Envelope, GroundFilter, Record, RecordError};
+
+/// Random sequence that all seeds start in; nothing depends on its value.
+const STREAM: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
+
+/// Largest number of terms × samples: some ten seconds of work.
+const MOST_PRODUCTS: f64 = 1e10;
+
+/// How strong a stochastic motion is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Strength {
+    /// Every motion is scaled to this peak \[m/s²\], ≥ 0.
+    Peak(f64),
+    /// Two-sided spectral density S₀ of the white noise over circular frequency \[m²/s³\], ≥ 0; the peak then differs
+    /// from seed to seed.
+    WhiteNoise(f64),
+}
+
+/// A ground motion of random phases: noise that the ground has filtered, under an envelope.
+///
+/// a(t) = e(t) Σ √(4 S(nΔω) Δω) cos(nΔω t + φₙ) for n ≥ 1 up to the cutoff, with Δω = 2π/duration and φₙ uniform over a
+/// turn (M. Shinozuka and G. Deodatis, *Appl. Mech. Rev.* 44 (1991) 191). The variance of a strong part is that of the
+/// density S up to the cutoff for every seed, its values are nearly normal. The same settings and seed
+/// give the same bits on every machine; a shorter time step that divides the duration samples the same motion, before it
+/// is brought to rest and scaled to a peak.
+///
+/// The high-pass filter alone does not bring the ground to rest at the end: an envelope that comes and goes within few
+/// of its periods leaves a tenth of the peak velocity and more. A straight line times the envelope is therefore taken
+/// away such that velocity and displacement end at zero. That weakens the motion at periods above the
+/// strong shaking's duration. The constant envelope is left as it is.
+///
+/// Time grows with samples times terms: 0.1 s for 40 s at 0.005 s up to 25 Hz.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StochasticMotion {
+    /// The ground.
+    pub ground: GroundFilter,
+    /// How strong the motion is.
+    pub strength: Strength,
+    /// How it comes and goes.
+    pub envelope: Envelope,
+    /// Highest frequency \[Hz\], below half of one over the time step and at least one over the duration; 25 is usual.
+    pub cutoff: f64,
+    /// Duration \[s\], > 0; frequencies are one over it apart, so several times 2π/`ω_f` resolve the high-pass filter.
+    pub duration: f64,
+    /// Time between samples \[s\], > 0.
+    pub time_step: f64,
+    /// Seed of the phases.
+    pub seed: u64,
+}
+
+impl StochasticMotion {
+    /// Checks the settings.
+    ///
+    /// # Errors
+    /// [`RecordError`] names the setting, what was found and what is allowed.
+    pub fn check(&self) -> Result<(), RecordError> {
+        self.ground.check()?;
+        self.envelope.check()?;
+        let (Strength::Peak(found) | Strength::WhiteNoise(found)) = self.strength;
+        within("strength", found, found >= 0.0, "a finite number >= 0")?;
+        let (cutoff, duration) = (self.cutoff, self.duration);
+        within("duration", duration, duration > 0.0, "a number > 0 s")?;
+        let whole = steps(duration, self.time_step)? as f64 * self.time_step;
+        let allowed = "at least one over the duration (of whole time steps), in Hz";
+        within("cutoff", cutoff, cutoff * whole >= 1.0, allowed)?;
+        below_nyquist("cutoff", cutoff, self.time_step)?;
+        let few = cutoff * duration * (duration / self.time_step) <= MOST_PRODUCTS;
+        let allowed = "one for which cutoff × duration × number of samples is at most 1e10";
+        within("duration", duration, few, allowed)
+    }
+
+    /// Returns the motion as a record.
+    ///
+    /// # Errors
+    /// Those of [`StochasticMotion::check`], and samples that are not finite.
+    pub fn record(&self) -> Result<Record, RecordError> {
+        self.check()?;
+        let density = match self.strength {
+            Strength::Peak(_) => 1.0,
+            Strength::WhiteNoise(density) => density,
+        };
+        let mut samples = self.stationary(density)?;
+        let factor = |step: usize| self.envelope.at(step as f64 * self.time_step);
+        let factors: Vec<f64> = (0..samples.len()).map(factor).collect();
+        for (sample, factor) in samples.iter_mut().zip(&factors) {
+            *sample *= factor;
+        }
+        let record = Record::new(self.time_step, samples, self.describe())?;
+        let record = match self.envelope {
+            Envelope::Constant => record,
+            Envelope::Jennings { .. } => brought_to_rest(&record, &factors)?,
+        };
+        match self.strength {
+            Strength::Peak(peak) => record.scaled_to_peak(peak),
+            Strength::WhiteNoise(_) => Ok(record),
+        }
+    }
+
+    /// One period of the stationary motion and its first sample once more.
+    fn stationary(&self, density: f64) -> Result<Vec<f64>, RecordError> {
+        let n_steps = steps(self.duration, self.time_step)?;
+        let period = n_steps as f64 * self.time_step;
+        let n_terms = steps(self.cutoff, 1.0 / period)?;
+        // Every cosine takes its values from these: all frequencies are multiples of the lowest.
+        let turn = |step: usize| TAU * (step as f64 / n_steps as f64);
+        let table: Vec<[f64; 2]> = (0..n_steps)
+            .map(|step| [libm::cos(turn(step)), libm::sin(turn(step))])
+            .collect();
+        let mut random = Pcg64::new(u128::from(self.seed), STREAM);
+        let mut samples = vec![0.0; n_steps];
+        let spacing = TAU / period;
+        for term in 1..=n_terms {
+            let passes = self.ground.passes(term as f64 * spacing);
+            let amplitude = (4.0 * density * passes * spacing).sqrt();
+            let phase = TAU * uniform(&mut random);
+            let [cosine, sine] = [libm::cos(phase), libm::sin(phase)].map(|part| amplitude * part);
+            let mut place = 0;
+            for sample in &mut samples {
+                let [table_cosine, table_sine] = table[place];
+                *sample += cosine * table_cosine - sine * table_sine;
+                place += term;
+                if place >= n_steps {
+                    place -= n_steps;
+                }
+            }
+        }
+        samples.extend(samples.first().copied());
+        Ok(samples)
+    }
+
+    fn describe(&self) -> String {
+        let ground = &self.ground;
+        format!(
+            "stochastic motion, seed {}: ground {} rad/s and {}, high-pass {} rad/s and {}, {:?}, {:?}, up to {} Hz",
+            self.seed,
+            ground.angular_frequency,
+            ground.damping_ratio,
+            ground.high_pass_angular_frequency,
+            ground.high_pass_damping_ratio,
+            self.strength,
+            self.envelope,
+            self.cutoff,
+        )
+    }
+}
+
+/// A uniform number in [0, 1), a multiple of 2⁻⁵³.
+fn uniform(random: &mut Pcg64) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}
