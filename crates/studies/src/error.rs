@@ -5,7 +5,7 @@ use pounding_solver::{LedgerError, ModelError, RunError};
 use thiserror::Error;
 
 use crate::plot::PlotError;
-use crate::{Fault, Scene};
+use crate::{Fault, Scene, SpectrumError};
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
 #[derive(Debug, Error)]
@@ -213,8 +213,14 @@ pub enum SceneError {
     #[error(transparent)]
     Model(ModelError),
     /// A use of the record that is out of range.
-    #[error("record: {0}; change record.scale or record.gravity_m_per_s2")]
+    #[error("record: {0}; the fields of `record` decide it, such as scale and gravity_m_per_s2")]
     Record(#[from] RecordError),
+    /// A generated motion with settings out of range.
+    #[error("record.generated: {0}")]
+    Generated(RecordError),
+    /// A target of scaling that cannot be reached.
+    #[error("record.scale_to.sa: {0}")]
+    ScaleTo(#[from] SpectrumError),
 }
 
 impl SceneError {

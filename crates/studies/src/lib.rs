@@ -21,6 +21,7 @@ mod fault;
 mod figures;
 mod file;
 mod free_collision;
+mod ground_motion;
 mod ladder;
 mod laws;
 mod limits;
@@ -32,6 +33,7 @@ mod review;
 mod scene;
 mod schema;
 pub mod second_route;
+mod spectrum;
 mod study;
 mod tables;
 mod trade;
@@ -52,6 +54,7 @@ pub use fault::Fault;
 pub use figures::figure_png;
 pub use file::{parse, read_file};
 pub use free_collision::{CollisionError, Delivered, FreeCollision};
+pub use ground_motion::{GroundMotion, Origin};
 pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
 pub use laws::{Atlas, AtlasSettings};
 pub use limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT};
@@ -59,8 +62,12 @@ pub use plot::PlotError;
 pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};
 pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
-pub use scene::{Contact, Damping, FileUse, Method, RecordUse, Scene, Sdof, Source, Structure};
+pub use scene::{
+    Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground, Method, RecordUse,
+    STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Structure, Unit,
+};
 pub use schema::scene_schema;
+pub use spectrum::{SpectralValues, SpectrumError, response_spectrum, scaled_to_sa};
 pub use study::{Output, Study, StudyFile};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};

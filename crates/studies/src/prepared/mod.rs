@@ -3,14 +3,15 @@
 mod model;
 mod run;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use pounding_motion::{Accelerogram, Record, RecordError};
 use pounding_solver::{Clock, Integrator};
 
 use crate::advice::{Advice, Goal, advise};
 use crate::{
-    FileUse, Method, Quantity, RecordUse, Scene, SceneError, Source, Structure, StudyError, check,
+    GroundMotion, Method, Origin, Quantity, Scene, SceneError, Structure, StudyError, check,
 };
 use model::Model;
 pub use run::Outcome;
@@ -29,6 +30,8 @@ pub struct Prepared {
     unstable: Option<SceneError>,
     model: Model,
     record: Record,
+    /// The file that the record came from; nothing for one from a formula.
+    origin: Option<Arc<Origin>>,
     clock: Clock,
     integrator: Integrator,
 }
@@ -68,7 +71,8 @@ impl Prepared {
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         check::scene(scene).map_err(|source| in_scene(scene, source))?;
-        Self::of_checked(scene, read(&scene.record, base)?, done)
+        let motion = GroundMotion::of(&scene.record, base, &scene.name)?;
+        Self::of_checked(scene, motion, done)
     }
 
     /// Checks a scene that is shaken with a record at hand; the file that the scene names is not opened.
@@ -76,8 +80,15 @@ impl Prepared {
     /// # Errors
     /// Those of [`Self::new`] but of reading.
     pub fn with_record(scene: &Scene, record: Accelerogram) -> Result<Self, StudyError> {
-        check::scene(scene).map_err(|source| in_scene(scene, source))?;
-        Self::of_checked(scene, record, &|_| ())?.enforced()
+        let in_scene = |source| in_scene(scene, source);
+        check::scene(scene).map_err(in_scene)?;
+        let origin = Origin {
+            path: PathBuf::new(),
+            sha256: String::new(),
+            file: record,
+        };
+        let motion = GroundMotion::of_file(&scene.record, origin).map_err(in_scene)?;
+        Self::of_checked(scene, motion, &|_| ())?.enforced()
     }
 
     /// Not forced: refused where its time step is beyond the limit of stability.
@@ -88,11 +99,10 @@ impl Prepared {
 
     fn of_checked(
         scene: &Scene,
-        file: Accelerogram,
+        GroundMotion { record, origin }: GroundMotion,
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
-        let record = used(&scene.record, file).map_err(|error| in_scene(error.into()))?;
         let duration = scene.duration_under(record.duration());
         let scene = &Scene {
             duration_s: Some(duration),
@@ -114,6 +124,7 @@ impl Prepared {
             unstable: check::free_limit(scene).err(),
             model,
             record,
+            origin: origin.map(Arc::new),
             clock: method.clock(duration),
             integrator: method.integrator(),
         };
@@ -182,6 +193,7 @@ impl Prepared {
             advice: None,
             model: self.model.clone(),
             record: self.record.clone(),
+            origin: self.origin.clone(),
         })
     }
 
@@ -242,6 +254,11 @@ impl Prepared {
         &self.record
     }
 
+    /// The file that the record came from; nothing for one from a formula.
+    pub fn origin(&self) -> Option<&Origin> {
+        self.origin.as_deref()
+    }
+
     /// The same scene under a record that `change` makes of its own.
     ///
     /// # Errors
@@ -263,28 +280,4 @@ fn in_scene(scene: &Scene, source: SceneError) -> StudyError {
         scene: scene.name.clone(),
         source,
     }
-}
-
-/// Reads the file of a record.
-fn read(record: &RecordUse, base: &Path) -> Result<Accelerogram, StudyError> {
-    let Source::File(FileUse { file }) = &record.source;
-    let path = base.join(file);
-    match std::fs::read(&path) {
-        Ok(text) => {
-            pounding_motion::read(&text).map_err(|source| StudyError::Record { path, source })
-        }
-        Err(source) => Err(StudyError::NoRecord { path, source }),
-    }
-}
-
-/// The record as the scene uses it.
-fn used(record: &RecordUse, file: Accelerogram) -> Result<Record, RecordError> {
-    let used = file
-        .into_record(record.gravity_m_per_s2)?
-        .scaled(record.scale)?;
-    Ok(if record.reversed {
-        used.reversed()
-    } else {
-        used
-    })
 }

@@ -1,7 +1,9 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
 mod damping;
+mod generated;
 mod method;
+mod processing;
 mod record;
 mod structure;
 
@@ -10,8 +12,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use damping::Damping;
+pub use generated::{Generated, Ground, Stochastic};
 pub use method::Method;
-pub use record::{FileUse, RecordUse, Source};
+pub use processing::{Detrend, FilterBand, ScaleTo};
+pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
 pub use structure::{Sdof, Structure};
 
 /// One row of structures under one record, with the method that integrates it.

@@ -1,0 +1,135 @@
+//! From the use of a record in a scene to the ground motion that shakes a row.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use pounding_motion::{Accelerogram, Declared, Record, read_declared};
+use sha2::{Digest, Sha256};
+
+use crate::scene::{FileUse, Generated, ScaleTo};
+use crate::{RecordUse, SceneError, Source, StudyError};
+
+/// A ground motion as a scene uses it, and where it came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundMotion {
+    /// The ground acceleration \[m/s²\], processed, scaled, reversed.
+    pub record: Record,
+    /// The file; nothing for a motion from a formula.
+    pub origin: Option<Origin>,
+}
+
+/// A file that a ground motion came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Origin {
+    /// The file; empty for one that was never opened.
+    pub path: PathBuf,
+    /// SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
+    /// What it holds.
+    pub file: Accelerogram,
+}
+
+impl GroundMotion {
+    /// Reads or generates the ground motion of a scene; `base` is the folder that its file is named from.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRecord`], [`StudyError::Record`] for a file that cannot be read, and what cannot be done to it in
+    /// `scene`.
+    pub fn of(record: &RecordUse, base: &Path, scene: &str) -> Result<Self, StudyError> {
+        let in_scene = |source| StudyError::Scene {
+            scene: scene.into(),
+            source,
+        };
+        match &record.source {
+            Source::File(file) => {
+                let origin = Origin::read(file, base)?;
+                Self::of_file(record, origin).map_err(in_scene)
+            }
+            Source::Generated(generated) => Self::of_formula(record, generated).map_err(in_scene),
+        }
+    }
+
+    /// A file at hand, used as a scene says.
+    pub(crate) fn of_file(record: &RecordUse, origin: Origin) -> Result<Self, SceneError> {
+        let read = origin.file.clone().into_record(record.gravity_m_per_s2)?;
+        Ok(Self {
+            record: used(record, read)?,
+            origin: Some(origin),
+        })
+    }
+
+    fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, SceneError> {
+        let made = generated.record().map_err(SceneError::Generated)?;
+        Ok(Self {
+            record: used(record, made)?,
+            origin: None,
+        })
+    }
+}
+
+impl Origin {
+    fn read(file: &FileUse, base: &Path) -> Result<Self, StudyError> {
+        let path = base.join(&file.file);
+        let bytes = match std::fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(source) => return Err(StudyError::NoRecord { path, source }),
+        };
+        let declared = Declared {
+            unit: file.unit.map(crate::scene::Unit::to_motion),
+            time_step: file.time_step_s,
+            component: file.component.clone(),
+            per_count: file.per_count,
+        };
+        match read_declared(&bytes, &declared) {
+            Ok(file) => Ok(Self {
+                path,
+                sha256: sha256(&bytes),
+                file,
+            }),
+            Err(source) => Err(StudyError::Record { path, source }),
+        }
+    }
+}
+
+/// SHA-256 of some bytes in hexadecimal digits.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes)
+        .iter()
+        .fold(String::new(), |mut digits, byte| {
+            write!(digits, "{byte:02x}").expect("a string takes all");
+            digits
+        })
+}
+
+/// The record as the scene uses it.
+fn used(record: &RecordUse, mut used: Record) -> Result<Record, SceneError> {
+    if let Some(trend) = record.detrend {
+        used = used.detrended(trend.to_motion())?;
+    }
+    if let Some(band) = record.band_pass {
+        used = used.band_passed(&band.to_motion())?;
+    }
+    if let Some(time_step) = record.resample_s {
+        used = used.resampled(time_step)?;
+    }
+    match record.scale_to {
+        None => {}
+        Some(ScaleTo::PgaG(peak)) => {
+            used = used.scaled_to_peak(peak * record.gravity_m_per_s2)?;
+        }
+        Some(ScaleTo::Sa {
+            period_s,
+            damping_ratio,
+            sa_g,
+        }) => {
+            let target = sa_g * record.gravity_m_per_s2;
+            used = crate::scaled_to_sa(&used, period_s, damping_ratio, target)?;
+        }
+    }
+    used = used.scaled(record.scale)?;
+    Ok(if record.reversed {
+        used.reversed()
+    } else {
+        used
+    })
+}

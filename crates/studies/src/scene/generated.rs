@@ -1,0 +1,205 @@
+//! Ground motions without a file, as scenes give them.
+
+use std::fmt;
+
+use pounding_motion::{
+    Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, RecordError, RickerPulse,
+    StochasticMotion, Strength,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A ground motion from a formula.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Generated {
+    /// Harmonic shaking a(t) = A sin(2πft + φ).
+    Harmonic {
+        /// Amplitude A \[m/s²\].
+        amplitude_m_per_s2: f64,
+        /// Frequency f \[Hz\], > 0.
+        frequency_hz: f64,
+        /// Phase φ \[rad\].
+        #[serde(default)]
+        phase_rad: f64,
+        /// Periods over which the amplitude grows from 0.
+        #[serde(default)]
+        ramp_periods: f64,
+        /// Duration \[s\], > 0.
+        duration_s: f64,
+        /// Time between samples \[s\], > 0.
+        time_step_s: f64,
+    },
+    /// Ricker pulse.
+    Ricker {
+        /// Amplitude of its middle \[m/s²\].
+        amplitude_m_per_s2: f64,
+        /// Frequency at which its spectrum is largest \[Hz\], > 0.
+        frequency_hz: f64,
+        /// Time between samples \[s\], > 0.
+        time_step_s: f64,
+    },
+    /// Half a sine.
+    HalfSine {
+        /// Amplitude \[m/s²\].
+        amplitude_m_per_s2: f64,
+        /// Duration of the pulse \[s\], > 0.
+        duration_s: f64,
+        /// Time between samples \[s\], > 0.
+        time_step_s: f64,
+    },
+    /// Random shaking with the spectrum of the ground, the same for the same seed.
+    Stochastic(Stochastic),
+}
+
+/// Random shaking: noise that the ground has filtered (Kanai and Tajimi, Clough and Penzien), under an envelope.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Stochastic {
+    /// The ground.
+    pub ground: Ground,
+    /// Peak ground acceleration \[m/s²\], ≥ 0.
+    pub pga_m_per_s2: f64,
+    /// When the strong shaking begins \[s\], > 0; before it the motion grows like t².
+    pub strong_from_s: f64,
+    /// When it ends \[s\].
+    pub strong_until_s: f64,
+    /// Rate at which it dies away \[1/s\], > 0.
+    pub decay_per_s: f64,
+    /// Highest frequency \[Hz\]; without it 25.
+    #[serde(default = "usual_cutoff")]
+    pub cutoff_hz: f64,
+    /// Duration \[s\], > 0.
+    pub duration_s: f64,
+    /// Time between samples \[s\], > 0.
+    pub time_step_s: f64,
+    /// Seed; another one gives another motion of the same kind.
+    pub seed: u64,
+}
+
+fn usual_cutoff() -> f64 {
+    25.0
+}
+
+/// What the ground makes of white noise.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Ground {
+    /// Firm ground.
+    Firm,
+    /// Medium ground.
+    Medium,
+    /// Soft ground.
+    Soft,
+    /// Its filters.
+    Filters {
+        /// Natural circular frequency of the ground \[rad/s\], > 0.
+        angular_frequency_rad_per_s: f64,
+        /// Damping ratio of the ground \[–\], > 0.
+        damping_ratio: f64,
+        /// Natural circular frequency of the high-pass filter \[rad/s\], > 0.
+        high_pass_angular_frequency_rad_per_s: f64,
+        /// Damping ratio of the high-pass filter \[–\], > 0.
+        high_pass_damping_ratio: f64,
+    },
+}
+
+impl Ground {
+    fn to_motion(self) -> GroundFilter {
+        match self {
+            Self::Firm => GroundFilter::FIRM,
+            Self::Medium => GroundFilter::MEDIUM,
+            Self::Soft => GroundFilter::SOFT,
+            Self::Filters {
+                angular_frequency_rad_per_s,
+                damping_ratio,
+                high_pass_angular_frequency_rad_per_s,
+                high_pass_damping_ratio,
+            } => GroundFilter {
+                angular_frequency: angular_frequency_rad_per_s,
+                damping_ratio,
+                high_pass_angular_frequency: high_pass_angular_frequency_rad_per_s,
+                high_pass_damping_ratio,
+            },
+        }
+    }
+}
+
+impl Generated {
+    /// The motion \[m/s²\].
+    pub(crate) fn record(&self) -> Result<Record, RecordError> {
+        match *self {
+            Self::Harmonic {
+                amplitude_m_per_s2: amplitude,
+                frequency_hz: frequency,
+                phase_rad: phase,
+                ramp_periods,
+                duration_s: duration,
+                time_step_s: time_step,
+            } => Harmonic {
+                amplitude,
+                frequency,
+                phase,
+                ramp_periods,
+                duration,
+                time_step,
+            }
+            .record(),
+            Self::Ricker {
+                amplitude_m_per_s2: amplitude,
+                frequency_hz: frequency,
+                time_step_s: time_step,
+            } => RickerPulse {
+                amplitude,
+                frequency,
+                time_step,
+            }
+            .record(),
+            Self::HalfSine {
+                amplitude_m_per_s2: amplitude,
+                duration_s: duration,
+                time_step_s: time_step,
+            } => HalfSinePulse {
+                amplitude,
+                duration,
+                time_step,
+            }
+            .record(),
+            Self::Stochastic(ref motion) => motion.to_motion().record(),
+        }
+    }
+
+    /// Name as scene files spell it.
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Harmonic { .. } => "harmonic",
+            Self::Ricker { .. } => "ricker",
+            Self::HalfSine { .. } => "half_sine",
+            Self::Stochastic(_) => "stochastic",
+        }
+    }
+}
+
+impl fmt::Display for Generated {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "generated: {}", self.name())
+    }
+}
+
+impl Stochastic {
+    fn to_motion(&self) -> StochasticMotion {
+        StochasticMotion {
+            ground: self.ground.to_motion(),
+            strength: Strength::Peak(self.pga_m_per_s2),
+            envelope: Envelope::Jennings {
+                strong_from: self.strong_from_s,
+                strong_until: self.strong_until_s,
+                decay: self.decay_per_s,
+            },
+            cutoff: self.cutoff_hz,
+            duration: self.duration_s,
+            time_step: self.time_step_s,
+            seed: self.seed,
+        }
+    }
+}

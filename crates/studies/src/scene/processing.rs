@@ -1,0 +1,81 @@
+//! What is done to a ground motion before it shakes a row.
+
+use pounding_motion::{BandPass, Passes, Trend};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Straight line that is taken away from a ground motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Detrend {
+    /// The mean of all samples.
+    Constant,
+    /// The straight line of least squares.
+    Linear,
+}
+
+impl Detrend {
+    pub(crate) fn to_motion(self) -> Trend {
+        match self {
+            Self::Constant => Trend::Constant,
+            Self::Linear => Trend::Linear,
+        }
+    }
+}
+
+/// A Butterworth band-pass filter.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FilterBand {
+    /// Corner below which the motion is taken away \[Hz\], > 0.
+    pub low_hz: f64,
+    /// Corner above which it is \[Hz\].
+    pub high_hz: f64,
+    /// Order of the low-pass filter that the band is made of, 1 to 10.
+    #[serde(default = "four")]
+    pub order: u32,
+    /// Whether the filter runs forward only, from rest; without it forward and backward, which delays nothing.
+    #[serde(default)]
+    pub causal: bool,
+}
+
+fn four() -> u32 {
+    4
+}
+
+impl FilterBand {
+    pub(crate) fn to_motion(self) -> BandPass {
+        BandPass {
+            order: self.order,
+            low_corner: self.low_hz,
+            high_corner: self.high_hz,
+            passes: if self.causal {
+                Passes::Forward
+            } else {
+                Passes::ForwardAndBackward
+            },
+        }
+    }
+}
+
+/// What a ground motion is scaled to.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum ScaleTo {
+    /// A peak ground acceleration \[g\], ≥ 0.
+    PgaG(f64),
+    /// A spectral acceleration at one period.
+    Sa {
+        /// Period \[s\], > 0.
+        period_s: f64,
+        /// Damping ratio \[–\]; without it 0.05.
+        #[serde(default = "five_per_cent")]
+        damping_ratio: f64,
+        /// Pseudo-spectral acceleration ω²·Sd \[g\], ≥ 0.
+        sa_g: f64,
+    },
+}
+
+fn five_per_cent() -> f64 {
+    0.05
+}
