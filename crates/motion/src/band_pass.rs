@@ -1,10 +1,14 @@
 //! Band-pass filtering of a record.
 
 use crate::butterworth::Cascade;
+use crate::record::within;
 use crate::{Record, RecordError};
 
 /// Highest order; above it the response rings for longer than records last.
 const HIGHEST_ORDER: u32 = 10;
+
+/// Lowest corner in cycles per sample: its square is still known to five digits beside one.
+const LOWEST_CORNER: f64 = 1e-6;
 
 /// How often a filter runs over a record.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -19,14 +23,14 @@ pub enum Passes {
 
 /// A Butterworth band-pass filter.
 ///
-/// Its gain in one pass is 1/√2 at the corners. Filtered records are no longer zero outside their ends in full: velocity
-/// and displacement of a filtered record want zeros before and after it (D. M. Boore, *Bull. Seism. Soc. Am.* 95
+/// Its gain in one pass is 1/√2 at the corners. What the filter lets ring before the first and after the last sample is
+/// cut off; where velocity and displacement matter, put zeros there first (D. M. Boore, *Bull. Seism. Soc. Am.* 95
 /// (2005) 745).
 #[derive(Debug, Clone, PartialEq)]
 pub struct BandPass {
     /// Order of the low-pass filter that the band is made of, 1 ..= 10; the band-pass filter has twice as many poles.
     pub order: u32,
-    /// Corner below which the motion is taken away \[Hz\], > 0.
+    /// Corner below which the motion is taken away \[Hz\], at least 1e-6 over the time step.
     pub low_corner: f64,
     /// Corner above which it is \[Hz\], above the low one and below half of one over the time step.
     pub high_corner: f64,
@@ -37,20 +41,11 @@ pub struct BandPass {
 impl BandPass {
     /// Checks the settings against the time step \[s\] of a record.
     fn check(&self, time_step: f64) -> Result<(), RecordError> {
-        if !(1..=HIGHEST_ORDER).contains(&self.order) {
-            return Err(RecordError::Setting {
-                setting: "order",
-                found: f64::from(self.order),
-                allowed: "1 to 10",
-            });
-        }
-        if !(self.low_corner.is_finite() && self.low_corner > 0.0) {
-            return Err(RecordError::Setting {
-                setting: "low_corner",
-                found: self.low_corner,
-                allowed: "a finite number > 0 Hz",
-            });
-        }
+        let order = (1..=HIGHEST_ORDER).contains(&self.order);
+        within("order", f64::from(self.order), order, "1 to 10")?;
+        let allowed = "a number of Hz, at least 1e-6 over the time step";
+        let resolved = self.low_corner * time_step >= LOWEST_CORNER;
+        within("low_corner", self.low_corner, resolved, allowed)?;
         below_nyquist("high_corner", self.high_corner, time_step)?;
         if self.low_corner < self.high_corner {
             Ok(())

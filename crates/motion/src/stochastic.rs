@@ -13,7 +13,7 @@ use crate::{Envelope, GroundFilter, Record, RecordError};
 /// Random sequence that all seeds start in; nothing depends on its value.
 const STREAM: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
 
-/// Largest number of terms × samples: some ten seconds of work.
+/// Largest number of terms × samples: some half a minute of work.
 const MOST_PRODUCTS: f64 = 1e10;
 
 /// How strong a stochastic motion is.
@@ -39,7 +39,7 @@ pub enum Strength {
 /// away such that velocity and displacement end at zero. That weakens the motion at periods above the
 /// strong shaking's duration. The constant envelope is left as it is.
 ///
-/// Time grows with samples times terms: 0.1 s for 40 s at 0.005 s up to 25 Hz.
+/// Time grows with samples times terms: 0.03 s for 40 s at 0.005 s up to 25 Hz.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StochasticMotion {
     /// The ground.

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{
-    Clock, Damping, Elastic, Exact, Excitation, Impact, Integrator, Node, Peaks, Recorder, Row,
-    RunError, Span, State,
+    Clock, Damping, Elastic, Exact, Excitation, Impact, Integrator, ModelError, Node, Peaks,
+    Recorder, Row, RunError, Span, State,
 };
 use rayon::prelude::*;
 use thiserror::Error;
@@ -36,7 +36,7 @@ pub struct SpectralValues {
 #[non_exhaustive]
 pub enum SpectrumError {
     /// A value outside its valid range.
-    #[error("{place}: found {found}, allowed {allowed}")]
+    #[error("{place}: found {found:?}, allowed {allowed}")]
     OutOfRange {
         /// What it is, for example `periods[3]`.
         place: String,
@@ -45,6 +45,9 @@ pub enum SpectrumError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
+    /// A record that the solver refuses.
+    #[error("record: {0}")]
+    Model(#[from] ModelError),
     /// A run that ended early.
     #[error("period of {period} s: {source}")]
     Run {
@@ -72,8 +75,7 @@ pub fn response_spectrum(
     periods: &[f64],
     damping_ratio: f64,
 ) -> Result<Vec<SpectralValues>, SpectrumError> {
-    let excitation = Excitation::new(record.time_step(), record.samples())
-        .expect("a record has a time step and finite samples");
+    let excitation = Excitation::new(record.time_step(), record.samples())?;
     check(
         "damping_ratio",
         damping_ratio,
