@@ -1,5 +1,7 @@
 //! Wall time of the methods: criterion measures, this compares.
 
+mod savings;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -42,7 +44,7 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
     let csv = ratios(&timed, &home)?;
     fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
     println!("\n{csv}\nkept in {KEPT}\n\n{}", comparison(&timed, &home)?);
-    Ok(())
+    savings::run(root)
 }
 
 /// The run of the same scene that others are compared with.

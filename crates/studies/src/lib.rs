@@ -30,6 +30,7 @@ mod plot;
 mod prepared;
 mod reproduce;
 mod review;
+mod savings;
 mod scene;
 mod schema;
 pub mod second_route;
@@ -62,6 +63,7 @@ pub use plot::PlotError;
 pub use prepared::{Outcome, Prepared};
 pub use reproduce::{Reproduction, Studies};
 pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
+pub use savings::{Burden, Burdened};
 pub use scene::{
     Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground, Method, RecordUse,
     STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Structure, Unit,

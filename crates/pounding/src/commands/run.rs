@@ -23,6 +23,9 @@ pub(crate) struct Arguments {
     /// Do not measure the errors; saves the exact run.
     #[arg(long)]
     no_error: bool,
+    /// Model what the scene does not require, too: the same numbers at more cost.
+    #[arg(long)]
+    full: bool,
     /// Print what is refused, too, with a warning.
     #[arg(long)]
     force: bool,
@@ -32,6 +35,11 @@ pub(crate) struct Arguments {
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
     let prepared = super::prepare(path, asked.force).map_err(|error| hint(error, path))?;
+    let prepared = if asked.full {
+        prepared.full().map_err(|error| hint(error, path))?
+    } else {
+        prepared
+    };
     let review = prepared
         .review(!asked.no_error)
         .map_err(|error| hint(error, path))?;

@@ -139,6 +139,18 @@ impl Prepared {
         Ok(prepared)
     }
 
+    /// The same scene modelled in full, whatever it requires: columns that remember their yielding, and all neighbours as
+    /// pairs. Its results are those of the lean model to the last bit, at more cost.
+    ///
+    /// # Errors
+    /// Those of the lean model, which were found before.
+    pub fn full(self) -> Result<Self, StudyError> {
+        let scene = &self.scene;
+        let model = Model::full(scene)
+            .map_err(|error| in_scene(scene, SceneError::of_model(error, scene)))?;
+        Ok(Self { model, ..self })
+    }
+
     /// The same structures under the same record, with another method.
     ///
     /// # Errors

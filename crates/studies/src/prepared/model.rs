@@ -1,11 +1,12 @@
 //! What the solver needs of a scene: the leanest row that models it, integrator and clock.
 
+use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Integrator, ModelError,
     MoreauJean, Newmark, Node, Pair, PiecewiseLinear, Rk4, Row, Verlet,
 };
 
-use crate::{Method, Scene, Structure};
+use crate::{Contact, Method, Scene, Structure};
 
 /// The row with the columns it needs: decided once per run.
 #[derive(Debug, Clone)]
@@ -15,22 +16,33 @@ pub(super) enum Model {
     ElastoPlastic(Row<ElastoPlastic>),
 }
 
+/// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
+const OUT_OF_REACH: f64 = 1e9;
+
 impl Model {
-    /// The row of a checked scene.
+    /// The leanest row of a checked scene.
     pub(super) fn new(scene: &Scene) -> Result<Self, ModelError> {
         let yields = scene.structures.iter().any(|structure| match structure {
             Structure::Sdof(structure) => structure.yield_force_n.is_some(),
             Structure::Wall => false,
         });
+        let contacts = scene.contacts.as_deref().unwrap_or_default();
         if yields {
-            let column = |stiffness, yield_force: Option<f64>| ElastoPlastic {
-                stiffness,
-                yield_force: yield_force.unwrap_or(f64::INFINITY),
-            };
-            row(scene, column).map(Self::ElastoPlastic)
+            row(scene, elasto_plastic, pairs(contacts)).map(Self::ElastoPlastic)
         } else {
-            row(scene, |stiffness, _| Elastic { stiffness }).map(Self::Elastic)
+            let elastic = |stiffness, _| Elastic { stiffness };
+            row(scene, elastic, pairs(contacts)).map(Self::Elastic)
         }
+    }
+
+    /// The same with everything that a scene can ask for: columns that remember their yielding, and all neighbours as
+    /// pairs.
+    pub(super) fn full(scene: &Scene) -> Result<Self, ModelError> {
+        let pairs = match &scene.contacts {
+            Some(contacts) => pairs(contacts),
+            None => pairs_out_of_reach(&scene.structures),
+        };
+        row(scene, elasto_plastic, pairs).map(Self::ElastoPlastic)
     }
 
     /// The pairs that can touch, from left to right.
@@ -42,9 +54,40 @@ impl Model {
     }
 }
 
+fn elasto_plastic(stiffness: f64, yield_force: Option<f64>) -> ElastoPlastic {
+    ElastoPlastic {
+        stiffness,
+        yield_force: yield_force.unwrap_or(f64::INFINITY),
+    }
+}
+
+fn pairs(contacts: &[Contact]) -> Vec<Pair> {
+    let pair = |(left, contact): (usize, &Contact)| Pair {
+        left,
+        right: left + 1,
+        gap: contact.gap_m,
+        law: contact.law,
+    };
+    contacts.iter().enumerate().map(pair).collect()
+}
+
+fn pairs_out_of_reach(structures: &[Structure]) -> Vec<Pair> {
+    let pair = |(left, pair): (usize, &[Structure])| {
+        let walls = matches!(pair, [Structure::Wall, Structure::Wall]);
+        (!walls).then_some(Pair {
+            left,
+            right: left + 1,
+            gap: OUT_OF_REACH,
+            law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 }),
+        })
+    };
+    structures.windows(2).enumerate().filter_map(pair).collect()
+}
+
 fn row<Column: PiecewiseLinear>(
     scene: &Scene,
     column: impl Fn(f64, Option<f64>) -> Column,
+    pairs: Vec<Pair>,
 ) -> Result<Row<Column>, ModelError> {
     let node = |structure: &Structure| match structure {
         Structure::Sdof(sdof) => Node {
@@ -58,17 +101,7 @@ fn row<Column: PiecewiseLinear>(
         },
         Structure::Wall => Node::wall(column(1.0, None)),
     };
-    let contacts = scene.contacts.as_deref().unwrap_or_default();
-    let pair = |(left, contact): (usize, &crate::Contact)| Pair {
-        left,
-        right: left + 1,
-        gap: contact.gap_m,
-        law: contact.law,
-    };
-    Row::new(
-        scene.structures.iter().map(node).collect(),
-        contacts.iter().enumerate().map(pair).collect(),
-    )
+    Row::new(scene.structures.iter().map(node).collect(), pairs)
 }
 
 impl Method {

@@ -33,6 +33,22 @@ pub struct RecordUse {
     pub reversed: bool,
 }
 
+impl RecordUse {
+    /// A ground motion as its source has it.
+    pub fn of(source: Source) -> Self {
+        Self {
+            source,
+            gravity_m_per_s2: STANDARD_GRAVITY,
+            detrend: None,
+            band_pass: None,
+            resample_s: None,
+            scale_to: None,
+            scale: 1.0,
+            reversed: false,
+        }
+    }
+}
+
 /// Where a ground motion comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {

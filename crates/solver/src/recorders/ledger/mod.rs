@@ -3,6 +3,7 @@
 mod account;
 mod contact;
 mod error;
+mod largest;
 mod terms;
 
 pub use contact::PairTerms;
@@ -11,6 +12,7 @@ pub use terms::Terms;
 
 use account::Account;
 use contact::{Contact, Push};
+use largest::Largest;
 
 use crate::{Excitation, Impact, Path, PiecewiseLinear, Recorder, Row, Span};
 
@@ -33,7 +35,11 @@ pub struct Ledger<'a> {
     pairs_of: Vec<[Option<usize>; 2]>,
     /// The impacts since some pair was last hit that has not come apart yet.
     meeting: Option<Meeting>,
+    /// Pairs that have not come apart since their last impact.
+    n_meeting: usize,
     largest: Largest,
+    /// Spans since the largest values were taken.
+    unmeasured: usize,
     laws: Laws,
     violation: Option<LedgerError>,
 }
@@ -59,16 +65,6 @@ struct Meeting {
     allowed: f64,
 }
 
-/// Largest values over time.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-struct Largest {
-    scale: f64,
-    identity: f64,
-    residual: f64,
-    momentum_scale: f64,
-    momentum: f64,
-}
-
 /// Rounding that the velocities around an impact are forgiven, relative to them: they carry that of the run before.
 const ROUNDING: f64 = 1e-12;
 /// Energy that a compliant collision may create, relative to the scale.
@@ -76,6 +72,8 @@ const ROUNDING: f64 = 1e-12;
 /// Where nearly nothing moves yet, the steps resolve nothing; of 400 random rows no other collision gave back more than
 /// its steps allow, and none of these as much as 1e-8 of the scale.
 const NEGLIGIBLE: f64 = 1e-6;
+/// Structures that a span may look at for the largest values over time; in rows of no more every span looks at all.
+const LOOKED_AT_PER_SPAN: usize = 16;
 
 impl<'a> Ledger<'a> {
     /// For a run of this row under this excitation.
@@ -91,7 +89,9 @@ impl<'a> Ledger<'a> {
             contacts: row.pairs().iter().map(Contact::new).collect(),
             pairs_of,
             meeting: None,
+            n_meeting: 0,
             largest: Largest::default(),
+            unmeasured: 0,
             laws: Laws::All,
             violation: None,
         }
@@ -125,7 +125,7 @@ impl<'a> Ledger<'a> {
     /// What energies are measured by \[J\]: the largest over time of the row's initial energy plus the magnitudes of
     /// its other terms.
     pub fn scale(&self) -> f64 {
-        self.largest.scale
+        self.measured().scale
     }
 
     /// The method's own balance: the largest over time of |change of kinetic energy − works on the structure|, summed
@@ -133,7 +133,8 @@ impl<'a> Ledger<'a> {
     ///
     /// To rounding (1e-12) 0 for every method and every step; more is a fault of the method.
     pub fn identity(&self) -> f64 {
-        ratio(self.largest.identity, self.largest.scale)
+        let largest = self.measured();
+        ratio(largest.identity, largest.scale)
     }
 
     /// The physical balance: the largest over time of |[`Terms::balance`]|, summed over structures, relative to the
@@ -142,7 +143,8 @@ impl<'a> Ledger<'a> {
     /// Tends to 0 with the time step, at the order of the method; for a method that knows its motion between its nodes
     /// it is rounding. Average acceleration balances elastic structures at every step: it is no measure of the error.
     pub fn residual(&self) -> f64 {
-        ratio(self.largest.residual, self.largest.scale)
+        let largest = self.measured();
+        ratio(largest.residual, largest.scale)
     }
 
     /// Balance of momentum: the largest over time of |change of momentum − impulses on the structure|, summed over
@@ -150,7 +152,8 @@ impl<'a> Ledger<'a> {
     ///
     /// As the impulses of a pair cancel, the momentum of the row is then its first one plus the external impulses.
     pub fn momentum(&self) -> f64 {
-        ratio(self.largest.momentum, self.largest.momentum_scale)
+        let largest = self.measured();
+        ratio(largest.momentum, largest.momentum_scale)
     }
 
     /// Energy error against the ledger of the same row's true motion: the largest difference of a [term](Self::terms)
@@ -171,8 +174,9 @@ impl<'a> Ledger<'a> {
         if let Some(meeting) = &self.meeting {
             meeting.judge(self.laws)?;
         }
+        let scale = self.scale();
         for (pair, contact) in self.contacts.iter().enumerate() {
-            contact.gives(pair, NEGLIGIBLE * self.largest.scale)?;
+            contact.gives(pair, NEGLIGIBLE * scale)?;
             contact.balanced(pair)?;
         }
         Ok(self.terms())
@@ -185,7 +189,7 @@ impl<'a> Ledger<'a> {
         // An energy is known to the rounding of all that is booked.
         let rounding = match violation {
             LedgerError::GainAtImpact { found, .. } | LedgerError::GainInContact { found, .. } => {
-                found <= ROUNDING * self.largest.scale
+                found <= ROUNDING * self.scale()
             }
             LedgerError::Tension { .. }
             | LedgerError::PullingImpact { .. }
@@ -197,8 +201,8 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// Takes the largest values over time.
-    fn measure(&mut self) {
+    /// The largest values over time, those of this instant among them.
+    fn measured(&self) -> Largest {
         let (mut row, mut now) = (Terms::default(), Largest::default());
         for account in &self.accounts {
             row += account.terms;
@@ -207,12 +211,24 @@ impl<'a> Ledger<'a> {
             now.momentum += account.momentum().abs();
             now.momentum_scale += account.momentum_magnitude();
         }
-        let largest = &mut self.largest;
-        largest.scale = largest.scale.max(row.magnitude());
-        largest.identity = largest.identity.max(now.identity);
-        largest.residual = largest.residual.max(now.residual);
-        largest.momentum = largest.momentum.max(now.momentum);
-        largest.momentum_scale = largest.momentum_scale.max(now.momentum_scale);
+        now.scale = row.magnitude();
+        self.largest.max(now)
+    }
+
+    /// Takes the largest values over time: a look at every structure, after so many spans that a span costs the same
+    /// in a row of any length.
+    fn measure(&mut self) {
+        self.unmeasured += 1;
+        if self.unmeasured * LOOKED_AT_PER_SPAN >= self.accounts.len() {
+            self.largest = self.measured();
+            self.unmeasured = 0;
+        }
+    }
+
+    /// Counts the pairs of a structure that meet, before and after something happened to them.
+    fn count(&self, pairs: [Option<usize>; 2]) -> usize {
+        let meets = |pair: &usize| self.contacts[*pair].meets();
+        pairs.iter().flatten().filter(|pair| meets(pair)).count()
     }
 }
 
@@ -249,7 +265,9 @@ impl Recorder for Ledger<'_> {
         let works = account.span(span, &self.excitation);
         let outcome = account.flowed(hysteretic, span);
         self.judge(outcome);
-        let [left, right] = self.pairs_of[span.structure];
+        let pairs = self.pairs_of[span.structure];
+        let [left, right] = pairs;
+        self.n_meeting -= self.count(pairs);
         let push = |forces, impulse, work| Push {
             times: (span.start_time, span.end_time),
             displacement: span.end.displacement,
@@ -270,7 +288,8 @@ impl Recorder for Ledger<'_> {
             let outcome = self.contacts[pair].push(pair, 0, &push);
             self.judge(outcome);
         }
-        if self.meeting.is_some() && !self.contacts.iter().any(Contact::meets) {
+        self.n_meeting += self.count(pairs);
+        if self.meeting.is_some() && self.n_meeting == 0 {
             let ended = self.meeting.take();
             self.judge(ended.map_or(Ok(()), |meeting| meeting.judge(self.laws)));
         }
@@ -284,7 +303,9 @@ impl Recorder for Ledger<'_> {
         self.accounts[impact.right].impact(impulse, (before.right, after.right));
         let rates = (before.left - before.right, after.left - after.right);
         let loss = 0.5 * impulse * (rates.0 + rates.1);
+        self.n_meeting -= self.count([Some(impact.pair), None]);
         self.contacts[impact.pair].impact(impact.time, impulse, loss);
+        self.n_meeting += self.count([Some(impact.pair), None]);
         if impulse < 0.0 {
             self.judge(Err(LedgerError::PullingImpact {
                 pair: impact.pair,
