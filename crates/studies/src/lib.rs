@@ -34,8 +34,10 @@ mod savings;
 mod scene;
 mod schema;
 pub mod second_route;
+mod separation;
 mod spectrum;
 mod study;
+mod suite;
 mod tables;
 mod trade;
 mod warning;
@@ -69,8 +71,10 @@ pub use scene::{
     STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Structure, Unit,
 };
 pub use schema::scene_schema;
+pub use separation::{Rule, Separation};
 pub use spectrum::{SpectralValues, SpectrumError, response_spectrum, scaled_to_sa};
 pub use study::{Output, Study, StudyFile};
+pub use suite::Motion;
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};
