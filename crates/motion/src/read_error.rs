@@ -211,6 +211,17 @@ pub enum ReadError {
         /// Columns of the first line of numbers, where it can be read.
         allowed: Option<usize>,
     },
+    /// A number of values stands above them like one of them.
+    #[error(
+        "line {line} reads {found:?}, which is how many values follow; \
+         put # before it, or it would be taken for the first"
+    )]
+    CountAsValue {
+        /// Line of the number.
+        line: usize,
+        /// What it reads.
+        found: String,
+    },
     /// A value is the mark that the format keeps for one that is missing.
     #[error(
         "line {line}, field {field}: {found:?} marks a missing value; cut the record before it or take another"
@@ -233,6 +244,12 @@ pub enum ReadError {
         /// What should stand there.
         allowed: &'static str,
     },
+    /// No line of a header begins with a key that is needed.
+    #[error("no line of the header begins with {key:?}; fetch the file again")]
+    NoKey {
+        /// The key.
+        key: &'static str,
+    },
     /// A file ends before what must follow.
     #[error("the file ends at {place}, before {allowed}; fetch it again")]
     Truncated {
@@ -253,9 +270,8 @@ pub enum ReadError {
     },
     /// A file names a unit that is none of an acceleration that is known.
     #[error(
-        "{place} gives the unit {found:?}, allowed are those of an acceleration: {}; \
-         if the file means one of them, write it there",
-        AccelerationUnit::names()
+        "{place} reads {found:?} and names no unit of an acceleration that is known, \
+         such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"
     )]
     UnknownUnit {
         /// Where the unit stands.
@@ -333,7 +349,7 @@ pub enum ReadError {
     },
     /// A declared worth of a count cannot scale the values.
     #[error(
-        "the declared `per_count` is {found}, and must be finite, not 0, and keep every value finite"
+        "the declared `per_count` is {found:?}, and must be finite, not 0, and keep every value finite"
     )]
     DeclaredPerCount {
         /// Worth of a count declared.
@@ -365,6 +381,9 @@ pub enum ReadError {
 const MOST_LISTED: usize = 50;
 
 fn listed(names: &[String]) -> String {
+    if names.is_empty() {
+        return "one that has no name, number 1".to_owned();
+    }
     let mut listed: Vec<String> = names
         .iter()
         .take(MOST_LISTED)

@@ -2,6 +2,8 @@
 //!
 //! Such numbers may touch, so lines are cut by bytes and never split at blanks.
 
+use std::fmt;
+
 use crate::line::{Line, excerpt, number};
 use crate::{Place, ReadError};
 
@@ -25,6 +27,16 @@ pub(super) struct Numbers {
     pub(super) end: Place,
     /// Unit of the last printed digit of the largest number.
     pub(super) digit: f64,
+}
+
+impl fmt::Display for Columns {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            out,
+            "{} to a line, {} bytes each",
+            self.per_line, self.width
+        )
+    }
 }
 
 impl Columns {

@@ -141,7 +141,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         remarks: vec![reading(
             "columns",
             Some(Place::Line(line.number)),
-            "as the line says",
+            &columns.to_string(),
         )],
     })
 }
@@ -206,6 +206,8 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
     let code = units
         .split_once('(')
         .and_then(|(_, rest)| rest.split_once(')'));
+    // `cm/sec2(04)`, without the sign before and the format behind.
+    let spelt = title::before(units, ",FORMAT").trim_start_matches(['=', ' ']);
     let unit = match code.map_or("", |(code, _)| code.trim()) {
         "02" | "2" => AccelerationUnit::StandardGravity,
         "04" | "4" | "10" => AccelerationUnit::CentimetrePerSecondSquared,
@@ -222,7 +224,7 @@ fn scale(line: Line<'_>) -> Result<Scale, ReadError> {
     Ok(Scale::Unit(Stated {
         value: unit,
         place,
-        text,
+        text: spelt.to_owned(),
     }))
 }
 

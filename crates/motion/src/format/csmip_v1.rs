@@ -100,29 +100,46 @@ fn evenly_spaced(
     })
 }
 
+/// Times and values that stand in pairs.
+#[derive(Default)]
+struct Pairs<'t> {
+    times: TimeColumn,
+    values: Vec<f64>,
+    largest: Largest<'t>,
+}
+
+impl<'t> Pairs<'t> {
+    fn new(lines: &[Line<'t>]) -> Result<Self, ReadError> {
+        let mut pairs = Self::default();
+        for line in lines {
+            let fields: Vec<&[u8]> = PAIRS.fields(*line).collect();
+            for (index, pair) in fields.chunks(2).enumerate() {
+                let &[time, value] = pair else {
+                    return Err(ReadError::Header {
+                        place: Place::Line(line.number),
+                        found: line.excerpt(),
+                        allowed: "a value behind each time",
+                    });
+                };
+                decimal(*line, 2 * index + 1, time)?;
+                pairs.times.push(*line, time)?;
+                let number = decimal(*line, 2 * index + 2, value)?;
+                pairs.largest.see(number, value);
+                pairs.values.push(number);
+            }
+        }
+        Ok(pairs)
+    }
+}
+
 fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
     let titles = &header[..TITLES];
-    let mut times = TimeColumn::default();
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
     let data = leading_data(data);
-    for line in data {
-        let fields: Vec<&[u8]> = PAIRS.fields(*line).collect();
-        for (index, pair) in fields.chunks(2).enumerate() {
-            let &[time, value] = pair else {
-                return Err(ReadError::Header {
-                    place: Place::Line(line.number),
-                    found: line.excerpt(),
-                    allowed: "a value behind each time",
-                });
-            };
-            decimal(*line, 2 * index + 1, time)?;
-            times.push(*line, time)?;
-            let number = decimal(*line, 2 * index + 2, value)?;
-            largest.see(number, value);
-            values.push(number);
-        }
-    }
+    let Pairs {
+        times,
+        mut values,
+        largest,
+    } = Pairs::new(data)?;
     let count = n_pairs(header)?;
     let end = data
         .last()
@@ -140,6 +157,11 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
         "its unit",
     )?;
     let (time_step, rest) = times.into_step(&mut values)?;
+    // A state of rest may have come before the pairs that were counted above.
+    let count = Stated {
+        value: values.len(),
+        ..count
+    };
     let remark = reading(
         "columns",
         Some(Place::Line(header[HEADER - 1].number + 1)),
@@ -149,8 +171,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
         values,
         end: Place::Line(end),
         digit: largest.digit(),
-        // Held against the pairs above: a state of rest may have come before them.
-        count: None,
+        count: Some(count),
         time_step: Some(time_step),
         scale: Scale::Unit(title::stated_unit(
             unit,

@@ -107,10 +107,9 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let columns = named.unwrap_or(Columns::new(8, 10));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     let peak = title::line_with(titles, "PEAK ACCELERATION");
-    let cut = if named.is_some() {
-        "as the line says"
-    } else {
-        "8F10, as the format has it"
+    let cut = match named {
+        Some(columns) => columns.to_string(),
+        None => format!("{columns}, as usual: the line does not say"),
     };
     Ok(Draft {
         values: numbers.values,
@@ -122,7 +121,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         peak: peak
             .and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?)),
         provenance: title::provenance(titles),
-        remarks: vec![reading("columns", Some(Place::Line(line.number)), cut)],
+        remarks: vec![reading("columns", Some(Place::Line(line.number)), &cut)],
     })
 }
 

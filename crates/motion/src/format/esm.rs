@@ -1,7 +1,7 @@
 //! ESM and ITACA ASC: 64 lines of a key and a value, then a value to a line.
 
 use super::columns::{Largest, decimal, leading_data};
-use super::title::{self, needed};
+use super::title;
 use super::{Component, Draft, File, Format, Reader, Scale};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
@@ -26,7 +26,7 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
 
 fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
     let header = header(file);
-    needed(title::value_of(header, key), header.last().copied(), key)
+    title::value_of(header, key).ok_or(ReadError::NoKey { key })
 }
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {

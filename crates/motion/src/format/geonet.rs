@@ -73,7 +73,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let unit = match quantity {
         Some(line) => {
             let text = line.text();
-            title::stated_unit(line, title::after(&text, "PEAK").unwrap_or_default())?
+            title::stated_unit(line, title::before(&text, " AT "))?
         }
         None => Stated {
             value: AccelerationUnit::MillimetrePerSecondSquared,
@@ -106,9 +106,10 @@ fn time_step(titles: &[Line<'_>], real: &[Option<f64>], n_samples: usize) -> Opt
     let duration: f64 = title::first_number(title::after(&text, "DURATION")?)?
         .parse()
         .ok()?;
+    // Printed to hundredths; the last step may be counted or not.
     let fits = |step: &f64| {
-        let found = (n_samples - 1) as f64 * step;
-        (found - duration).abs() <= 1.5 * step.abs()
+        let near = |n_steps: usize| (n_steps as f64 * step - duration).abs() <= 0.0051;
+        near(n_samples - 1) || near(n_samples)
     };
     steps.into_iter().flatten().find(fits)
 }

@@ -8,7 +8,7 @@
 //! description and programs that read it.
 
 use super::columns::check_present;
-use super::title::{self, needed};
+use super::title;
 use super::{Component, Draft, File, Format, Reader, Scale, Stated, reading};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
@@ -37,12 +37,13 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
 
 fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {
     let header = &file.lines[..file.lines.len().min(HEADER)];
-    needed(title::value_of(header, key), header.last().copied(), key)
+    title::value_of(header, key).ok_or(ReadError::NoKey { key })
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let (rate_line, rate) = value(file, "Sampling Freq(Hz)")?;
     let rate = title::first_number(&rate).and_then(|rate| number(rate.as_bytes()));
+    let time_step = title::time_step(rate_line, rate.map(|rate| 1.0 / rate))?;
     let (duration_line, duration) = value(file, "Duration Time(s)")?;
     let duration = number(duration.as_bytes());
     let (scale_line, scale) = value(file, "Scale Factor")?;
@@ -66,7 +67,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         *value = (*value - mean) * gal / counts;
     }
     let remark = format!(
-        "{} gal, the mean of the record, taken off",
+        "{:.6} gal, the mean of the record, taken off",
         mean * gal / counts
     );
     Ok(Draft {
@@ -74,7 +75,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         end: Place::Line(end.number),
         digit: gal / counts,
         count: Some(title::count(duration_line, &n_samples.unwrap_or_default())?),
-        time_step: Some(title::time_step(rate_line, rate.map(|rate| 1.0 / rate))?),
+        time_step: Some(time_step),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
             place: Place::Line(scale_line.number),

@@ -94,10 +94,9 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
 /// Refuses a number of values that stands above them like one of them.
 fn check_first(line: Line<'_>, values: &[f64]) -> Result<(), ReadError> {
     if values.len() > 2 && is_mark(values[0], (values.len() - 1) as f64) {
-        return Err(ReadError::Header {
-            place: Place::Line(line.number),
+        return Err(ReadError::CountAsValue {
+            line: line.number,
             found: line.excerpt(),
-            allowed: "the first value, and not the number of values unless behind a #,",
         });
     }
     Ok(())

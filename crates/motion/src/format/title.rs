@@ -2,7 +2,7 @@
 
 use super::columns::last_digit;
 use super::{Peak, Stated};
-use crate::line::{Line, excerpt, number};
+use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
 /// Spellings of units, in capitals.
@@ -40,15 +40,16 @@ const UNITS: [(&str, AccelerationUnit); 25] = {
     ]
 };
 
-/// The first unit of an acceleration that stands in a text as a word of its own.
-pub(super) fn unit_in(text: &str) -> Option<AccelerationUnit> {
-    let capitals = text.to_ascii_uppercase();
+/// The first unit of an acceleration that stands in a text as a word of its own, and that word.
+pub(super) fn unit_in(text: &str) -> Option<(AccelerationUnit, &str)> {
     let separates = |letter: char| {
         !(letter.is_ascii_alphanumeric() || matches!(letter, '/' | '\'' | '^' | '*'))
     };
-    capitals.split(separates).find_map(|word| {
-        let known = UNITS.iter().find(|(name, _)| *name == word);
-        known.map(|(_, unit)| *unit)
+    text.split(separates).find_map(|word| {
+        let known = UNITS
+            .iter()
+            .find(|(name, _)| name.eq_ignore_ascii_case(word));
+        known.map(|(_, unit)| (*unit, word))
     })
 }
 
@@ -58,14 +59,14 @@ pub(super) fn stated_unit(
     text: &str,
 ) -> Result<Stated<AccelerationUnit>, ReadError> {
     let place = Place::Line(line.number);
-    let unit = unit_in(text).ok_or_else(|| ReadError::UnknownUnit {
+    let (unit, word) = unit_in(text).ok_or_else(|| ReadError::UnknownUnit {
         place,
         found: line.excerpt(),
     })?;
     Ok(Stated {
         value: unit,
         place,
-        text: excerpt(text.as_bytes()),
+        text: word.to_owned(),
     })
 }
 
@@ -84,6 +85,12 @@ pub(super) fn first_number(text: &str) -> Option<&str> {
 pub(super) fn after<'t>(text: &'t str, word: &str) -> Option<&'t str> {
     let at = text.to_ascii_uppercase().find(word)?;
     text.get(at + word.len()..)
+}
+
+/// What precedes a word in a text, whatever its capitals; all of it without the word.
+pub(super) fn before<'t>(text: &'t str, word: &str) -> &'t str {
+    let at = text.to_ascii_uppercase().find(word);
+    at.and_then(|at| text.get(..at)).unwrap_or(text)
 }
 
 /// The first of these lines that holds a word, whatever its capitals.
@@ -137,7 +144,7 @@ pub(super) fn count(line: Line<'_>, text: &str) -> Result<Stated<usize>, ReadErr
     })
 }
 
-/// A time step \[s\] of a line; whether it is above zero is seen later.
+/// A time step \[s\] of a line, above zero.
 pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64>, ReadError> {
     let place = Place::Line(line.number);
     let value = value.ok_or_else(|| ReadError::Header {
@@ -145,6 +152,12 @@ pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64
         found: line.excerpt(),
         allowed: "a time step",
     })?;
+    if !(value.is_finite() && value > 0.0) {
+        return Err(ReadError::TimeStep {
+            place,
+            found: value,
+        });
+    }
     Ok(Stated {
         value,
         place,
@@ -152,8 +165,9 @@ pub(super) fn time_step(line: Line<'_>, value: Option<f64>) -> Result<Stated<f64
     })
 }
 
-/// The peak that a piece of a line states as its first number.
+/// The peak that a piece of a line states as its first number, up to the time `AT` which it was.
 pub(super) fn peak(line: Line<'_>, text: &str) -> Option<Peak> {
+    let text = before(text, " AT ");
     let printed = first_number(text)?;
     Some(Peak {
         stated: Stated {
@@ -162,7 +176,7 @@ pub(super) fn peak(line: Line<'_>, text: &str) -> Option<Peak> {
             text: line.excerpt(),
         },
         digit: last_digit(printed.as_bytes()),
-        unit: unit_in(text),
+        unit: unit_in(text).map(|(unit, _)| unit),
     })
 }
 

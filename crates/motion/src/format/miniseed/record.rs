@@ -172,12 +172,14 @@ impl<'t> Record<'t> {
     /// Unpacks the values behind others; whether they are whole numbers.
     pub(super) fn append(&self, values: &mut Vec<f64>) -> Result<bool, ReadError> {
         let before = values.len();
-        let known = samples::unpack(self.encoding, self.big_endian, self.data, self.n_samples);
-        let found = known.ok_or_else(|| {
-            self.refused(
-            format!("encoding {}", self.encoding),
-            "whole numbers, floats or Steim 1 and 2 that end with the last value of their header",
-        )
+        if !matches!(self.encoding, 1 | 3 | 4 | 5 | 10 | 11) {
+            let found = format!("encoding {}", self.encoding);
+            return Err(self.refused(found, "whole numbers, floats, Steim 1 or Steim 2"));
+        }
+        let found = samples::unpack(self.encoding, self.big_endian, self.data, self.n_samples);
+        let found = found.ok_or_else(|| {
+            let found = "packed differences that do not lead to the last value".to_owned();
+            self.refused(found, "the last value that the first frame repeats")
         })?;
         values.extend(found);
         if values.len() - before != self.n_samples {

@@ -1,0 +1,92 @@
+//! Damaged files: read or refused, never a panic.
+
+use pounding_motion::{AccelerationUnit, Declared, components, read_declared};
+use proptest::prelude::*;
+
+use super::{accelerogram, file};
+
+const FILES: [&str; 12] = [
+    "cosmos.v0",
+    "cosmos.v2",
+    "csmip-new.v1",
+    "csmip-old.v1",
+    "csmip.v2",
+    "esm.asc",
+    "geonet.v1a",
+    "geonet.v2a",
+    "knet.ns",
+    "renadic.v1",
+    "usc.s0a",
+    "usgs.smc",
+];
+
+/// The first component, and what a file may leave to the caller.
+fn declared(per_count: Option<f64>) -> Declared {
+    Declared {
+        unit: Some(AccelerationUnit::CentimetrePerSecondSquared),
+        time_step: None,
+        component: Some("1".to_owned()),
+        per_count,
+    }
+}
+
+fn is_sound(bytes: &[u8], declared: &Declared) -> bool {
+    let _ = components(bytes);
+    read_declared(bytes, declared).is_ok_and(|found| {
+        found.values().iter().all(|value| value.is_finite()) && found.time_step() > 0.0
+    })
+}
+
+#[test]
+fn extreme_every_cut_of_a_file_is_refused_or_loses_nothing_of_the_channel() {
+    for name in FILES {
+        let text = file(name);
+        let declared = Declared {
+            component: Some("1".to_owned()),
+            ..declared((name == "cosmos.v0").then_some(2.0))
+        };
+        let declared = Declared {
+            unit: declared.unit.filter(|_| name == "cosmos.v0"),
+            ..declared
+        };
+        let whole = accelerogram(&text, &declared);
+        for length in (0..text.len()).step_by(7) {
+            let _ = components(&text.as_bytes()[..length]);
+            if let Ok(found) = read_declared(&text.as_bytes()[..length], &declared) {
+                // All but the last digits of the last value, which a cut may take.
+                let n_values = whole.values().len();
+                assert_eq!(found.values().len(), n_values, "{name} cut at {length}");
+                assert_eq!(
+                    found.values()[..n_values - 1],
+                    whole.values()[..n_values - 1]
+                );
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn extreme_bytes_replaced(name in prop::sample::select(&FILES[..]), changes in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(&b" 0123456789.-+E(),:=/\n\r|&*#\xff\0gG"[..])), 1..6), counts in any::<bool>()) {
+        let mut bytes = file(name).into_bytes();
+        for (place, byte) in changes {
+            let place = place.index(bytes.len());
+            bytes[place] = byte;
+        }
+        let _ = is_sound(&bytes, &declared(counts.then_some(2.0)));
+        let _ = is_sound(&bytes, &Declared::default());
+    }
+
+    #[test]
+    fn extreme_lines_lost_or_repeated(name in prop::sample::select(&FILES[..]), line in any::<prop::sample::Index>(), repeat in 0..3_usize) {
+        let text = file(name);
+        let lines: Vec<&str> = text.lines().collect();
+        let at = line.index(lines.len());
+        let mut changed = lines[..at].to_vec();
+        changed.extend(std::iter::repeat_n(lines[at], repeat));
+        changed.extend(&lines[at + 1..]);
+        let _ = is_sound(changed.join("\n").as_bytes(), &declared(None));
+    }
+}

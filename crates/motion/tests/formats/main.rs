@@ -1,0 +1,57 @@
+//! Every format besides CSV and AT2: what is read of a small file, and what each refusal says.
+//!
+//! The files are made by hand in the layouts of the networks, with invented values.
+
+mod cosmos;
+mod csmip;
+mod declared;
+mod geonet;
+mod junk;
+mod knet;
+mod lists;
+mod miniseed;
+mod plain;
+mod sac;
+mod smc;
+
+use pounding_motion::{Accelerogram, Declared, read_declared};
+
+/// The text of a file of this folder.
+fn file(name: &str) -> String {
+    let path = format!("{}/tests/files/{name}", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// The file with one piece replaced, which must be there.
+fn with(name: &str, from: &str, to: &str) -> String {
+    let text = file(name);
+    assert!(text.contains(from), "{name} has no {from:?}");
+    text.replacen(from, to, 1)
+}
+
+fn accelerogram(bytes: impl AsRef<[u8]>, declared: &Declared) -> Accelerogram {
+    read_declared(bytes.as_ref(), declared).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn refusal(bytes: impl AsRef<[u8]>, declared: &Declared) -> String {
+    read_declared(bytes.as_ref(), declared)
+        .expect_err("a file that is refused")
+        .to_string()
+}
+
+/// A declaration of the component alone.
+fn component(name: &str) -> Declared {
+    Declared {
+        component: Some(name.to_owned()),
+        ..Declared::default()
+    }
+}
+
+/// What was read, a line each.
+fn readings(found: &Accelerogram) -> String {
+    let lines = found.readings().iter().map(|reading| match reading.line {
+        Some(line) => format!("{} (line {line}): {}", reading.what, reading.found),
+        None => format!("{}: {}", reading.what, reading.found),
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,102 @@
+//! Plain text of one and two columns.
+
+use insta::assert_snapshot;
+use pounding_motion::{AccelerationUnit, Declared, Format};
+
+use super::{accelerogram, readings, refusal};
+
+const IN_G: Declared = Declared {
+    unit: Some(AccelerationUnit::StandardGravity),
+    time_step: None,
+    component: None,
+    per_count: None,
+};
+
+fn in_g_with_step(time_step: f64) -> Declared {
+    Declared {
+        time_step: Some(time_step),
+        ..IN_G
+    }
+}
+
+#[test]
+fn reference_one_column() {
+    for text in [
+        "0.1\n-0.25\n3\n",
+        "# title\n0.1\n\n -0.25 \n# tail\n3",
+        "El Somewhere, 1940\n.1\n-.25\n3.0D0\n",
+    ] {
+        let found = accelerogram(text, &in_g_with_step(0.02));
+        assert_eq!(found.format(), Format::Plain);
+        assert_eq!(found.values(), [0.1, -0.25, 3.0], "{text}");
+        assert_eq!(found.time_step().to_string(), "0.02");
+    }
+    let found = accelerogram(
+        "# El Somewhere\nin some unit\n0.1\n0.2\n",
+        &in_g_with_step(0.02),
+    );
+    assert_eq!(found.provenance(), "El Somewhere\nin some unit");
+    assert_snapshot!(readings(&found), @r"
+    format: plain text
+    number of samples: 2
+    time step: 0.02 s (declared)
+    unit: g (declared)
+    columns (line 3): 1
+    ");
+}
+
+#[test]
+fn reference_two_columns() {
+    for text in [
+        "0.00 0.1\n0.02 -0.25\n",
+        "t, a\n0.00,0.1\n0.02 , -0.25\n",
+        "0.00\t0.1\r\n0.02\t-0.25\r\n",
+    ] {
+        let found = accelerogram(text, &IN_G);
+        assert_eq!(found.values(), [0.1, -0.25], "{text}");
+        assert_eq!(found.time_step().to_string(), "0.02");
+    }
+}
+
+#[test]
+fn reference_a_file_that_begins_after_one_step_gets_the_state_of_rest() {
+    let found = accelerogram("0.02 0.1\n0.04 -0.25\n", &IN_G);
+    assert_eq!(found.values(), [0.0, 0.1, -0.25]);
+    assert_snapshot!(readings(&found), @r"
+    format: plain text
+    number of samples: 3
+    time step (line 1): 0.02 s
+    unit: g (declared)
+    columns (line 1): 2, time and acceleration
+    state of rest (line 1): 0 put at t = 0, where the file has nothing
+    ");
+}
+
+#[test]
+fn extreme_nothing_declared() {
+    assert_snapshot!(refusal("0.1\n0.2\n", &Declared::default()), @"the file does not say how far apart its values are; declare it as `time_step` in seconds");
+    assert_snapshot!(refusal("0.1\n0.2\n", &IN_G), @"the file does not say how far apart its values are; declare it as `time_step` in seconds");
+    assert_snapshot!(refusal("0.00 0.1\n0.02 0.2\n", &Declared::default()), @"the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
+}
+
+#[test]
+fn extreme_lines() {
+    assert_snapshot!(refusal("0.0 0.1\n0.1 0.2\n0.2 0.3\n3 0.5\n", &IN_G), @"line 4: the time changes by 2.8 s from the line before, allowed is the 0.1 s of the other lines; resample the record to equal steps or print its times with more decimals");
+    assert_snapshot!(refusal("0.1\n0.2 0.3\n", &IN_G), @"line 2 has 2 column(s), allowed are 1 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
+    assert_snapshot!(refusal("0.1 0.2 0.3\n0.1 0.2 0.3\n", &IN_G), @"line 1 has 3 column(s), allowed are 1 or 2; write time and acceleration alone, or one acceleration to a line");
+    assert_snapshot!(refusal("0.1\n0.2\nthe end\n", &in_g_with_step(0.1)), @"line 3 has 2 column(s), allowed are 1 as in the first line of numbers; write time and acceleration alone, or one acceleration to a line");
+    assert_snapshot!(refusal("0.1\n0.2x\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "0.2x" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    assert_snapshot!(refusal("0.1\n1e999\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "1e999" is not finite, and every number must be; put a measured value there or cut the record before it"#);
+    assert_snapshot!(refusal("0.1\nNaN\n", &in_g_with_step(0.1)), @r#"line 2, field 1: "NaN" is not finite, and every number must be; put a measured value there or cut the record before it"#);
+    assert_snapshot!(refusal("0.0,0.1\n0.1,\n", &IN_G), @r#"line 2, field 2: "" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    assert_snapshot!(refusal("3\n0.1\n0.2\n0.3\n", &in_g_with_step(0.1)), @r#"line 1 reads "3", which is how many values follow; put # before it, or it would be taken for the first"#);
+    // A comma for a point makes two columns of one.
+    assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @"line 2: the time is 0 s, allowed are times after the 0 s of the line before; sort the lines by time and keep one of each");
+}
+
+#[test]
+fn extreme_unknown_format() {
+    assert_snapshot!(refusal("\nSome words\nand others\n", &IN_G), @r#"line 2 reads "Some words", which begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, SAC, miniSEED, eqsig, plain text; fetch the file again in one of them, or write one number to a line"#);
+    assert_snapshot!(refusal("# words alone\n \n", &IN_G), @"the text holds nothing but blank lines and comments; give a header followed by numbers");
+    assert_snapshot!(refusal(b"\xff\xfe\x00\x01 binary", &IN_G), @r#"line 1 reads "��\0\u{1} binary", which begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, SAC, miniSEED, eqsig, plain text; fetch the file again in one of them, or write one number to a line"#);
+}

@@ -1,0 +1,54 @@
+//! USGS SMC.
+
+use insta::assert_snapshot;
+use pounding_motion::{AccelerationUnit, Declared, Format};
+
+use super::{accelerogram, file, readings, refusal, with};
+
+fn refused(from: &str, to: &str) -> String {
+    refusal(with("usgs.smc", from, to), &Declared::default())
+}
+
+#[test]
+fn reference_numbers_that_touch() {
+    let found = accelerogram(file("usgs.smc"), &Declared::default());
+    assert_eq!(found.format(), Format::UsgsSmc);
+    assert_eq!(found.unit(), AccelerationUnit::CentimetrePerSecondSquared);
+    assert_eq!(found.time_step().to_string(), "0.01");
+    assert_eq!(found.values().len(), 21);
+    assert_eq!(
+        found.values()[..5],
+        [-24.676, -71.842, -61.421, -9.2692, 41.702]
+    );
+    assert_eq!(found.values()[20..=20], [8.8053]);
+    assert_snapshot!(readings(&found), @r"
+    format: USGS SMC
+    number of samples (line 14): 21
+    time step (line 18): 0.01 s
+    unit (line 1): cm/s² (as the format has it)
+    peak in the header (line 23): 71.842 cm/s²
+    ");
+}
+
+#[test]
+fn extreme_header() {
+    let seven = "        21    -32768    -32768";
+    assert_snapshot!(refused(seven, "        22    -32768    -32768"), @"the values end at line 32 after 21 of them, but the header declares 22; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refused(seven, "    -32768    -32768    -32768"), @r#"line 14 reads "-32768    -32768    -32768    -32768    -32768    -32768    …", but a whole number of samples above 0 should stand there; fetch the file again"#);
+    assert_snapshot!(refused("0.1000000E+03", "0.0000000E+00"), @"line 18: the time step is inf s, and must be finite and above 0 s; correct it there");
+    assert_snapshot!(refused("       101         2", "       101         3"), @r#"line 13 reads "1         3         3    -32768        90        27       10…", but the number of comment lines that follow as the eighth should stand there; fetch the file again"#);
+    assert_snapshot!(refused("2 CORRECTED ACCELEROGRAM", "4 VELOCITY              "), @r#"line 1 reads "4 VELOCITY", but only histories of acceleration are read; take the accelerogram of the record"#);
+    assert_snapshot!(refusal("2 CORRECTED ACCELEROGRAM\n*\nXYZ01\n", &Declared::default()), @"the file ends at line 3, before the numbers of its header; fetch it again");
+}
+
+#[test]
+fn extreme_values() {
+    assert_snapshot!(refused("-7.1842E+1", "-7.1842E+0"), @r#"line 23 states a peak of "71.842 cm/s²", but the largest value read is 61.421 cm/s²; one of them is damaged or in another unit: fetch the file again"#);
+    assert_snapshot!(refused(" 8.8053E+0", ""), @"the values end at line 32 after 20 of them, but the header declares 21; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refused(" 8.8053E+0", "-3.2768E+4"), @r#"line 32, field 5: "-3.2768E+4" marks a missing value; cut the record before it or take another"#);
+    assert_snapshot!(refused(" 8.8053E+0", " 1.7000E38"), @r#"line 32, field 5: "1.7000E38" marks a missing value; cut the record before it or take another"#);
+    assert_snapshot!(refused(" 8.8053E+0", "**********"), @r#"line 32, field 5: "**********" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    assert_snapshot!(refused(" 8.8053E+0", "        88"), @r#"line 32, field 5: "88" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    // A byte lost in the line moves every field behind it.
+    assert_snapshot!(refused("-4.1299E+1-3.4734E+1", "-4.129E+1-3.4734E+1"), @r#"line 31, field 1: "-4.129E+1-" is not a number; write it like -0.00640 or -.6403182E-02"#);
+}
