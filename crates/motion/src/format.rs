@@ -1,12 +1,15 @@
 //! Which format a file is in, and what every format does alike.
 
+mod afad;
 mod at2;
+mod bbp;
 mod columns;
 mod cosmos;
 mod csmip_v1;
 mod csmip_v2;
 mod csmip_v3;
 mod csv;
+mod cwb;
 mod draft;
 mod eqsig;
 mod esm;
@@ -16,8 +19,10 @@ mod miniseed;
 mod plain;
 mod sac;
 mod smc;
+mod table;
 mod time_column;
 mod title;
+mod unam;
 
 use crate::line::{Line, lines};
 use crate::{Accelerogram, Declared, Place, ReadError};
@@ -52,6 +57,14 @@ pub enum Format {
     Sac,
     /// miniSEED 2 and 3, binary.
     MiniSeed,
+    /// CWB (CWA), Taiwan.
+    Cwb,
+    /// AFAD (NSMN), Turkey.
+    Afad,
+    /// Standard file of UNAM, Mexico.
+    Unam,
+    /// SCEC Broadband Platform.
+    Bbp,
     /// A title, a line with number and step, then values.
     Eqsig,
     /// One or two columns of numbers.
@@ -60,7 +73,7 @@ pub enum Format {
 
 impl Format {
     /// All formats that are read.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 19] = [
         Self::Csv,
         Self::PeerAt2,
         Self::CsmipV1,
@@ -72,6 +85,10 @@ impl Format {
         Self::Esm,
         Self::GeoNet,
         Self::RenadicV1,
+        Self::Cwb,
+        Self::Afad,
+        Self::Unam,
+        Self::Bbp,
         Self::Sac,
         Self::MiniSeed,
         Self::Eqsig,
@@ -94,6 +111,10 @@ impl Format {
             Self::RenadicV1 => "RENADIC V1",
             Self::Sac => "SAC",
             Self::MiniSeed => "miniSEED",
+            Self::Cwb => "CWB",
+            Self::Afad => "AFAD",
+            Self::Unam => "UNAM",
+            Self::Bbp => "SCEC BBP",
             Self::Eqsig => "eqsig",
             Self::Plain => "plain text",
         }
@@ -129,7 +150,7 @@ struct Reader {
 }
 
 /// The readers; the first that recognises a file reads it.
-const READERS: [Reader; 16] = [
+const READERS: [Reader; 20] = [
     sac::READER,
     miniseed::READER,
     cosmos::READER,
@@ -142,6 +163,10 @@ const READERS: [Reader; 16] = [
     csmip_v1::READER,
     knet::READER,
     esm::READER,
+    cwb::READER,
+    afad::READER,
+    unam::READER,
+    bbp::READER,
     at2::READER,
     csv::READER,
     eqsig::READER,

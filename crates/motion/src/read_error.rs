@@ -159,15 +159,6 @@ pub enum ReadError {
         /// What it holds.
         found: String,
     },
-    /// An AT2 header names no unit.
-    #[error(
-        "no line above line {line} says in which unit the values are; \
-         if they are in g, let line 3 read `ACCELERATION TIME HISTORY IN UNITS OF G`"
-    )]
-    NoUnit {
-        /// Line with NPTS and DT, which ends the header.
-        line: usize,
-    },
     /// A file holds more or fewer values than its header declares.
     #[error(
         "the values end at {place} after {found} of them, but the header declares {allowed}; \
@@ -210,6 +201,16 @@ pub enum ReadError {
         found: usize,
         /// Columns of the first line of numbers, where it can be read.
         allowed: Option<usize>,
+    },
+    /// A row of a table has more or fewer fields than the format has.
+    #[error("line {line} has {found} field(s), allowed are {allowed}; fetch the file again")]
+    RowFields {
+        /// Line of the row.
+        line: usize,
+        /// Fields in that line.
+        found: usize,
+        /// Fields of the format.
+        allowed: usize,
     },
     /// A number of values stands above them like one of them.
     #[error(

@@ -1,7 +1,7 @@
 //! PEER AT2 and its relatives: every header and layout that is read, and what each refusal says.
 
 use insta::assert_snapshot;
-use pounding_motion::{AccelerationUnit, Accelerogram, read};
+use pounding_motion::{AccelerationUnit, Accelerogram, Declared, read, read_declared};
 
 const TITLES: &str = "A DATABASE RECORD\nSOMEWHERE 01/02/03 0405, A STATION\n\
                       ACCELERATION TIME SERIES IN UNITS OF G\n";
@@ -168,7 +168,25 @@ fn extreme_quantity() {
     assert_snapshot!(with_line_3("DISPLACEMENT TIME HISTORY IN UNITS OF CM"), @r#"line 3 reads "DISPLACEMENT TIME HISTORY IN UNITS OF CM", but only acceleration in units of g is read; take the .AT2 file of the record"#);
     assert_snapshot!(with_line_3("ACCELERATION TIME HISTORY IN UNITS OF CM/S/S"), @r#"line 3 reads "ACCELERATION TIME HISTORY IN UNITS OF CM/S/S", but only acceleration in units of g is read; take the .AT2 file of the record"#);
     assert_snapshot!(with_line_3("UNITS ARE SEC AND G/10"), @r#"line 3 reads "UNITS ARE SEC AND G/10", but only acceleration in units of g is read; take the .AT2 file of the record"#);
-    assert_snapshot!(with_line_3("SCALED TO THE SPECTRUM"), @"no line above line 4 says in which unit the values are; if they are in g, let line 3 read `ACCELERATION TIME HISTORY IN UNITS OF G`");
+    assert_snapshot!(with_line_3("SCALED TO THE SPECTRUM"), @"the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
+}
+
+#[test]
+fn reference_what_is_read_is_told_and_a_missing_unit_may_be_declared() {
+    let found = accelerogram(&with_values(2, "0.1 0.2\n"));
+    let readings: Vec<String> = found
+        .readings()
+        .iter()
+        .map(|reading| format!("{:?} {}: {}", reading.line, reading.what, reading.found))
+        .collect();
+    assert_snapshot!(readings.join("; "), @"None format: PEER AT2; Some(4) number of samples: 2; Some(4) time step: 0.01 s; Some(3) unit: g (ACCELERATION TIME SERIES IN UNITS OF G)");
+    let text = "A\nB\nSCALED TO THE SPECTRUM\nNPTS= 1, DT= .01 SEC\n 0.1\n";
+    let declared = Declared {
+        unit: Some(AccelerationUnit::MilliG),
+        ..Declared::default()
+    };
+    let found = read_declared(text.as_bytes(), &declared).unwrap();
+    assert_eq!(found.unit(), AccelerationUnit::MilliG);
 }
 
 #[test]

@@ -17,7 +17,8 @@ pub(super) const READER: Reader = Reader {
 ///
 /// The line with NPTS and DT is the last among the first ten that names both, in any order and
 /// case, such as `NPTS=  4000, DT= .01000 SEC` or `4096 0.0100 NPTS, DT`; without any, line 4 if it
-/// is a whole number and a time step. A title line must say that the values are acceleration in g.
+/// is a whole number and a time step. A title line says that the values are acceleration in g, or none names
+/// a unit, which must then be declared.
 /// Values stand in any number of columns of any width, as C or Fortran writes them, and may touch.
 /// They end at the end of the file or at a line that does not begin with a number; blank lines are
 /// skipped. The first value is at t = 0, since the format has no times: a file that leaves out the
@@ -25,10 +26,10 @@ pub(super) const READER: Reader = Reader {
 ///
 /// # Errors
 /// Refuses a file without a readable line of NPTS and DT, velocity and displacement, other units
-/// than g or none, a field that is not a finite number, and more or fewer values than NPTS.
+/// than g, a field that is not a finite number, and more or fewer values than NPTS.
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let (titles, line, data) = header::split(&file.lines)?;
-    let unit = header::unit(titles, line)?;
+    let unit = header::unit(titles)?;
     let (n_samples, time_step) = header::count_and_step(line)?;
     let (values, end) = values::read(line, data)?;
     let titles: Vec<String> = titles
@@ -51,10 +52,12 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
             place,
             text,
         }),
-        scale: Scale::Unit(Stated {
-            value: AccelerationUnit::StandardGravity,
-            place: Place::Line(unit.number),
-            text: unit.excerpt(),
+        scale: unit.map_or(Scale::Unknown, |unit| {
+            Scale::Unit(Stated {
+                value: AccelerationUnit::StandardGravity,
+                place: Place::Line(unit.number),
+                text: unit.excerpt(),
+            })
         }),
         peak: None,
         provenance: titles.join("\n"),

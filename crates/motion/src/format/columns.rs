@@ -142,7 +142,7 @@ pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64,
 }
 
 /// Refuses a mark that stands for a value that is missing.
-pub(super) fn check_present(
+fn check_present(
     line: Line<'_>,
     field: usize,
     bytes: &[u8],

@@ -7,7 +7,6 @@
 //! The network does not let its files be passed on, and none was at hand: this follows its
 //! description and programs that read it.
 
-use super::columns::check_present;
 use super::title;
 use super::{Component, Draft, File, Format, Reader, Scale, Stated, reading};
 use crate::line::{Line, number};
@@ -54,7 +53,6 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let mut end = memo;
     for line in &file.lines[memo.number..] {
         for (index, field) in line.pieces().enumerate() {
-            check_present(*line, index + 1, field, &[])?;
             values.push(line.finite(index + 1, field)?);
             end = *line;
         }

@@ -21,7 +21,9 @@ const COUNT: usize = 316;
 const KIND: usize = 340;
 const QUANTITY: usize = 344;
 const EVEN: usize = 420;
+const STATION: usize = 440;
 const CHANNEL: usize = 600;
+const NETWORK: usize = 608;
 
 /// Mark of a field that is not set.
 const UNSET: f64 = -12345.0;
@@ -71,6 +73,13 @@ impl<'t> Sac<'t> {
         f32::from_bits(self.whole(at).cast_unsigned())
     }
 
+    /// A name of eight letters, unless it is not set.
+    fn name(&self, at: usize) -> Option<String> {
+        let name = self.bytes[at..at + 8].split(|byte| *byte == 0).next()?;
+        let name = String::from_utf8_lossy(name.trim_ascii()).into_owned();
+        (!name.is_empty() && name != "-12345").then_some(name)
+    }
+
     fn refused(&self, at: usize, allowed: &'static str) -> ReadError {
         ReadError::Header {
             place: byte(at),
@@ -89,16 +98,21 @@ fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, ReadError> {
 }
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
-    let name = &sac(file)?.bytes[CHANNEL..CHANNEL + 8];
-    let name = name.split(|byte| *byte == 0).next().unwrap_or_default();
-    let name = String::from_utf8_lossy(name.trim_ascii()).into_owned();
-    if name.is_empty() || name == "-12345" {
-        return Ok(Vec::new());
-    }
-    Ok(vec![Component {
+    let component = |name| Component {
         name,
         place: byte(CHANNEL),
-    }])
+    };
+    Ok(sac(file)?
+        .name(CHANNEL)
+        .map(component)
+        .into_iter()
+        .collect())
+}
+
+/// Network and station, where they are set.
+fn provenance(sac: &Sac<'_>) -> String {
+    let names = [NETWORK, STATION].map(|at| sac.name(at));
+    names.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
@@ -158,7 +172,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         }),
         scale: Scale::Unknown,
         peak: peak(&sac),
-        provenance: String::new(),
+        provenance: provenance(&sac),
         remarks: vec![reading("quantity", None, quantity)],
     })
 }

@@ -13,6 +13,7 @@ mod miniseed;
 mod plain;
 mod sac;
 mod smc;
+mod tables;
 
 use pounding_motion::{Accelerogram, Declared, read_declared};
 

@@ -88,6 +88,7 @@ fn reference_both_byte_orders_are_one() {
     let expected: Vec<f64> = VALUES.iter().map(|value| f64::from(*value)).collect();
     assert_eq!(found.values(), expected);
     assert_eq!(components(&little.bytes()).unwrap(), ["HNE"]);
+    assert_eq!(found.provenance(), "ZZ");
     assert_snapshot!(readings(&found), @r"
     format: SAC
     component: HNE

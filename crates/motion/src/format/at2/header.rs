@@ -101,8 +101,9 @@ pub(super) fn count_and_step(line: Line<'_>) -> Result<(usize, f64), ReadError> 
     Ok((count, step))
 }
 
-/// The title line that says acceleration in g, the one next to the numbers first.
-pub(super) fn unit<'t>(titles: &[Line<'t>], count: Line<'_>) -> Result<Line<'t>, ReadError> {
+/// The title line that says acceleration in g, the one next to the numbers first; none where no
+/// line names a unit.
+pub(super) fn unit<'t>(titles: &[Line<'t>]) -> Result<Option<Line<'t>>, ReadError> {
     let mut other: Option<Line<'t>> = None;
     for line in titles.iter().rev() {
         let words = words(*line);
@@ -124,17 +125,17 @@ pub(super) fn unit<'t>(titles: &[Line<'t>], count: Line<'_>) -> Result<Line<'t>,
             ) && matches!(pair[1].as_str(), "G" | "GS" | "G'S")
         });
         if in_g {
-            return Ok(*line);
+            return Ok(Some(*line));
         }
         other.get_or_insert(*line);
     }
-    Err(match other {
-        Some(line) => ReadError::Quantity {
+    match other {
+        Some(line) => Err(ReadError::Quantity {
             line: line.number,
             found: line.excerpt(),
-        },
-        None => ReadError::NoUnit { line: count.number },
-    })
+        }),
+        None => Ok(None),
+    }
 }
 
 /// The words of a line in capitals. A unit such as `CM/S` is one word; its `S` alone would say

@@ -1,0 +1,64 @@
+//! AFAD (NSMN) of Turkey: 18 lines of titles in a Turkish code page, then north-south, east-west
+//! and up-down in gal.
+//!
+//! No file was at hand: this follows programs that read the format. The peaks of the header are of
+//! the raw record, so they are not held against the values.
+
+use super::table::{Table, pieces};
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use crate::line::{Line, number};
+use crate::{AccelerationUnit, Place, ReadError};
+
+/// Lines of titles; the 13th has the number of values, the 14th their step.
+const TITLES: usize = 18;
+const COUNT: usize = 12;
+const STEP: usize = 13;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::Afad,
+    recognises: |file| {
+        let first = file.lines.first();
+        first.is_some_and(|line| title::holds(*line, "STRONG GROUND MOTION RECORDS OF TURK"))
+    },
+    components: |_| Ok(components()),
+    read,
+};
+
+fn components() -> Vec<Component> {
+    let names = ["N-S", "E-W", "U-D"];
+    let components = names.map(|name| Component {
+        name: name.to_owned(),
+        place: Place::Line(TITLES),
+    });
+    components.into()
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let split = file.lines.split_at_checked(TITLES);
+    let (titles, lines) = needed(split, file.lines.last().copied(), "the values")?;
+    let table = Table::new(titles[TITLES - 1], lines, components().len(), pieces)?;
+    let numbers = table.column(index)?;
+    let step = number(behind_colon(titles[STEP]).as_bytes());
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(title::count(titles[COUNT], &behind_colon(titles[COUNT]))?),
+        time_step: Some(title::time_step(titles[STEP], step)?),
+        scale: Scale::Unit(Stated {
+            value: AccelerationUnit::CentimetrePerSecondSquared,
+            place: Place::Line(1),
+            text: "as the format has it".to_owned(),
+        }),
+        peak: None,
+        provenance: title::provenance(titles),
+        remarks: Vec::new(),
+    })
+}
+
+fn behind_colon(line: Line<'_>) -> String {
+    let text = line.text();
+    let value = text.split_once(':').map_or("", |(_, value)| value);
+    value.trim().to_owned()
+}

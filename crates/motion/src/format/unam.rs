@@ -1,0 +1,96 @@
+//! UNAM (Mexico), standard file of accelerations: some hundred lines of keys in Latin-1, then a
+//! column for each channel, in gal.
+//!
+//! Keys with `C1-C6` give a value for each channel behind a slash. No file was at hand: this
+//! follows programs that read the format.
+
+use super::table::{Table, pieces};
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use crate::line::{Line, number};
+use crate::{AccelerationUnit, Place, ReadError};
+
+/// Lines in which the mark of the format is looked for, and keys.
+const MARK: usize = 10;
+const HEADER: usize = 120;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::Unam,
+    recognises: |file| {
+        let first = &file.lines[..file.lines.len().min(MARK)];
+        title::line_with(first, "ARCHIVO ESTANDAR DE ACELERACION").is_some()
+    },
+    components,
+    read,
+};
+
+/// What a key gives for each channel.
+struct Slots<'t> {
+    line: Line<'t>,
+    values: Vec<String>,
+}
+
+impl<'t> Slots<'t> {
+    fn new(file: &File<'t>, key: &'static str) -> Result<Self, ReadError> {
+        let header = &file.lines[..file.lines.len().min(HEADER)];
+        let line = title::line_with(header, key).ok_or(ReadError::NoKey { key })?;
+        let text = line.text();
+        let values = text.split_once(':').map_or("", |(_, values)| values);
+        let values = values
+            .split('/')
+            .map(title::words)
+            .filter(|value| !value.is_empty());
+        Ok(Self {
+            line,
+            values: values.collect(),
+        })
+    }
+
+    fn get(&self, index: usize) -> &str {
+        self.values.get(index).map_or("", String::as_str)
+    }
+}
+
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    let slots = Slots::new(file, "ORIENTACION C1-C6")?;
+    let place = Place::Line(slots.line.number);
+    let components = slots
+        .values
+        .into_iter()
+        .map(|name| Component { name, place });
+    Ok(components.collect())
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let counts = Slots::new(file, "NUM. TOTAL DE MUESTRAS")?;
+    let steps = Slots::new(file, "INTERVALO DE MUESTREO")?;
+    let peaks = Slots::new(file, "ACEL. MAX.")?;
+    let n_columns = counts.values.len();
+    let is_row = |line: &Line<'_>| {
+        line.pieces().count() == n_columns && line.pieces().all(|piece| number(piece).is_some())
+    };
+    let behind = counts.line.number;
+    let first = file.lines[behind..].iter().position(is_row);
+    let first = behind + needed(first, file.lines.last().copied(), "the values")?;
+    let count = title::count(counts.line, counts.get(index))?;
+    let lines = &file.lines[first..];
+    let numbers = Table::new(file.lines[first - 1], lines, n_columns, pieces)?.column(index)?;
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(count),
+        time_step: Some(title::time_step(
+            steps.line,
+            number(steps.get(index).as_bytes()),
+        )?),
+        scale: Scale::Unit(Stated {
+            value: AccelerationUnit::CentimetrePerSecondSquared,
+            place: Place::Line(peaks.line.number),
+            text: peaks.line.excerpt(),
+        }),
+        peak: title::peak(peaks.line, peaks.get(index)),
+        provenance: title::provenance(&file.lines[..first.min(HEADER)]),
+        remarks: Vec::new(),
+    })
+}
