@@ -41,18 +41,18 @@ fn extreme_record_of_comments_only() {
 
 #[test]
 fn extreme_record_of_unknown_format() {
-    assert_snapshot!(refused("record_format", "El Centro 1940, north-south, 0.02 s\n0.1 0.2\n"), @r#"error: record.csv: line 1 reads "El Centro 1940, north-south, 0.02 s", which begins none of the formats known: CSV (header `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`, comments after `#`) and PEER AT2 (line 4 such as `NPTS= 4000, DT= .01000 SEC`)"#);
+    assert_snapshot!(refused("record_format", "El Centro 1940, north-south, 0.02 s\nin g\n"), @r#"error: record.csv: line 1 reads "El Centro 1940, north-south, 0.02 s", which begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, SAC, miniSEED, eqsig, plain text; fetch the file again in one of them, or write one number to a line"#);
 }
 
 #[test]
 fn extreme_record_without_header() {
-    assert_snapshot!(refused("record_header", "0.00,0.1\n0.01,0.2\n"), @r#"error: record.csv: line 1 reads "0.00,0.1", but the header of a CSV must be `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`; put the one that gives the unit above the numbers"#);
+    assert_snapshot!(refused("record_header", "0.00,0.1\n0.01,0.2\n"), @"error: record.csv: the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
 }
 
 #[test]
 fn extreme_record_shorter_than_npts() {
     let record = at2("NPTS= 5, DT= .0100 SEC", ".1 .2 .3");
-    assert_snapshot!(refused("record_short", &record), @"error: record.csv: the values end on line 5 after 3 of them, but the header declares 5; fetch the file again, or correct NPTS if the values are complete");
+    assert_snapshot!(refused("record_short", &record), @"error: record.csv: the values end at line 5 after 3 of them, but the header declares 5; fetch the file again, or correct the header if the values are complete");
 }
 
 #[test]
