@@ -74,6 +74,24 @@ pub(crate) fn table<const N: usize, const LINES: usize>(
     lines.into_iter().map(print).collect()
 }
 
+/// Rows of a name and some cells, as wide as they are: the names to the left, the cells to the right.
+pub(crate) fn wide_table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).skip(1);
+        let cells: String = cells
+            .map(|(cell, width)| format!("  {cell:>width$}"))
+            .collect();
+        format!("{:first$}{cells}\n", row[0], first = widths[0])
+    };
+    rows.iter().map(line).collect()
+}
+
 /// The text, or its beginning and an ellipsis.
 fn cut(text: &str, width: usize) -> String {
     if text.chars().count() <= width {

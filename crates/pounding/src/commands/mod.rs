@@ -3,7 +3,10 @@
 mod advise;
 mod certify;
 mod check;
+mod compare;
 mod completions;
+mod gap;
+mod init;
 mod laws;
 mod run;
 mod schema;
@@ -11,7 +14,7 @@ mod schema;
 use std::path::Path;
 
 use clap::{Parser, Subcommand};
-use pounding::studies::{Prepared, StudyError, read_file};
+use pounding::studies::{Motion, Prepared, StudyError, read_file};
 
 use crate::progress::Progress;
 
@@ -34,10 +37,16 @@ pub(crate) struct Program {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Write a scene to begin with, with comments.
+    Init(init::Arguments),
     /// Print what would run, and what its time step can follow.
     Check(check::Arguments),
     /// Run a scene and print peaks, collisions, errors and work.
     Run(run::Arguments),
+    /// Run several scenes and print them side by side.
+    Compare(compare::Arguments),
+    /// Find how wide gaps must be under a folder of records, and what codes ask for.
+    Gap(gap::Arguments),
     /// Find the cheapest method and time step for an accuracy.
     Advise(advise::Arguments),
     /// List the contact laws: forces, formulas, parameters, sources.
@@ -58,8 +67,11 @@ impl Program {
     /// What is said on standard error.
     pub(crate) fn answer(&self) -> Result<String, String> {
         match &self.command {
+            Command::Init(asked) => init::answer(asked),
             Command::Check(asked) => check::answer(asked),
             Command::Run(asked) => run::answer(asked),
+            Command::Compare(asked) => compare::answer(asked),
+            Command::Gap(asked) => gap::answer(asked),
             Command::Advise(asked) => advise::answer(asked),
             Command::Laws => Ok(laws::answer()),
             Command::Certify(asked) => certify::answer(asked),
@@ -79,6 +91,18 @@ fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
     } else {
         Prepared::watched(&scene, folder(path), &step)
     }
+}
+
+/// The motions of a folder, at least one.
+fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
+    let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
+    if motions.is_empty() {
+        return Err(format!(
+            "{}: found no file, allowed is a folder with one record or more",
+            folder.display()
+        ));
+    }
+    Ok(motions)
 }
 
 /// Folder of a file.

@@ -1,5 +1,7 @@
 //! `pounding run`: runs a scene and says what happened.
 
+mod batch;
+
 use std::path::{Path, PathBuf};
 
 use pounding::studies::{SceneError, StudyError};
@@ -23,6 +25,18 @@ pub(crate) struct Arguments {
     /// Do not measure the errors; saves the exact run.
     #[arg(long)]
     no_error: bool,
+    /// Run the scene under every record of a folder instead of its own.
+    #[arg(long, value_name = "FOLDER")]
+    records: Option<PathBuf>,
+    /// Shake in both directions.
+    #[arg(long, requires = "records")]
+    both: bool,
+    /// Print a table for a program, SI units.
+    #[arg(long, requires = "records")]
+    csv: bool,
+    /// Print JSON, SI units.
+    #[arg(long, requires = "records", conflicts_with = "csv")]
+    json: bool,
     /// Model what the scene does not require, too: the same numbers at more cost.
     #[arg(long)]
     full: bool,
@@ -31,8 +45,29 @@ pub(crate) struct Arguments {
     force: bool,
 }
 
+/// How an answer is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Printed {
+    Text,
+    Csv,
+    Json,
+}
+
+impl Arguments {
+    fn printed(&self) -> Printed {
+        match (self.csv, self.json) {
+            (true, _) => Printed::Csv,
+            (_, true) => Printed::Json,
+            _ => Printed::Text,
+        }
+    }
+}
+
 /// Runs a scene; returns the summary.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    if let Some(folder) = &asked.records {
+        return batch::answer(asked, folder);
+    }
     let path = &asked.scene;
     let prepared = super::prepare(path, asked.force).map_err(|error| hint(error, path))?;
     let prepared = if asked.full {

@@ -1,0 +1,157 @@
+//! `pounding compare`: several scenes side by side.
+
+use std::path::{Path, PathBuf};
+
+use pounding::solver::Collision;
+use pounding::studies::{Errors, Prepared, Quantity, Review, Structure, StudyError, digits};
+
+use crate::text::{NONE, percent, short, wide_table};
+
+const EXAMPLES: &str = "\
+Example:
+  pounding compare today.toml wider-gap.toml other-law.toml
+
+Structures and pairs are matched from the left.";
+
+/// What is asked of `compare`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The scenes, TOML or JSON files.
+    #[arg(value_name = "SCENE", required = true, num_args = 2..)]
+    scenes: Vec<PathBuf>,
+    /// Do not measure the errors; saves the exact runs.
+    #[arg(long)]
+    no_error: bool,
+}
+
+/// A scene that ran.
+struct Run {
+    prepared: Prepared,
+    review: Review,
+}
+
+/// Runs the scenes; returns a column for each.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let run = |path: &PathBuf| {
+        run(path, !asked.no_error).map_err(|error| error.in_file(path).to_string())
+    };
+    let runs: Vec<Run> = asked.scenes.iter().map(run).collect::<Result<_, _>>()?;
+    let mut rows = vec![row("Scene", &runs, |run| run.prepared.scene().name.clone())];
+    rows.extend(of_runs(&runs));
+    let most = |count: fn(&Run) -> usize| runs.iter().map(count).max().unwrap_or(0);
+    let structures = most(|run| run.prepared.scene().structures.len());
+    let pairs = most(|run| run.prepared.scene().contacts.as_ref().map_or(0, Vec::len));
+    rows.extend((0..structures).flat_map(|index| of_structure(&runs, index)));
+    rows.extend((0..pairs).flat_map(|index| of_pair(&runs, index)));
+    Ok(wide_table(&rows))
+}
+
+fn run(path: &Path, measure: bool) -> Result<Run, StudyError> {
+    let prepared = super::prepare(path, false)?;
+    let review = prepared.review(measure)?;
+    Ok(Run { prepared, review })
+}
+
+/// A name and a cell for every scene.
+fn row(name: &str, runs: &[Run], cell: impl Fn(&Run) -> String) -> Vec<String> {
+    std::iter::once(name.to_string())
+        .chain(runs.iter().map(cell))
+        .collect()
+}
+
+fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
+    let peak = |run: &Run| {
+        let gravity = run.prepared.scene().record.gravity_m_per_s2;
+        short(run.prepared.record().peak().1.abs() / gravity)
+    };
+    vec![
+        row("Record", runs, |run| {
+            run.prepared.scene().record.source.to_string()
+        }),
+        row("  peak [g]", runs, peak),
+        row("Method", runs, |run| {
+            run.prepared.scene().method.name().replace('_', " ")
+        }),
+        row("  time step [s]", runs, |run| {
+            let step = run.prepared.scene().method.time_step();
+            step.map_or(NONE.into(), digits)
+        }),
+        row("  largest error", runs, |run| match &run.review.errors {
+            Errors::Exact => "exact".into(),
+            Errors::NotMeasured => "not measured".into(),
+            Errors::Unknown(_) => "not known".into(),
+            Errors::Measured(errors, _) => percent(errors.largest(Quantity::All).0),
+        }),
+        row("  warnings", runs, |run| {
+            run.review.warnings.len().to_string()
+        }),
+    ]
+}
+
+fn of_structure(runs: &[Run], index: usize) -> Vec<Vec<String>> {
+    let named = |run: &Run| {
+        let structures = &run.prepared.scene().structures;
+        structures
+            .get(index)
+            .map_or(NONE.into(), |one| one.name().to_string())
+    };
+    let number = |name: &str, value: &dyn Fn(&Run, &Structure) -> Option<f64>| {
+        row(name, runs, |run| {
+            let structure = run.prepared.scene().structures.get(index);
+            let value = structure.and_then(|structure| value(run, structure));
+            value.map_or(NONE.into(), short)
+        })
+    };
+    let sdof = |structure: &Structure| matches!(structure, Structure::Sdof(_)).then_some(());
+    vec![
+        row(&format!("Structure {}", index + 1), runs, named),
+        number("  period [s]", &|_, structure| structure.period()),
+        number("  peak displacement [mm]", &|run, structure| {
+            sdof(structure)?;
+            Some(1e3 * run.review.outcome.peaks.of(index).displacement.value)
+        }),
+        number("  peak shear [kN]", &|run, structure| {
+            sdof(structure)?;
+            Some(1e-3 * run.review.outcome.peaks.of(index).restoring_force.value)
+        }),
+        number("  transferred momentum [kN·s]", &|run, _| {
+            Some(1e-3 * run.review.outcome.momentum.of(index))
+        }),
+    ]
+}
+
+fn of_pair(runs: &[Run], pair: usize) -> Vec<Vec<String>> {
+    let collisions = |run: &Run| -> Vec<Collision> {
+        let all = run.review.outcome.collisions.all().iter();
+        all.filter(|one| one.pair == pair).copied().collect()
+    };
+    let gap = |run: &Run| {
+        let contacts = run.prepared.scene().contacts.as_ref()?;
+        contacts.get(pair).map(|contact| 1e3 * contact.gap_m)
+    };
+    let number = |name: &str, value: &dyn Fn(&[Collision]) -> Option<f64>| {
+        row(name, runs, |run| {
+            value(&collisions(run)).map_or(NONE.into(), short)
+        })
+    };
+    let largest = |all: &[Collision], value: fn(&Collision) -> Option<f64>| {
+        all.iter().filter_map(value).max_by(f64::total_cmp)
+    };
+    vec![
+        row(&format!("Pair {}, gap [mm]", pair + 1), runs, |run| {
+            gap(run).map_or(NONE.into(), short)
+        }),
+        row("  collisions", runs, |run| match gap(run) {
+            Some(_) => collisions(run).len().to_string(),
+            None => NONE.into(),
+        }),
+        number("  first [s]", &|all| all.first().map(|one| one.start)),
+        number("  largest impulse [kN·s]", &|all| {
+            largest(all, |one| Some(1e-3 * one.impulse))
+        }),
+        number("  peak force [kN]", &|all| {
+            largest(all, |one| one.peak_force.map(|force| 1e-3 * force))
+        }),
+    ]
+}
