@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use pounding::studies::{ContactLimit, Limits, Prepared, STEPS_PER_CONTACT, Structure, digits};
+use pounding::studies::{
+    ContactLimit, Limits, Outcome, Prepared, STEPS_PER_CONTACT, Structure, digits,
+};
 
 use crate::summary::{method_lines, record_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
@@ -38,11 +40,15 @@ fn of(prepared: &Prepared) -> String {
         paragraph("Scene", &scene.name),
         paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
         paragraph("Method", &method_lines(prepared)),
+        paragraph("Model", &model_lines(prepared)),
         structures(prepared),
     ];
     let mut found: Vec<String> = prepared.refusal().into_iter().collect();
+    let mut doubts = prepared.doubts(None);
     match prepared.exact().and_then(|exact| exact.run(None)) {
         Ok(expected) => {
+            doubts = prepared.doubts(Some(&expected));
+            parts.push(paragraph("Cost", &cost_lines(prepared, &expected)));
             let limits = prepared.limits(&expected);
             parts.push(pairs(prepared, &limits));
             let before = prepared.warnings_before(&expected);
@@ -53,6 +59,10 @@ fn of(prepared: &Prepared) -> String {
         )),
     }
     parts.push(paragraph("Notes", NOTES));
+    let doubts: Vec<String> = doubts.iter().map(ToString::to_string).collect();
+    if !doubts.is_empty() {
+        parts.push(paragraph("Unusual", &doubts.join("\n")));
+    }
     if found.is_empty() {
         found.push("none of stability and e; the errors of the numbers are those of a run".into());
     }
@@ -64,6 +74,45 @@ const NOTES: &str = "Limit: from this time step on the motion grows without boun
                      (a structure that is pressed from both sides: from 0.7 times that).\nSpeed: the \
                      largest at which the pair meets in the exact run; lasts, steps and e are those of a free collision \
                      at that speed, e that of the law and what the method makes of it.";
+
+/// What of the scene is modelled, and what is left out because the scene does not require it.
+fn model_lines(prepared: &Prepared) -> String {
+    let scene = prepared.scene();
+    let yields = |structure: &&Structure| matches!(structure, Structure::Sdof(sdof) if sdof.yield_force_n.is_some());
+    let columns = match scene.structures.iter().filter(yields).count() {
+        0 => "elastic: none yields, none remembers".to_string(),
+        n => format!("elastic-perfectly plastic, of which {n} can yield"),
+    };
+    let contact = match scene.contacts.as_ref().map_or(0, Vec::len) {
+        0 => "none: every structure moves alone".to_string(),
+        n => format!(
+            "{n} pair{}, each a law only while it touches",
+            if n == 1 { "" } else { "s" }
+        ),
+    };
+    format!(
+        "{} structures and walls; columns: {columns};\ncontact: {contact};\nno histories unless --out asks for them; --full \
+         models all of it",
+        scene.structures.len()
+    )
+}
+
+/// What the run will cost, and the exact one.
+fn cost_lines(prepared: &Prepared, expected: &Outcome) -> String {
+    let exact = expected.work.segments;
+    let exact_lines = format!(
+        "the exact run: {exact} pieces of motion, {} events",
+        expected.work.events
+    );
+    match prepared.scene().method.time_step() {
+        None => exact_lines,
+        Some(step) => {
+            let n = prepared.scene().structures.len();
+            let steps = (prepared.duration() / step).round() * n as f64;
+            format!("{steps} steps of structures, and for the errors {exact_lines}")
+        }
+    }
+}
 
 fn structures(prepared: &Prepared) -> String {
     let limits = prepared.critical_time_steps();

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use pounding::studies::{Motion, Rule, Scene, Separation, StudyError, read_file};
+use pounding::studies::{Motion, Rule, Scene, Separation, StudyError, digits, read_file};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -38,7 +38,7 @@ pub(crate) struct Arguments {
 /// The widths under one motion in one direction.
 struct Line {
     motion: String,
-    direction: &'static str,
+    reversed: bool,
     found: Result<Vec<Separation>, String>,
 }
 
@@ -74,19 +74,18 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 
 fn lines(scene: &Scene, motions: &[Motion]) -> Vec<Line> {
     let progress = Progress::new();
-    let directions = [("as recorded", false), ("reversed", true)];
     let cases: Vec<_> = motions
         .iter()
-        .flat_map(|motion| directions.map(|direction| (motion, direction)))
+        .flat_map(|motion| [false, true].map(|reversed| (motion, reversed)))
         .collect();
-    let line = |(motion, (direction, reversed)): &(&Motion, (&'static str, bool))| {
-        let prepared = motion.shake(scene, *reversed);
+    let line = |&(motion, reversed): &(&Motion, bool)| {
+        let prepared = motion.shake(scene, reversed);
         let found = prepared.and_then(|prepared| prepared.separations());
         progress.step(cases.len());
         Line {
             motion: motion.name(),
-            direction,
-            found: found.map_err(|error| error.to_string()),
+            reversed,
+            found: found.map_err(super::reason),
         }
     };
     cases.par_iter().map(line).collect()
@@ -103,7 +102,7 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     let n_gaps = lines.iter().find_map(found).unwrap_or(0);
     let mut parts = vec![paragraph("Scene", &scene.name)];
     parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
-    let refused = lines.iter().filter(|line| line.direction == "as recorded");
+    let refused = lines.iter().filter(|line| !line.reversed);
     let refused: Vec<String> = refused
         .filter_map(|line| Some(format!("{}: {}", line.motion, line.found.as_ref().err()?)))
         .collect();
@@ -122,7 +121,6 @@ const NOTES: &str = "Needs: the largest closing of the gap while every structure
 fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
     let header = [
         ["Record", ""],
-        ["", ""],
         ["Needs", "[mm]"],
         ["at", "[s]"],
         ["ABS", "[mm]"],
@@ -140,16 +138,11 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
         };
         left = separation.left;
         all.push(*separation);
+        let reversed = if line.reversed { " rev." } else { "" };
         let mut row = vec![
-            line.motion.clone(),
-            if line.direction == "reversed" {
-                "rev."
-            } else {
-                ""
-            }
-            .into(),
-            millimetres(separation.required),
-            short(separation.time),
+            format!("{}{reversed}", line.motion),
+            format!("{} ", millimetres(separation.required)),
+            digits((separation.time * 1e3).round() * 1e-3),
         ];
         row.extend(Rule::ALL.map(|rule| marked(rule.width(separation), separation.required)));
         rows.push(row);
@@ -178,12 +171,18 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
 
 /// A width, marked where it is too narrow.
 fn marked(width: f64, required: f64) -> String {
-    let mark = if width < required { "*" } else { "" };
+    // A blank where there is no mark, so that the digits stand in line.
+    let mark = if width < required { "*" } else { " " };
     format!("{}{mark}", millimetres(width))
 }
 
+/// To a tenth of a millimetre; small ones with the digits that they have.
 fn millimetres(width: f64) -> String {
-    short(width * 1e3)
+    if width < 1e-3 {
+        short(width * 1e3)
+    } else {
+        format!("{:.1}", width * 1e3)
+    }
 }
 
 /// The width that is enough for all, and how the rules and the scene's own gap do.
@@ -211,12 +210,23 @@ fn result(all: &[Separation], own: Option<f64>) -> String {
         let by = if narrow.is_empty() {
             String::new()
         } else {
-            format!(", at worst {} % of what is needed", short(100.0 * worst))
+            format!(
+                ", at worst {} % of what is needed",
+                digits((100.0 * worst).round())
+            )
         };
         format!("{}: too narrow under {}{by}", rule.name(), narrow.len())
     };
     lines.extend(Rule::ALL.map(rule));
     lines.join("\n")
+}
+
+fn direction(line: &Line) -> &'static str {
+    if line.reversed {
+        "reversed"
+    } else {
+        "as recorded"
+    }
 }
 
 /// One row per motion, direction and gap, in SI units.
@@ -243,7 +253,7 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
     for line in lines {
         match &line.found {
             Err(reason) => {
-                let mut row = vec![line.motion.clone(), line.direction.into()];
+                let mut row = vec![line.motion.clone(), direction(line).into()];
                 row.resize(header.len() - 1, String::new());
                 row.push(reason.clone());
                 write(&row);
@@ -253,7 +263,7 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
                     let [left, right] = names(scene, one.left);
                     let mut row = vec![
                         line.motion.clone(),
-                        line.direction.into(),
+                        direction(line).into(),
                         left.into(),
                         right.into(),
                     ];
@@ -283,10 +293,10 @@ fn json_of(scene: &Scene, lines: &[Line]) -> String {
     };
     let line = |line: &Line| match &line.found {
         Ok(found) => json!({
-            "record": line.motion, "direction": line.direction, "gaps": found.iter().map(separation).collect::<Vec<_>>(),
+            "record": line.motion, "direction": direction(line), "gaps": found.iter().map(separation).collect::<Vec<_>>(),
         }),
         Err(reason) => {
-            json!({"record": line.motion, "direction": line.direction, "refused": reason})
+            json!({"record": line.motion, "direction": direction(line), "refused": reason})
         }
     };
     let all = json!({"scene": scene.name, "motions": lines.iter().map(line).collect::<Vec<_>>()});

@@ -93,6 +93,14 @@ fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
     }
 }
 
+/// Why a motion is left out, beside whose name this stands.
+fn reason(error: StudyError) -> String {
+    match error {
+        StudyError::Record { source, .. } => source.to_string(),
+        other => other.to_string(),
+    }
+}
+
 /// The motions of a folder, at least one.
 fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
     let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;

@@ -1,0 +1,176 @@
+//! What looks wrong in a scene that could be right: values far from those of buildings and earthquakes.
+
+use std::fmt;
+
+use crate::{Outcome, Prepared, Scene, Sdof, Structure, digits};
+
+/// A value that looks wrong, though it can be modelled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Doubt {
+    /// The field, for example `structures[1].sdof.mass_kg`.
+    pub place: String,
+    /// What was found, in words.
+    pub found: String,
+    /// What is usual, in words.
+    pub usual: &'static str,
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            place,
+            found,
+            usual,
+        } = self;
+        write!(formatter, "{place}: found {found}, usual is {usual}")
+    }
+}
+
+/// Doubts on their way into a list.
+#[derive(Default)]
+struct Doubts(Vec<Doubt>);
+
+impl Doubts {
+    fn unless(&mut self, usual: bool, place: impl Into<String>, words: (String, &'static str)) {
+        if !usual {
+            let (found, usual) = words;
+            let place = place.into();
+            self.0.push(Doubt {
+                place,
+                found,
+                usual,
+            });
+        }
+    }
+}
+
+impl Prepared {
+    /// What looks wrong; with the outcome of an exact run also what the scene gives and does not need.
+    pub fn doubts(&self, expected: Option<&Outcome>) -> Vec<Doubt> {
+        let mut doubts = Doubts::default();
+        self.doubt_the_record(&mut doubts);
+        let scene = self.scene();
+        for (index, structure) in scene.structures.iter().enumerate() {
+            if let Structure::Sdof(sdof) = structure {
+                doubt_a_structure(index, sdof, &mut doubts);
+            }
+        }
+        if let Some(expected) = expected {
+            doubt_what_is_not_needed(scene, expected, &mut doubts);
+        }
+        doubts.0
+    }
+
+    fn doubt_the_record(&self, doubts: &mut Doubts) {
+        let (scene, record) = (self.scene(), self.record());
+        let gravity = scene.record.gravity_m_per_s2;
+        doubts.unless(
+            (9.7..=9.9).contains(&gravity),
+            "record.gravity_m_per_s2",
+            (digits(gravity), "9.78 to 9.83 m/s²"),
+        );
+        let peak = record.peak().1.abs();
+        doubts.unless(
+            (0.01..=30.0).contains(&peak),
+            "record",
+            (
+                format!("a peak of {} m/s²", digits(peak)),
+                "0.01 to 30 m/s²; its unit and scale decide it",
+            ),
+        );
+        let shortest = scene.structures.iter().filter_map(Structure::period);
+        let shortest = shortest.fold(f64::INFINITY, f64::min);
+        let step = record.time_step();
+        doubts.unless(
+            step <= 0.2 * shortest,
+            "record",
+            (
+                format!(
+                    "samples {} s apart for a structure of period {} s",
+                    digits(step),
+                    digits(shortest)
+                ),
+                "five and more in a period",
+            ),
+        );
+        doubts.unless(
+            self.duration() >= record.duration() * (1.0 - 1e-9),
+            "duration_s",
+            (
+                format!(
+                    "{} s of a record of {} s",
+                    digits(self.duration()),
+                    digits(record.duration())
+                ),
+                "the whole record",
+            ),
+        );
+    }
+}
+
+fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
+    let place = |field: &str| format!("structures[{index}].sdof.{field}");
+    let (mass, period, ratio) = (sdof.mass_kg, sdof.period(), sdof.damping_ratio());
+    doubts.unless(
+        (1e3..=1e9).contains(&mass),
+        place("mass_kg"),
+        (
+            format!("{} kg", digits(mass)),
+            "1e3 to 1e9 kg for a building",
+        ),
+    );
+    doubts.unless(
+        (0.03..=10.0).contains(&period),
+        place("mass_kg"),
+        (
+            format!("a period of {} s with its stiffness", digits(period)),
+            "0.03 to 10 s",
+        ),
+    );
+    doubts.unless(
+        ratio <= 0.3,
+        place("damping"),
+        (
+            format!(
+                "a damping ratio of {}, which is {} %",
+                digits(ratio),
+                digits(100.0 * ratio)
+            ),
+            "up to 0.3; 0.05 is 5 %",
+        ),
+    );
+}
+
+fn doubt_what_is_not_needed(scene: &Scene, expected: &Outcome, doubts: &mut Doubts) {
+    for (index, structure) in scene.structures.iter().enumerate() {
+        let Structure::Sdof(sdof) = structure else {
+            continue;
+        };
+        let Some(yield_force) = sdof.yield_force_n else {
+            continue;
+        };
+        let share = expected.peaks.of(index).restoring_force.value.abs() / yield_force;
+        doubts.unless(
+            share >= 1.0 - 1e-9,
+            format!("structures[{index}].sdof"),
+            (
+                format!(
+                    "columns that reach {} % of their yield force",
+                    digits((100.0 * share).round())
+                ),
+                "columns that yield; elastic ones give the same numbers",
+            ),
+        );
+    }
+    for pair in 0..scene.contacts.as_ref().map_or(0, Vec::len) {
+        let touch = expected.collisions.all().iter().any(|one| one.pair == pair);
+        doubts.unless(
+            touch,
+            format!("contacts[{pair}]"),
+            (
+                "a gap that does not close".into(),
+                "neighbours that touch; without contact the numbers are the same",
+            ),
+        );
+    }
+}
