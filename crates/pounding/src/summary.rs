@@ -324,13 +324,25 @@ fn pair_numbers(pair: usize, outcome: &Outcome) -> [String; 5] {
         first.map_or(NONE.into(), |first| digits(first.start)),
         impulse(first.map(|first| first.impulse)),
         impulse(largest(|collision| Some(collision.impulse))),
-        match largest(|collision| collision.peak_force) {
+        match peak_force(collisions.iter().copied()) {
             None if collisions.is_empty() => NONE.into(),
-            // An impulse has no largest force; that of rest between impacts would hide it.
-            _ if collisions.iter().any(|one| one.peak_force.is_none()) => "impulsive".into(),
-            force => force.map_or(NONE.into(), |force| short(force / 1e3)),
+            None => "impulsive".into(),
+            Some(force) => short(force / 1e3),
         },
     ]
+}
+
+/// The largest force of some collisions \[N\]; nothing where one is an impulse, which has none: that of rest between impacts
+/// would hide it.
+pub(crate) fn peak_force<'a, I: IntoIterator<Item = &'a Collision>>(collisions: I) -> Option<f64> {
+    collisions
+        .into_iter()
+        .map(|one| one.peak_force)
+        .try_fold(None, |most: Option<f64>, force| {
+            let force = force?;
+            Some(Some(most.map_or(force, |most| most.max(force))))
+        })
+        .flatten()
 }
 
 /// The errors of a pair, for the line below it.

@@ -74,8 +74,23 @@ pub(crate) fn table<const N: usize, const LINES: usize>(
     lines.into_iter().map(print).collect()
 }
 
-/// Rows of a name and some cells, as wide as they are: the names to the left, the cells to the right.
+/// Columns of a cell of a wide table.
+const CELL: usize = 14;
+
+/// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, cut.
 pub(crate) fn wide_table(rows: &[Vec<String>]) -> String {
+    let cut_cells = |row: &Vec<String>| {
+        let cells = row.iter().enumerate();
+        let cells = cells.map(|(column, cell)| {
+            if column == 0 {
+                cell.clone()
+            } else {
+                cut(cell, CELL)
+            }
+        });
+        cells.collect::<Vec<_>>()
+    };
+    let rows: Vec<_> = rows.iter().map(cut_cells).collect();
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
         let cells = rows.iter().filter_map(|row| row.get(column));

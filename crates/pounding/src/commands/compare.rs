@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use pounding::solver::Collision;
 use pounding::studies::{Errors, Prepared, Quantity, Review, Structure, StudyError, digits};
 
+use crate::summary::peak_force;
 use crate::text::{NONE, percent, short, wide_table};
 
 const EXAMPLES: &str = "\
@@ -67,7 +68,9 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
     };
     vec![
         row("Record", runs, |run| {
-            run.prepared.scene().record.source.to_string()
+            let source = run.prepared.scene().record.source.to_string();
+            let name = Path::new(&source).file_name();
+            name.map_or(source.clone(), |name| name.to_string_lossy().into_owned())
         }),
         row("  peak [g]", runs, peak),
         row("Method", runs, |run| {
@@ -151,7 +154,7 @@ fn of_pair(runs: &[Run], pair: usize) -> Vec<Vec<String>> {
             largest(all, |one| Some(1e-3 * one.impulse))
         }),
         number("  peak force [kN]", &|all| {
-            largest(all, |one| one.peak_force.map(|force| 1e-3 * force))
+            peak_force(all).map(|force| 1e-3 * force)
         }),
     ]
 }

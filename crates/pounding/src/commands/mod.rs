@@ -20,8 +20,9 @@ use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
-  pounding check studies/examples/two-structures.json
-  pounding run studies/examples/two-structures.json
+  pounding init scene.toml --record quake.AT2
+  pounding check scene.toml
+  pounding run scene.toml
   pounding COMMAND --help
 
 Exit codes: 0 done; 1 an input was refused or a run failed, with the reason on
@@ -29,7 +30,7 @@ standard error; 2 the command line was not understood.";
 
 /// Earthquake-induced structural pounding.
 #[derive(Debug, Parser)]
-#[command(name = "pounding", bin_name = "pounding", version, after_help = EXAMPLES)]
+#[command(name = "pounding", bin_name = "pounding", version, after_help = EXAMPLES, max_term_width = 80)]
 pub(crate) struct Program {
     #[command(subcommand)]
     command: Command,
@@ -45,7 +46,7 @@ enum Command {
     Run(run::Arguments),
     /// Run several scenes and print them side by side.
     Compare(compare::Arguments),
-    /// Find how wide gaps must be under a folder of records, and what codes ask for.
+    /// Find how wide gaps must be under a folder of records.
     Gap(gap::Arguments),
     /// Find the cheapest method and time step for an accuracy.
     Advise(advise::Arguments),

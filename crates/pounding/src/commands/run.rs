@@ -9,11 +9,13 @@ use pounding::studies::{SceneError, StudyError};
 use crate::summary;
 
 const EXAMPLES: &str = "\
-Example:
+Examples:
   pounding run studies/examples/two-structures.json
+  pounding run scene.toml --records records --both
+  pounding run scene.toml --records records --csv > runs.csv
 
-A scene is one entry of `scenes` in a file of studies/; the path of its record
-is relative to the folder of the file that holds the scene.";
+`pounding init` writes a scene to begin with; files named in a scene are
+relative to its folder.";
 
 /// What is asked of `run`.
 #[derive(Debug, clap::Args)]

@@ -6,6 +6,7 @@ mod plans;
 mod records;
 mod runs;
 mod scenes;
+mod suites;
 
 use std::fs;
 use std::path::{Path, PathBuf};

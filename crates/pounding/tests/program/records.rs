@@ -96,5 +96,5 @@ fn extreme_record_scaled_out_of_range() {
     let mut scene = good_scene();
     scene["record"]["scale"] = json!(1e308);
     let record = quiet(10).replace("0.04,0", "0.04,100");
-    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record: the acceleration of sample 4 (the first is 0) is inf m/s², and must be finite; change record.scale or record.gravity_m_per_s2"#);
+    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record: the acceleration of sample 4 (the first is 0) is inf m/s², and must be finite; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
 }

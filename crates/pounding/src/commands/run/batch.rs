@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 
 use super::{Arguments, Printed};
 use crate::progress::Progress;
+use crate::summary::peak_force;
 use crate::text::{NONE, paragraph, percent, short, table};
 
 /// What became of the scene under one motion in one direction.
@@ -54,8 +55,7 @@ impl Found {
         let all = self.outcome.collisions.all();
         let first = all.iter().min_by(|a, b| a.start.total_cmp(&b.start));
         let impulse = all.iter().map(|one| one.impulse).fold(0.0, f64::max);
-        let force = all.iter().filter_map(|one| one.peak_force);
-        (all.len(), first, impulse, force.max_by(f64::total_cmp))
+        (all.len(), first, impulse, peak_force(all))
     }
 }
 
@@ -125,10 +125,12 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
         runs(scene, lines),
         paragraph("Result", &result(lines)),
     ];
-    let refused: Vec<String> = lines
+    let mut refused: Vec<String> = lines
         .iter()
         .filter_map(|line| Some(format!("{}: {}", line.motion, line.found.as_ref().err()?)))
         .collect();
+    // A file is refused in both directions for one reason.
+    refused.dedup();
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
@@ -236,7 +238,7 @@ fn of_pair(pair: usize, outcome: &Outcome) -> [(&'static str, Option<f64>); 5] {
         ("first_s", first.map(|first| first.start)),
         ("first_impulse_n_s", first.map(|first| first.impulse)),
         ("largest_impulse_n_s", largest(|one| Some(one.impulse))),
-        ("peak_force_n", largest(|one| one.peak_force)),
+        ("peak_force_n", peak_force(mine.iter().copied())),
     ]
 }
 

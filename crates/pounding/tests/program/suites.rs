@@ -1,0 +1,242 @@
+//! Folders of records, several scenes side by side, and a scene to begin with.
+
+use std::fs;
+use std::path::PathBuf;
+
+use insta::assert_snapshot;
+use serde_json::Value;
+
+use crate::runs::printed;
+use crate::{folder, pounding, refusal};
+
+const TOWERS: &str = r#"
+name = "towers"
+record = { file = "records/column.txt", unit = "cm_per_s2", time_step_s = 0.02 }
+duration_s = 3.0
+
+structures = [
+  { sdof = { name = "left", mass_kg = 1e5, period_s = 0.8, damping.ratio = 0.05, yield_displacement_m = 0.02 } },
+  { sdof = { name = "right", mass_kg = 2e5, period_s = 0.4, damping.ratio = 0.05 } },
+]
+
+[[contacts]]
+gap_m = 0.01
+law.stereomechanical.restitution = 0.6
+"#;
+
+/// A folder with a scene and records: one that says its unit, one that leaves it to the scene, one of spectra, one hidden.
+fn suite(test: &str) -> PathBuf {
+    let folder = folder(test);
+    let records = folder.join("records");
+    fs::create_dir_all(&records).expect("a folder");
+    let write = |name: &str, text: String| fs::write(records.join(name), text).expect("a file");
+    let ramp = |step: usize| 4.0 * libm::sin(0.25 * step as f64);
+    let csv: String = (0..60)
+        .map(|step| format!("{:.2},{:.4}\n", step as f64 / 50.0, ramp(step)))
+        .collect();
+    write("pulse.csv", format!("time_s,acceleration_m_per_s2\n{csv}"));
+    let column: String = (0..60)
+        .map(|step| format!("{:.3}\n", -100.0 * ramp(step)))
+        .collect();
+    write("column.txt", column);
+    write(
+        "spectra.V3",
+        "Response and Fourier amplitude spectra (86 periods)\n".into(),
+    );
+    write(".hidden", "not a record".into());
+    fs::write(folder.join("towers.toml"), TOWERS).expect("a file");
+    folder
+}
+
+#[test]
+fn reference_gap_under_a_folder() {
+    let folder = suite("gap");
+    let text = pounding(&folder, &["gap", "towers.toml", "--records", "records"]);
+    assert_snapshot!(printed(&text));
+    let csv = pounding(
+        &folder,
+        &["gap", "towers.toml", "--records", "records", "--csv"],
+    );
+    assert_snapshot!(csv.stdout);
+    let json = pounding(
+        &folder,
+        &["gap", "towers.toml", "--records", "records", "--json"],
+    );
+    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
+    let required = json["motions"][0]["gaps"][0]["required_m"]
+        .as_f64()
+        .expect("a number");
+    assert!(csv.stdout.contains(&required.to_string()), "{required}");
+}
+
+#[test]
+fn reference_run_under_a_folder() {
+    let folder = suite("batch");
+    let arguments = ["run", "towers.toml", "--records", "records", "--both"];
+    assert_snapshot!(printed(&pounding(&folder, &arguments)));
+    let csv = pounding(&folder, &[&arguments[..], &["--csv"]].concat());
+    assert_snapshot!(csv.stdout);
+    let json = pounding(&folder, &[&arguments[..], &["--json"]].concat());
+    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
+    // By name, and each in both directions.
+    assert_eq!(json["motions"][0]["record"], "column.txt");
+    assert_eq!(json["motions"][3]["record"], "pulse.csv");
+    assert_eq!(json["motions"][3]["reversed"], true);
+}
+
+/// A line of the table is what a run of that record alone prints.
+#[test]
+fn limit_a_line_is_a_run() {
+    let folder = suite("line");
+    let json = pounding(
+        &folder,
+        &["run", "towers.toml", "--records", "records", "--json"],
+    );
+    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
+    let peak = json["motions"][0]["structures"][0]["peak_displacement_m"].as_f64();
+    let alone = pounding(&folder, &["run", "towers.toml"]);
+    let line = printed(&alone)
+        .lines()
+        .find(|line| line.starts_with("left "));
+    let printed_peak: f64 = line
+        .and_then(|line| line.split_whitespace().nth(3)?.parse().ok())
+        .expect("a peak");
+    let peak = 1e3 * peak.expect("a number");
+    assert!(
+        (peak / printed_peak - 1.0).abs() < 1e-3,
+        "{peak} {printed_peak}"
+    );
+}
+
+#[test]
+fn reference_scenes_side_by_side() {
+    let folder = suite("compare");
+    let wide = TOWERS
+        .replace("0.01\n", "0.1\n")
+        .replace("\"towers\"", "\"wider\"");
+    fs::write(folder.join("wider.toml"), wide).expect("a file");
+    let third = TOWERS
+        .split("\n[[contacts]]")
+        .next()
+        .expect("a part")
+        .replace("\"towers\"", "\"apart\"");
+    fs::write(folder.join("apart.toml"), third).expect("a file");
+    let text = pounding(
+        &folder,
+        &["compare", "towers.toml", "wider.toml", "apart.toml"],
+    );
+    assert_snapshot!(printed(&text));
+}
+
+#[test]
+fn reference_a_scene_to_begin_with() {
+    let folder = suite("init");
+    let wrote = pounding(&folder, &["init"]);
+    assert_snapshot!(printed(&wrote));
+    let checked = pounding(&folder, &["check", "scene.toml"]);
+    assert_snapshot!(printed(&checked));
+    assert_snapshot!(refusal(&pounding(&folder, &["init"])), @"error: scene.toml: is there already, allowed is a new file; name another one");
+    let own = pounding(
+        &folder,
+        &["init", "own.toml", "--record", "records/pulse.csv"],
+    );
+    assert_eq!((own.code, own.stderr.as_str()), (0, ""), "it is written");
+    assert_eq!(pounding(&folder, &["run", "own.toml"]).code, 0, "and runs");
+    let beside = pounding(
+        &folder,
+        &["init", "records/own.toml", "--record", "records/pulse.csv"],
+    );
+    assert_eq!(beside.code, 0, "{}", beside.stderr);
+    let text = fs::read_to_string(folder.join("records/own.toml")).expect("it is there");
+    assert!(text.contains("file = 'pulse.csv'"), "{text}");
+    assert_snapshot!(refusal(&pounding(&folder, &["init", "x.toml", "--record", "records"])), @"error: --record records: found a folder, allowed is a file; `pounding run SCENE --records` takes a folder");
+    let missing = refusal(&pounding(
+        &folder,
+        &["init", "x.toml", "--record", "none.AT2"],
+    ));
+    assert!(
+        missing.starts_with("error: --record none.AT2: cannot be read: "),
+        "{missing}"
+    );
+}
+
+#[test]
+fn extreme_folders_without_a_record() {
+    let folder = suite("no_records");
+    fs::create_dir_all(folder.join("empty")).expect("a folder");
+    for command in ["gap", "run"] {
+        let refused = |records| {
+            refusal(&pounding(
+                &folder,
+                &[command, "towers.toml", "--records", records],
+            ))
+        };
+        assert_eq!(
+            refused("empty"),
+            "error: empty: found no file, allowed is a folder with one record or more"
+        );
+        assert!(
+            refused("none").starts_with("error: none: cannot be read: "),
+            "{}",
+            refused("none")
+        );
+        fs::create_dir_all(folder.join("bad")).expect("a folder");
+        fs::write(folder.join("bad/x"), "nothing of the kind").expect("a file");
+        let message = refused("bad");
+        assert!(
+            message
+                .starts_with("error: none of the records in bad shakes the row; the first: line 1"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn extreme_a_gap_of_one_structure() {
+    let folder = suite("one");
+    let one = TOWERS
+        .split("  { sdof = { name = \"right\"")
+        .next()
+        .expect("a part");
+    fs::write(folder.join("one.toml"), format!("{one}]\n")).expect("a file");
+    let message = refusal(&pounding(
+        &folder,
+        &["gap", "one.toml", "--records", "records"],
+    ));
+    assert_snapshot!(message, @"error: one.toml: structures: found 1, allowed two or more: a gap lies between two");
+}
+
+/// Everything that looks wrong at once, and may be right.
+#[test]
+fn extreme_an_unusual_scene() {
+    let folder = suite("unusual");
+    let unusual = TOWERS
+        .replace("damping.ratio = 0.05, yield", "damping.ratio = 5, yield")
+        .replace(
+            "mass_kg = 2e5, period_s = 0.4",
+            "mass_kg = 200, period_s = 0.02",
+        )
+        .replace("duration_s = 3.0", "duration_s = 0.6")
+        .replace("gap_m = 0.01", "gap_m = 0.5")
+        .replace(
+            "record = {",
+            "record = { gravity_m_per_s2 = 981, scale = 0.001,",
+        );
+    fs::write(folder.join("unusual.toml"), unusual).expect("a file");
+    let checked = pounding(&folder, &["check", "unusual.toml"]);
+    let text = printed(&checked);
+    let unusual = text.lines().skip_while(|line| !line.starts_with("Unusual"));
+    let unusual: Vec<_> = unusual.take_while(|line| !line.is_empty()).collect();
+    assert_snapshot!(unusual.join("\n"));
+}
+
+/// An apostrophe ends a literal string of TOML.
+#[test]
+fn extreme_a_record_with_an_apostrophe_in_its_name() {
+    let folder = suite("quote");
+    fs::copy(folder.join("records/pulse.csv"), folder.join("it's.csv")).expect("a file");
+    let wrote = pounding(&folder, &["init", "quote.toml", "--record", "it's.csv"]);
+    assert_eq!(wrote.code, 0, "{}", wrote.stderr);
+    let ran = pounding(&folder, &["run", "quote.toml"]);
+    assert_eq!(ran.code, 0, "{}", ran.stderr);
+}

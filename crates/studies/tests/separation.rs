@@ -1,0 +1,121 @@
+//! The width that gaps need, and the rules for it.
+
+use std::path::Path;
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_studies::{Contact, Prepared, Rule, Scene, Structure, parse};
+
+/// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
+const SCENE: &str = r#"
+name = "row"
+record.generated.stochastic = { ground = "medium", pga_m_per_s2 = 4, strong_from_s = 1, strong_until_s = 4, decay_per_s = 0.8, duration_s = 8, time_step_s = 0.02, seed = 3 }
+structures = [
+  { sdof = { name = "a", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0.05 } },
+  { sdof = { name = "b", mass_kg = 3e5, period_s = 0.5, damping.ratio = 0.02, yield_displacement_m = 0.01 } },
+  { sdof = { name = "c", mass_kg = 2e5, period_s = 0.3, damping.ratio = 0.05 } },
+  "wall",
+]
+"#;
+
+fn scene() -> Scene {
+    parse(SCENE.as_bytes(), Path::new("scene.toml")).expect("a good scene")
+}
+
+fn prepared(scene: &Scene) -> Prepared {
+    Prepared::new(scene, Path::new("")).expect("a good scene")
+}
+
+/// Whether a pair touches, with a gap there and the others out of reach.
+fn touches(scene: &Scene, pair: usize, gap: f64) -> bool {
+    let contact = |index| Contact {
+        gap_m: if index == pair { gap } else { 10.0 },
+        law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 }),
+    };
+    let mut scene = scene.clone();
+    scene.contacts = Some((0..scene.structures.len() - 1).map(contact).collect());
+    let outcome = prepared(&scene).run(None).expect("it runs");
+    !outcome.collisions.all().is_empty()
+}
+
+/// A second route: a gap a millionth narrower closes, one a millionth wider does not.
+#[test]
+fn limit_the_width_is_where_touching_begins() {
+    for reversed in [false, true] {
+        let mut scene = scene();
+        scene.record.reversed = reversed;
+        let separations = prepared(&scene).separations().expect("it runs");
+        assert_eq!(separations.len(), 3, "a gap between all neighbours");
+        for one in &separations {
+            assert!(one.required > 0.0, "{one:?}");
+            let narrow = touches(&scene, one.left, one.required * (1.0 - 1e-6));
+            let wide = touches(&scene, one.left, one.required * (1.0 + 1e-6));
+            assert!(narrow && !wide, "{one:?}: {narrow} {wide}");
+        }
+    }
+}
+
+/// Gaps, laws and method of the scene do not matter.
+#[test]
+fn limit_the_width_is_that_of_structures_alone() {
+    let scene = scene();
+    let mut touching = scene.clone();
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 1.0 });
+    touching.contacts = Some(vec![Contact { gap_m: 0.001, law }; 3]);
+    touching.method = serde_json::from_str(r#"{"rk4": {"time_step_s": 0.02}}"#).expect("a method");
+    touching.duration_s = Some(10.0);
+    let mut alone = scene;
+    alone.duration_s = Some(10.0);
+    let [a, b] = [&alone, &touching].map(|scene| prepared(scene).separations().expect("it runs"));
+    assert_eq!(a, b);
+}
+
+#[test]
+fn limit_rules_for_like_neighbours_and_walls() {
+    let scene = scene();
+    let mut twins = scene.clone();
+    let twin = |name: &str| {
+        let Structure::Sdof(sdof) = &scene.structures[0] else {
+            panic!("no wall")
+        };
+        let mut sdof = sdof.clone();
+        sdof.name = name.into();
+        Structure::Sdof(sdof)
+    };
+    twins.structures = vec![twin("one"), twin("other")];
+    let found = prepared(&twins).separations().expect("it runs")[0];
+    assert_eq!(found.required, 0.0, "twins move alike");
+    let ddc = Rule::Ddc.width(&found);
+    assert!(ddc < 1e-7 * Rule::Abs.width(&found), "{ddc}");
+    let beside_wall = prepared(&scene).separations().expect("it runs")[2];
+    for rule in [Rule::Abs, Rule::Srss, Rule::Ddc, Rule::Asce7] {
+        let width = rule.width(&beside_wall);
+        assert!(
+            (width / beside_wall.peaks[0] - 1.0).abs() < 1e-15,
+            "{rule:?}"
+        );
+    }
+    assert_eq!(
+        Rule::Eurocode8.width(&beside_wall),
+        0.7 * beside_wall.peaks[0]
+    );
+}
+
+/// ρ by hand for T₁/T₂ = 2, ζ = 5 %: 8·0.05·0.15·2^1.5/(9 + 0.1 + 0.08) as the fractions of the formula give it.
+#[test]
+fn reference_correlation_of_the_double_difference_combination() {
+    let found = prepared(&scene()).separations().expect("it runs")[0];
+    let mut pair = found;
+    pair.peaks = [1.0, 1.0];
+    pair.oscillations = [Some((1.0, 0.05)), Some((0.5, 0.05))];
+    let rho =
+        8.0 * 0.05 * 0.15 * 8.0_f64.sqrt() / (9.0 + 4.0 * 0.0025 * 2.0 * 5.0 + 4.0 * 0.005 * 4.0);
+    let width = Rule::Ddc.width(&pair);
+    assert!(
+        (width * width - (2.0 - 2.0 * rho)).abs() < 1e-14,
+        "{width} {rho}"
+    );
+    // The same from the other side.
+    pair.oscillations.reverse();
+    let mirrored = Rule::Ddc.width(&pair);
+    assert!((mirrored - width).abs() < 1e-14, "{mirrored} {width}");
+}
