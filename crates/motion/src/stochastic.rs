@@ -140,15 +140,27 @@ impl StochasticMotion {
 
     fn describe(&self) -> String {
         let ground = &self.ground;
+        let strength = match self.strength {
+            Strength::Peak(peak) => format!("peak {peak} m/s²"),
+            Strength::WhiteNoise(density) => format!("white noise of {density} m²/s³"),
+        };
+        let envelope = match self.envelope {
+            Envelope::Constant => "stationary".to_string(),
+            Envelope::Jennings {
+                strong_from,
+                strong_until,
+                decay,
+            } => format!(
+                "strong from {strong_from} s to {strong_until} s, then decaying at {decay} 1/s"
+            ),
+        };
         format!(
-            "stochastic motion, seed {}: ground {} rad/s and {}, high-pass {} rad/s and {}, {:?}, {:?}, up to {} Hz",
+            "stochastic motion, seed {}: ground {} rad/s and {}, high-pass {} rad/s and {}, {strength}, {envelope}, up to {} Hz",
             self.seed,
             ground.angular_frequency,
             ground.damping_ratio,
             ground.high_pass_angular_frequency,
             ground.high_pass_damping_ratio,
-            self.strength,
-            self.envelope,
             self.cutoff,
         )
     }
