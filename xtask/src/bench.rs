@@ -44,6 +44,11 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
     let csv = ratios(&timed, &home)?;
     fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
     println!("\n{csv}\nkept in {KEPT}\n\n{}", comparison(&timed, &home)?);
+    savings(root)
+}
+
+/// Times what it saves to model only what a scene requires.
+pub(crate) fn savings(root: &Path) -> Result<(), String> {
     savings::run(root)
 }
 

@@ -38,9 +38,13 @@ enum Task {
     },
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
-    /// Time every method on the scenes of two structures and write ratios, with the accuracy of each, into
-    /// results/wall-time.csv; no part of `check`.
-    Bench,
+    /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
+    /// a scene requires; writes ratios into results/wall-time.csv and savings.csv; no part of `check`.
+    Bench {
+        /// Only the savings.
+        #[arg(long)]
+        savings: bool,
+    },
     /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
     Fuzz {
         /// How long each target runs, in seconds.
@@ -56,7 +60,8 @@ fn main() -> ExitCode {
             reproduce::run(&root(), check, extent)
         }
         Task::Check => check::run(&root()),
-        Task::Bench => bench::run(&root()),
+        Task::Bench { savings: true } => bench::savings(&root()),
+        Task::Bench { savings: false } => bench::run(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
     };
     match outcome {

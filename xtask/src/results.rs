@@ -9,7 +9,7 @@ const GENERATED: [&str; 6] = ["", "tables", "figures", "trade", "laws", "extreme
 /// The same, where the whole of the extremes is run.
 const WHOLE: &str = "extremes";
 /// What `reproduce` does not make: what is written by hand, and what `bench` measures.
-const KEPT: [&str; 2] = ["README.md", "wall-time.csv"];
+const KEPT: [&str; 3] = ["README.md", "savings.csv", "wall-time.csv"];
 
 /// Writes the files that changed and removes stale ones; returns how many changed.
 pub(crate) fn write(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<usize, String> {
