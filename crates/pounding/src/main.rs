@@ -1,6 +1,7 @@
 //! The program `pounding`.
 
 mod commands;
+mod folder;
 mod progress;
 mod summary;
 mod text;

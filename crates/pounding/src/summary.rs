@@ -1,12 +1,10 @@
 //! What happened in a scene, and how far each number is from the exact run, as plain text.
 
 use pounding::motion::Record;
-use pounding::solver::{
-    Collision, ImpactRule, Peak, SimultaneousImpacts, Start, VerletImpacts, Work,
-};
+use pounding::solver::{Collision, ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
-    Errors, Method, Outcome, PairErrors, Prepared, Quantity, Review, RunErrors, Scene, Sdof,
-    Structure, StructureErrors, Warning, digits,
+    Errors, Method, Outcome, PairErrors, Prepared, Quantity, Review, RunErrors, Scene, Structure,
+    StructureErrors, Warning, digits,
 };
 
 use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
@@ -244,7 +242,8 @@ fn structure_row(structure: &Structure, index: usize, outcome: &Outcome) -> Vec<
         // To a tenth of a millisecond: the line must fit.
         digits((peaks.displacement.time * 1e4).round() * 1e-4),
         short(peaks.restoring_force.value / 1e3),
-        ductility(sdof, &peaks.displacement),
+        sdof.ductility(peaks.displacement.value)
+            .map_or_else(|| NONE.into(), short),
         momentum,
     ]
 }
@@ -273,14 +272,6 @@ fn structure_errors(errors: StructureErrors, structure: &Structure) -> Vec<Strin
 
 /// Begins a line of errors.
 const ERROR: &str = "  error";
-
-/// Largest displacement over yield displacement, for columns that can yield.
-fn ductility(structure: &Sdof, displacement: &Peak) -> String {
-    structure.yield_force_n.map_or_else(
-        || NONE.into(),
-        |force| short(displacement.value.abs() * structure.stiffness_n_per_m / force),
-    )
-}
 
 fn pairs(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
     let Some(contacts) = scene

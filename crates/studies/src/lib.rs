@@ -29,6 +29,7 @@ mod limits;
 mod noise;
 mod plot;
 mod prepared;
+mod report;
 mod reproduce;
 mod review;
 mod savings;
@@ -42,6 +43,7 @@ mod suite;
 mod tables;
 mod trade;
 mod warning;
+mod words;
 
 pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
@@ -64,7 +66,11 @@ pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
 pub use laws::{Atlas, AtlasSettings};
 pub use limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT};
 pub use plot::PlotError;
-pub use prepared::{Outcome, Prepared};
+pub use prepared::{Balance, Outcome, Prepared};
+pub use report::{
+    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
+    RecordSummary, Report, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+};
 pub use reproduce::{Reproduction, Studies};
 pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
 pub use savings::{Burden, Burdened};
@@ -80,3 +86,4 @@ pub use suite::Motion;
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};
+pub use words::{milliseconds, percent, short};

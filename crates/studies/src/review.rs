@@ -6,7 +6,8 @@ use pounding_solver::{Collision, Work};
 use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
 use crate::prepared::Audited;
 use crate::{
-    Delivered, Method, Number, Outcome, Place, Prepared, RunErrors, Structure, StudyError, Warning,
+    Balance, Delivered, Method, Number, Outcome, Place, Prepared, RunErrors, Structure, StudyError,
+    Warning,
 };
 
 /// Where rounding leaves a whole number of steps.
@@ -26,6 +27,8 @@ pub const STEPS_PER_PERIOD: f64 = 10.0;
 pub struct Review {
     /// What the run leaves behind.
     pub outcome: Outcome,
+    /// Where its energy went.
+    pub balance: Balance,
     /// How far it is from the exact run.
     pub errors: Errors,
     /// What a user should know before believing it.
@@ -55,9 +58,20 @@ impl Prepared {
     /// [`StudyError::Run`] when the run ends early, [`StudyError::Broken`] when it breaks a law of mechanics and was not
     /// forced.
     pub fn review(&self, measure: bool) -> Result<Review, StudyError> {
+        self.review_recorded(measure, None)
+    }
+
+    /// The same, with histories of a state every `interval` \[s\] where asked for.
+    pub(crate) fn review_recorded(
+        &self,
+        measure: bool,
+        interval: Option<f64>,
+    ) -> Result<Review, StudyError> {
         let Audited {
-            outcome, broken, ..
-        } = self.audited(None)?;
+            outcome,
+            broken,
+            balance,
+        } = self.audited(interval)?;
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
@@ -89,6 +103,7 @@ impl Prepared {
         };
         Ok(Review {
             outcome,
+            balance,
             errors,
             warnings,
         })

@@ -4,15 +4,20 @@ mod batch;
 
 use std::path::{Path, PathBuf};
 
-use pounding::studies::{SceneError, StudyError};
+use pounding::studies::{Prepared, Report, Review, SceneError, StudyError};
 
-use crate::summary;
+use crate::text::paragraph;
+use crate::{folder, summary};
 
 const EXAMPLES: &str = "\
 Examples:
   pounding run studies/examples/two-structures.json
+  pounding run studies/examples/two-structures.json --out results/two
   pounding run scene.toml --records records --both
   pounding run scene.toml --records records --csv > runs.csv
+
+The folder holds report.html, for people; summary.json, which --json prints, for
+machines; history.csv and impacts.csv; and the figures as SVG and PNG.
 
 `pounding init` writes a scene to begin with; files named in a scene are
 relative to its folder.";
@@ -37,7 +42,7 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "records")]
     csv: bool,
     /// Print JSON, SI units.
-    #[arg(long, requires = "records", conflicts_with = "csv")]
+    #[arg(long, conflicts_with = "csv")]
     json: bool,
     /// Model what the scene does not require, too: the same numbers at more cost.
     #[arg(long)]
@@ -45,6 +50,19 @@ pub(crate) struct Arguments {
     /// Print what is refused, too, with a warning.
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    results: Results,
+}
+
+/// Where a folder of results goes.
+#[derive(Debug, clap::Args)]
+struct Results {
+    /// Write a report with histories and figures here.
+    #[arg(long, value_name = "FOLDER", conflicts_with = "records")]
+    out: Option<PathBuf>,
+    /// Also where the folder holds other things; they stay.
+    #[arg(long, requires = "out")]
+    overwrite: bool,
 }
 
 /// How an answer is printed.
@@ -71,16 +89,45 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         return batch::answer(asked, folder);
     }
     let path = &asked.scene;
-    let prepared = super::prepare(path, asked.force).map_err(|error| hint(error, path))?;
+    if let Some(out) = &asked.results.out {
+        folder::check(out, asked.results.overwrite)?;
+    }
+    let refused = |error| hint(error, path);
+    let prepared = super::prepare(path, asked.force).map_err(refused)?;
     let prepared = if asked.full {
-        prepared.full().map_err(|error| hint(error, path))?
+        prepared.full().map_err(refused)?
     } else {
         prepared
     };
-    let review = prepared
-        .review(!asked.no_error)
-        .map_err(|error| hint(error, path))?;
-    Ok(summary::of(&prepared, &review))
+    let measure = !asked.no_error;
+    if asked.results.out.is_none() && !asked.json {
+        let review = prepared.review(measure).map_err(refused)?;
+        return Ok(summary::of(&prepared, &review));
+    }
+    let report = Report::of(&prepared, measure).map_err(refused)?;
+    if let Some(out) = &asked.results.out {
+        folder::write(out, &report.files())?;
+    }
+    Ok(reported(asked, &prepared, &report))
+}
+
+/// What is printed of a run that was reported.
+fn reported(asked: &Arguments, prepared: &Prepared, report: &Report<'_>) -> String {
+    if asked.json {
+        return report.summary().to_json();
+    }
+    let review: &Review = report.review();
+    let summary = summary::of(prepared, review);
+    match &asked.results.out {
+        Some(out) => {
+            let page = out.join("report.html");
+            format!(
+                "{summary}\n{}",
+                paragraph("Results", &page.display().to_string())
+            )
+        }
+        None => summary,
+    }
 }
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.

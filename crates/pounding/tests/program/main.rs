@@ -4,6 +4,7 @@ mod certificates;
 mod errors;
 mod plans;
 mod records;
+mod results;
 mod runs;
 mod scenes;
 mod suites;

@@ -107,8 +107,8 @@ pub(super) fn measure(base: &Prepared, pushed: &Pushed) -> Measured {
         Ok(Audited {
             outcome,
             broken: None,
-            residual,
-        }) => (Ok(outcome), Some(residual)),
+            balance,
+        }) => (Ok(outcome), Some(balance.residual)),
         Ok(Audited {
             broken: Some(broken),
             ..
@@ -199,7 +199,7 @@ fn of_method(
     let Audited {
         outcome,
         broken,
-        residual,
+        balance,
     } = match prepared.audited(None) {
         Ok(run) => run,
         Err(error) => {
@@ -219,7 +219,7 @@ fn of_method(
     let reason = refusal.or(broken.map(|error| error.to_string()));
     Run {
         numbers: judge(&prepared, (&outcome, reference), wrong),
-        residual: Some(residual),
+        residual: Some(balance.residual),
         ..stopped(Class::Nothing, reason.unwrap_or_default())
     }
 }

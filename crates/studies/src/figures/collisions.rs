@@ -16,22 +16,27 @@ const SAME_MEETING: f64 = 0.04;
 /// Part of the height of a panel that one line of text needs.
 const ROOM: f64 = 0.08;
 
+/// Where lines through panels mark impacts that start at these instants \[s\]; nowhere if they were too many.
+pub(crate) fn meetings(mut starts: Vec<f64>) -> Vec<f64> {
+    starts.sort_by(f64::total_cmp);
+    starts.dedup_by(|later, earlier| *later - *earlier < SAME_MEETING);
+    if starts.len() > MOST_MARKERS {
+        starts.clear();
+    }
+    starts
+}
+
 /// Displacements with the gaps between the rest positions, and the net pounding force on every structure.
 pub(super) fn pounding(completed: &Completed) -> Figure {
     let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
-    let mut starts: Vec<f64> = outcome
-        .collisions
-        .all()
-        .iter()
-        .map(|collision| collision.start)
-        .collect();
-    starts.sort_by(f64::total_cmp);
-    starts.dedup_by(|later, earlier| *later - *earlier < SAME_MEETING);
-    let markers = if starts.len() <= MOST_MARKERS {
-        starts
-    } else {
-        Vec::new()
-    };
+    let markers = meetings(
+        outcome
+            .collisions
+            .all()
+            .iter()
+            .map(|one| one.start)
+            .collect(),
+    );
     Figure {
         height_in: 4.6,
         x: time_axis(scene),

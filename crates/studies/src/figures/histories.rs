@@ -7,7 +7,7 @@ use crate::plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade};
 use crate::{Completed, Outcome, Scene, Structure, StudyError};
 
 /// Writes the real minus sign.
-pub(super) fn minus(text: &str) -> String {
+pub(crate) fn minus(text: &str) -> String {
     text.replace('-', "\u{2212}")
 }
 

@@ -6,6 +6,9 @@ mod layouts;
 
 use pounding_solver::State;
 
+pub(crate) use collisions::meetings;
+pub(crate) use histories::minus;
+
 use crate::plot::{PlotError, Shade, render_png};
 use crate::{Completed, Outcome, Output, Scene, Structure, StudyError};
 
@@ -43,7 +46,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
 }
 
 /// Colour of a structure by its place in the row.
-fn shade(index: usize) -> Shade {
+pub(crate) fn shade(index: usize) -> Shade {
     [
         Shade::Blue,
         Shade::Vermilion,

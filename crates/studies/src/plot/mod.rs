@@ -69,3 +69,27 @@ impl Picture for Figure {
 pub(crate) fn render_png(picture: &impl Picture) -> Result<Vec<u8>, PlotError> {
     raster::png(&page::svg(&*picture.drawing()?)?)
 }
+
+/// Renders a picture as SVG and as the same PNG as [`render_png`].
+///
+/// The letters of the SVG are outlines, so that it looks the same where the font is not at hand.
+///
+/// # Errors
+///
+/// What the picture describes cannot be drawn: see [`PlotError`].
+pub(crate) fn render_both(picture: &impl Picture) -> Result<(String, Vec<u8>), PlotError> {
+    let svg = page::svg(&*picture.drawing()?)?;
+    Ok((raster::outlined(&svg)?, raster::png(&svg)?))
+}
+
+/// The text with a question mark for what the bundled font does not have.
+pub(crate) fn writable(text: &str) -> String {
+    let known = |character| {
+        if text::covered(character) {
+            character
+        } else {
+            '?'
+        }
+    };
+    text.chars().map(known).collect()
+}

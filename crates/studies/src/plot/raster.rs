@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use png::{BitDepth, ColorType, Compression, Encoder, Filter, PixelDimensions, Unit};
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree};
+use resvg::usvg::{Options, Tree, WriteOptions};
 
 use super::{PlotError, text};
 
@@ -44,6 +44,16 @@ pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
     } else {
         differences
     })
+}
+
+/// Returns the picture as an SVG that needs no font.
+pub(super) fn outlined(svg: &str) -> Result<String, PlotError> {
+    let options = WriteOptions {
+        // Units are hundredths of a millimetre: whole ones but for letters.
+        coordinates_precision: 1,
+        ..WriteOptions::default()
+    };
+    Ok(tree(svg)?.to_string(&options))
 }
 
 /// Rounds a colour to sixteen levels, 0, 17, …, 255: enough for smooth edges, and a fifth off the size of the file.

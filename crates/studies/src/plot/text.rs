@@ -142,7 +142,7 @@ pub(super) fn check(drawing: &Drawing) -> Result<(), PlotError> {
 }
 
 /// Tells whether the font has a character.
-fn covered(character: char) -> bool {
+pub(super) fn covered(character: char) -> bool {
     COVERED
         .iter()
         .any(|&(first, last)| (first..=last).contains(&character))

@@ -14,8 +14,8 @@ use crate::{
     GroundMotion, Method, Origin, Quantity, Scene, SceneError, Structure, StudyError, check,
 };
 use model::Model;
-pub use run::Outcome;
 pub(crate) use run::{Audited, Recorders};
+pub use run::{Balance, Outcome};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]

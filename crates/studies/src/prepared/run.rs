@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pounding_solver::{
     Clock, Collisions, Excitation, Histories, Integrator, Ledger, LedgerError, Pair, Peaks,
-    Recorder, RunError, TransferredMomentum, Work,
+    Recorder, RunError, Terms, TransferredMomentum, Work,
 };
 
 use super::Prepared;
@@ -33,8 +33,19 @@ pub(crate) struct Audited {
     pub(crate) outcome: Outcome,
     /// The law of mechanics that it breaks, if any.
     pub(crate) broken: Option<StudyError>,
-    /// What of the energies the physical balance leaves unexplained \[–\].
-    pub(crate) residual: f64,
+    pub(crate) balance: Balance,
+}
+
+/// Where the energy of a run went, and how well its sum closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    /// Terms of the row at the end \[J\].
+    pub terms: Terms,
+    /// What of the energies the physical balance leaves unexplained, relative to the scale \[–\]; see
+    /// [`Ledger::residual`].
+    pub residual: f64,
+    /// What energies are measured by \[J\]; see [`Ledger::scale`].
+    pub scale: f64,
 }
 
 /// Recorders of everything but histories, with a ledger or `()`.
@@ -62,7 +73,11 @@ impl Prepared {
         Ok(Audited {
             outcome,
             broken: ledger.verdict().err().map(|source| self.broke(source)),
-            residual: ledger.residual(),
+            balance: Balance {
+                terms: ledger.terms(),
+                residual: ledger.residual(),
+                scale: ledger.scale(),
+            },
         })
     }
 

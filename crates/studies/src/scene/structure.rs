@@ -205,6 +205,12 @@ impl Sdof {
             .ratio(self.mass_kg, self.stiffness_n_per_m)
     }
 
+    /// Ductility demand |u|/`u_y` \[–\] of a displacement \[m\], of columns that can yield.
+    pub fn ductility(&self, displacement: f64) -> Option<f64> {
+        self.yield_force_n
+            .map(|force| displacement.abs() * self.stiffness_n_per_m / force)
+    }
+
     /// Its free oscillation.
     pub fn oscillation(&self) -> Oscillation {
         Oscillation {

@@ -1,0 +1,179 @@
+//! Displacements of the row above, what its collisions do below.
+
+use pounding_solver::Collision;
+
+use super::{Seen, around, brief, heights, named, unit};
+use crate::figures::{meetings, shade};
+use crate::plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel};
+
+/// Stems closer than this part of the run cannot be told from each other: the largest of them is drawn.
+const APART: f64 = 1e-3;
+
+/// What a collision is drawn by.
+#[derive(Debug, Clone, Copy)]
+struct Measure {
+    /// On the axis.
+    label: &'static str,
+    unit: &'static str,
+    of: fn(&Collision) -> Option<f64>,
+}
+
+const FORCE: Measure = Measure {
+    label: "Pounding force",
+    unit: "N",
+    of: |one| one.peak_force,
+};
+
+const IMPULSE: Measure = Measure {
+    label: "Impulse",
+    unit: "N·s",
+    of: |one| Some(one.impulse),
+};
+
+pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
+    let shown = seen.shown;
+    let starts = seen.collisions(&shown.pairs).map(|one| one.start).collect();
+    let markers = meetings(starts);
+    let is_compliant = |pair: &usize| seen.prepared.pairs()[*pair].law.is_compliant();
+    let (compliant, impulsive): (Vec<usize>, Vec<usize>) =
+        shown.pairs.iter().copied().partition(is_compliant);
+    let below = [(compliant, FORCE), (impulsive, IMPULSE)];
+    let below = below
+        .iter()
+        .filter_map(|(pairs, measure)| stems(seen, pairs, *measure));
+    let mut panels = vec![displacements(seen)];
+    panels.extend(below);
+    let height_in = 1.7 + 1.5 * panels.len() as f64;
+    let caption = caption(seen, &panels, markers.is_empty());
+    for panel in &mut panels {
+        panel.markers.clone_from(&markers);
+    }
+    let figure = Figure {
+        height_in,
+        x: Axis::over("Time (s)", 0.0, seen.prepared.duration()),
+        panels,
+        ..Figure::default()
+    };
+    (figure, caption)
+}
+
+fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
+    let gaps = if seen.shown.pairs.is_empty() {
+        "."
+    } else {
+        ", each structure offset by the gaps to its left, so that curves that meet are structures that touch."
+    };
+    let collisions = match panels.len() {
+        1 => "",
+        _ if unmarked => {
+            " Below, the largest force of every collision, or the impulse of every impact, on either neighbour; they are too \
+             many for lines that mark them."
+        }
+        _ => {
+            " Grey lines mark collisions. Below, the largest force of every collision, or the impulse of every impact, on \
+             either neighbour."
+        }
+    };
+    format!(
+        "Displacements relative to the ground{gaps}{collisions} {}Positive is to the right.",
+        seen.shown.left_out
+    )
+}
+
+/// Displacements, each structure shifted by the gaps between it and the first.
+fn displacements(seen: &Seen<'_>) -> Panel {
+    let scene = seen.motion.scene;
+    let gaps: Vec<f64> = scene
+        .contacts
+        .iter()
+        .flatten()
+        .map(|one| one.gap_m)
+        .collect();
+    let first = seen.shown.structures.first().copied().unwrap_or(0);
+    let curve = |(position, &index): (usize, &usize)| {
+        // Structures that stand apart have no gaps.
+        let shift: f64 = gaps.get(first..index).unwrap_or_default().iter().sum();
+        let states = seen.motion.states(index);
+        let points = seen.curve(|row| 1e3 * (states[row].displacement + shift));
+        let name = named(&scene.structures[index]);
+        let name = if shift > 0.0 {
+            format!("{name} + {} mm", brief(1e3 * shift, 4))
+        } else {
+            name
+        };
+        let kind = if position < 3 {
+            Kind::Line
+        } else {
+            Kind::Dashed
+        };
+        Curve::new(kind, shade(position), points).named(name)
+    };
+    let structures = seen.shown.structures.iter().enumerate();
+    let curves: Vec<Curve> = structures.map(curve).collect();
+    Panel {
+        y: Axis {
+            range: around(heights(&curves), (0.04, 0.04)),
+            ..Axis::auto("Displacement (mm)")
+        },
+        curves,
+        weight: 2.0,
+        ..Panel::default()
+    }
+}
+
+/// A stem for every collision on either neighbour; nothing where there is none.
+fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
+    let found: Vec<(&Collision, f64)> = seen
+        .collisions(pairs)
+        .filter_map(|one| Some((one, (measure.of)(one)?)))
+        .collect();
+    let (hardest, largest) = found
+        .iter()
+        .copied()
+        .reduce(|most, next| if next.1 > most.1 { next } else { most })?;
+    let (unit, factor) = unit(largest, measure.unit);
+    let sides = |(position, &index): (usize, &usize)| {
+        let on = |(one, value): &(&Collision, f64)| {
+            let sign = match index.checked_sub(one.pair) {
+                Some(0) => -1.0,
+                Some(1) => 1.0,
+                _ => return None,
+            };
+            Some((one.start, sign * factor * value))
+        };
+        let points = largest_apart(found.iter().filter_map(on), seen.prepared.duration());
+        (!points.is_empty()).then(|| Curve::new(Kind::Stems, shade(position), points))
+    };
+    let structures = seen.shown.structures.iter().enumerate();
+    let curves: Vec<Curve> = structures.filter_map(sides).collect();
+    let at = (hardest.start, factor * largest);
+    let text = format!("{} {unit} at {} s", brief(at.1, 4), brief(at.0, 4));
+    Some(Panel {
+        y: Axis {
+            // Room for the note above.
+            range: around(heights(&curves), (0.05, 0.16)),
+            ..Axis::auto(format!("{} ({unit})", measure.label))
+        },
+        levels: vec![0.0],
+        notes: vec![Note::new(at, text)],
+        curves,
+        legend: Legend::Hidden,
+        ..Panel::default()
+    })
+}
+
+/// Of stems that are drawn over each other the largest.
+fn largest_apart(points: impl Iterator<Item = (f64, f64)>, duration: f64) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::new();
+    for point in points {
+        match kept.last_mut() {
+            Some(last) if (point.0 - last.0).abs() < APART * duration && point.1 * last.1 > 0.0 => {
+                if point.1.abs() > last.1.abs() {
+                    *last = point;
+                }
+            }
+            _ => kept.push(point),
+        }
+    }
+    kept
+}

@@ -1,0 +1,67 @@
+//! Shear force against displacement, for structures that can yield.
+
+use super::thin::thinned;
+use super::{Seen, name, unit};
+use crate::Structure;
+use crate::plot::{Axis, Curve, Figure, Kind, Panel, Shade};
+
+/// More panels than this do not fit on a page.
+const MOST: usize = 6;
+
+/// Nothing where no structure can yield.
+pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
+    let structures = seen.motion.scene.structures.iter().enumerate();
+    let mut found: Vec<(usize, f64)> = structures
+        .filter_map(|(index, structure)| Some((index, ductility(seen, index, structure)?)))
+        .collect();
+    let n = found.len();
+    found.sort_by(|one, other| other.1.total_cmp(&one.1));
+    found.truncate(MOST);
+    found.sort_by_key(|one| one.0);
+    if found.is_empty() {
+        return None;
+    }
+    let columns = found.len().min(2);
+    let rows = found.len().div_ceil(2);
+    let figure = Figure {
+        height_in: 0.6 + 2.4 * rows as f64,
+        columns,
+        panels: found.iter().map(|one| panel(seen, one.0)).collect(),
+        ..Figure::default()
+    };
+    let left_out = if found.len() < n {
+        format!(" Of {n} such structures those with the largest ductility are shown.")
+    } else {
+        String::new()
+    };
+    let caption = format!(
+        "Shear force against displacement of structures that can yield; the area of the loops is the energy that yielding \
+         takes.{left_out}"
+    );
+    Some((figure, caption))
+}
+
+/// Ductility demand of columns that can yield.
+fn ductility(seen: &Seen<'_>, index: usize, structure: &Structure) -> Option<f64> {
+    match structure {
+        Structure::Sdof(sdof) => sdof.ductility(seen.outcome.peaks.of(index).displacement.value),
+        Structure::Wall => None,
+    }
+}
+
+fn panel(seen: &Seen<'_>, index: usize) -> Panel {
+    let structure = &seen.motion.scene.structures[index];
+    let peaks = seen.outcome.peaks.of(index);
+    let (unit, factor) = unit(peaks.restoring_force.value, "N");
+    let states = seen.motion.states(index).iter();
+    let points = states.map(|state| (1e3 * state.displacement, factor * state.restoring_force));
+    let points = thinned(points.collect());
+    Panel {
+        title: name(structure),
+        x: Some(Axis::auto("Displacement (mm)")),
+        y: Axis::auto(format!("Shear force ({unit})")),
+        levels: vec![0.0],
+        curves: vec![Curve::new(Kind::Thin, Shade::Blue, points)],
+        ..Panel::default()
+    }
+}

@@ -1,0 +1,129 @@
+//! `history.csv`: the motion of every structure and what is between neighbours, row by row in time.
+
+use pounding_solver::{Histories, State};
+
+use super::names::Names;
+use crate::tables::to_csv;
+use crate::{Outcome, Prepared, Scene, Structure, digits};
+
+/// The states of a run at equal intervals.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Motion<'a> {
+    pub(super) scene: &'a Scene,
+    histories: &'a Histories,
+}
+
+impl<'a> Motion<'a> {
+    /// Of a run that kept its histories.
+    pub(super) fn of(prepared: &'a Prepared, outcome: &'a Outcome) -> Self {
+        let kept = outcome.histories.as_ref();
+        Self {
+            scene: prepared.scene(),
+            histories: kept.expect("a report keeps histories"),
+        }
+    }
+
+    /// Number of instants.
+    pub(super) fn len(&self) -> usize {
+        let lengths = (0..self.scene.structures.len()).map(|index| self.states(index).len());
+        lengths.min().unwrap_or(0)
+    }
+
+    /// Instant \[s\].
+    pub(super) fn time(&self, row: usize) -> f64 {
+        row as f64 * self.histories.interval()
+    }
+
+    /// States of a structure or wall.
+    pub(super) fn states(&self, structure: usize) -> &'a [State] {
+        &self.histories.of(structure).states
+    }
+
+    /// What of the gap of a pair is open \[m\]; negative where its neighbours overlap.
+    pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
+        let contact = self.scene.contacts.iter().flatten().nth(pair);
+        let gap = contact.map_or(0.0, |contact| contact.gap_m);
+        gap + self.states(pair + 1)[row].displacement - self.states(pair)[row].displacement
+    }
+
+    /// Least opening of the gap of a pair \[m\] and its instant \[s\].
+    pub(super) fn least_opening(&self, pair: usize) -> (f64, f64) {
+        let openings = (0..self.len()).map(|row| (self.opening(pair, row), self.time(row)));
+        openings
+            .min_by(|one, other| one.0.total_cmp(&other.0))
+            .unwrap_or((0.0, 0.0))
+    }
+
+    /// Pounding force of a compliant pair \[N\], ≥ 0.
+    fn force(&self, pair: usize, row: usize) -> f64 {
+        // A wall does not move, whatever pushes it: its neighbour tells the force.
+        match self.scene.structures[pair] {
+            Structure::Sdof(_) => -self.states(pair)[row].force_from_right,
+            Structure::Wall => self.states(pair + 1)[row].force_from_left,
+        }
+    }
+}
+
+/// The file.
+pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
+    let scene = motion.scene;
+    let names = Names::of(scene);
+    let columns: Vec<usize> = scene
+        .structures
+        .iter()
+        .enumerate()
+        .filter(|(_, structure)| matches!(structure, Structure::Sdof(_)))
+        .map(|(index, _)| index)
+        .collect();
+    let compliant: Vec<bool> = scene
+        .contacts
+        .iter()
+        .flatten()
+        .map(|contact| contact.law.is_compliant())
+        .collect();
+    let row = |row: usize| {
+        let time = motion.time(row);
+        let ground = prepared.record().at(time);
+        let mut values = vec![time, ground];
+        for &structure in &columns {
+            let state = motion.states(structure)[row];
+            values.extend([
+                state.displacement,
+                state.velocity,
+                state.acceleration + ground,
+                state.restoring_force,
+            ]);
+        }
+        for (pair, compliant) in compliant.iter().enumerate() {
+            if *compliant {
+                values.push(motion.force(pair, row));
+            }
+            values.push(motion.opening(pair, row));
+        }
+        values.into_iter().map(digits).collect()
+    };
+    let rows: Vec<Vec<String>> = (0..motion.len()).map(row).collect();
+    to_csv(&header(&names, &columns, &compliant), &rows)
+}
+
+/// Names of the columns.
+fn header(names: &Names, structures: &[usize], compliant: &[bool]) -> Vec<String> {
+    let mut header = vec!["time_s".into(), "ground_acceleration_m_per_s2".into()];
+    for &structure in structures {
+        let name = &names.structures[structure];
+        let quantities = [
+            "displacement_m",
+            "velocity_m_per_s",
+            "absolute_acceleration_m_per_s2",
+            "shear_force_n",
+        ];
+        header.extend(quantities.map(|quantity| format!("{name}_{quantity}")));
+    }
+    for (name, compliant) in names.pairs.iter().zip(compliant) {
+        if *compliant {
+            header.push(format!("{name}_pounding_force_n"));
+        }
+        header.push(format!("{name}_gap_m"));
+    }
+    header
+}

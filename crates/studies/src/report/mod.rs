@@ -1,0 +1,113 @@
+//! The files of a results folder, in memory: histories, impacts, a summary for machines, figures, and a page to forward.
+//!
+//! They tell nothing of the machine or the day: the same scene gives the same bytes.
+
+mod figures;
+mod history;
+mod impacts;
+mod names;
+mod page;
+mod sampling;
+mod summary;
+
+use std::collections::BTreeMap;
+
+use crate::{Prepared, Review, StudyError};
+use history::Motion;
+use sampling::Sampling;
+pub use summary::{
+    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
+    RecordSummary, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+};
+
+/// A run with its histories, ready to be written to a folder.
+#[derive(Debug)]
+pub struct Report<'a> {
+    prepared: &'a Prepared,
+    review: Review,
+    sampling: Sampling,
+}
+
+impl<'a> Report<'a> {
+    /// Runs a scene as [`Prepared::review`] does, and keeps the histories of its structures.
+    ///
+    /// # Errors
+    /// Those of [`Prepared::review`].
+    pub fn of(prepared: &'a Prepared, measure: bool) -> Result<Self, StudyError> {
+        let sampling = Sampling::of(prepared);
+        Ok(Self {
+            prepared,
+            review: prepared.review_recorded(measure, Some(sampling.interval))?,
+            sampling,
+        })
+    }
+
+    /// The run with what is known of its errors.
+    pub fn review(&self) -> &Review {
+        &self.review
+    }
+
+    /// What came out, for machines.
+    pub fn summary(&self) -> Summary {
+        summary::summary(self.prepared, &self.review, self.sampling.interval)
+    }
+
+    /// The files of a results folder, by name:
+    ///
+    /// | File | Holds |
+    /// |---|---|
+    /// | `report.html` | everything, for people; it needs no other file |
+    /// | `summary.json` | [`Summary`] |
+    /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps what is open of them |
+    /// | `impacts.csv` | a line per collision |
+    /// | `*.svg`, `*.png` | the figures of the report |
+    pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
+        let (prepared, outcome) = (self.prepared, &self.review.outcome);
+        let motion = Motion::of(prepared, outcome);
+        let summary = self.summary();
+        let illustrations = figures::illustrations(prepared, outcome);
+        let page = page::html(self, &summary, &illustrations);
+        let mut files = BTreeMap::from([
+            (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
+            (
+                IMPACTS.into(),
+                impacts::csv(prepared.scene(), outcome).into_bytes(),
+            ),
+            (SUMMARY.into(), summary.to_json().into_bytes()),
+            (PAGE.into(), page.into_bytes()),
+        ]);
+        for illustration in illustrations {
+            if let Ok((svg, png)) = illustration.drawn {
+                files.insert(format!("{}.svg", illustration.name), svg.into_bytes());
+                files.insert(format!("{}.png", illustration.name), png);
+            }
+        }
+        files
+    }
+
+    /// Whether a results folder can have a file of this name.
+    pub fn has_file(name: &str) -> bool {
+        let is_figure = |(stem, end): (&str, &str)| {
+            figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
+        };
+        [HISTORY, IMPACTS, SUMMARY, PAGE].contains(&name)
+            || name.rsplit_once('.').is_some_and(is_figure)
+    }
+}
+
+const HISTORY: &str = "history.csv";
+const IMPACTS: &str = "impacts.csv";
+const SUMMARY: &str = "summary.json";
+const PAGE: &str = "report.html";
+
+impl Summary {
+    /// As JSON, with a line break at the end.
+    ///
+    /// # Panics
+    /// Never: a summary is made of text and numbers.
+    pub fn to_json(&self) -> String {
+        let mut text = serde_json::to_string_pretty(self).expect("a summary is JSON");
+        text.push('\n');
+        text
+    }
+}

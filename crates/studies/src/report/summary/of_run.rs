@@ -1,0 +1,208 @@
+//! What a run left behind, turned into its summary.
+
+use pounding_solver::Collision;
+
+use super::{
+    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
+    RecordSummary, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+};
+use crate::report::history::Motion;
+use crate::{
+    Errors, PairErrors, Prepared, Quantity, Review, RunErrors, Source, Structure, StructureErrors,
+};
+
+/// The summary of a run; `interval` is that of its histories \[s\].
+pub(in crate::report) fn summary(prepared: &Prepared, review: &Review, interval: f64) -> Summary {
+    let motion = Motion::of(prepared, &review.outcome);
+    let scene = prepared.scene();
+    let measured = match &review.errors {
+        Errors::Measured(errors, _) => Some(errors),
+        Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => None,
+    };
+    let structures = 0..scene.structures.len();
+    let pairs = 0..prepared.pairs().len();
+    Summary {
+        version: env!("CARGO_PKG_VERSION").into(),
+        scene: scene.clone(),
+        method: method(prepared, &review.errors, interval),
+        record: record(prepared),
+        structures: structures
+            .map(|index| structure(prepared, review, (index, measured)))
+            .collect(),
+        pairs: pairs
+            .map(|index| pair(review, &motion, (index, measured)))
+            .collect(),
+        ledger: LedgerSummary::of(&review.balance),
+        work: WorkSummary::of(&review.outcome.work),
+        warnings: review.warnings.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn method(prepared: &Prepared, errors: &Errors, interval: f64) -> MethodSummary {
+    let method = prepared.method();
+    let (known, largest) = match errors {
+        Errors::Exact => ("exact", None),
+        Errors::NotMeasured => ("not_measured", None),
+        Errors::Unknown(_) => ("unknown", None),
+        Errors::Measured(errors, _) => ("measured", finite(errors.largest(Quantity::All).0)),
+    };
+    MethodSummary {
+        name: method.name().into(),
+        time_step_s: method.time_step(),
+        duration_s: prepared.duration(),
+        history_interval_s: interval,
+        chosen_for_error: prepared.advice().map(|advice| advice.goal.error),
+        errors: known.into(),
+        largest_error: largest,
+    }
+}
+
+fn record(prepared: &Prepared) -> RecordSummary {
+    let record = prepared.record();
+    let file = match &prepared.scene().record.source {
+        Source::File(file) => Some(file.file.clone()),
+        Source::Generated(_) => None,
+    };
+    let origin = prepared.origin();
+    let read = |reading: &pounding_motion::Reading| ReadingSummary {
+        what: reading.what.into(),
+        line: reading.line,
+        found: reading.found.clone(),
+    };
+    let (peak_time_s, peak_m_per_s2) = record.peak();
+    RecordSummary {
+        file,
+        sha256: origin.map(|origin| origin.sha256.clone()),
+        format: origin.map(|origin| origin.file.format().name().into()),
+        unit: origin.map(|origin| origin.file.unit().symbol().into()),
+        samples: record.samples().len(),
+        time_step_s: record.time_step(),
+        // A negative zero loses its sign.
+        peak_m_per_s2: peak_m_per_s2 + 0.0,
+        peak_time_s,
+        provenance: record.source().into(),
+        readings: origin.map_or_else(Vec::new, |origin| {
+            origin.file.readings().iter().map(read).collect()
+        }),
+    }
+}
+
+fn structure(
+    prepared: &Prepared,
+    review: &Review,
+    (index, measured): (usize, Option<&RunErrors>),
+) -> StructureSummary {
+    let structure = &prepared.scene().structures[index];
+    let errors = measured.map(|errors| structure_errors(&errors.structures[index]));
+    let common = StructureSummary {
+        name: structure.name().into(),
+        transferred_momentum_n_s: review.outcome.momentum.of(index),
+        errors,
+        ..StructureSummary::default()
+    };
+    let Structure::Sdof(sdof) = structure else {
+        return StructureSummary {
+            errors: common.errors.map(|errors| StructureErrorSummary {
+                peak_displacement: None,
+                peak_displacement_time_s: None,
+                peak_shear_force: None,
+                ..errors
+            }),
+            ..common
+        };
+    };
+    let peaks = review.outcome.peaks.of(index);
+    let displacement = peaks.displacement.value;
+    StructureSummary {
+        period_s: Some(sdof.period()),
+        damping_ratio: Some(sdof.damping_ratio()),
+        peak_displacement_m: Some(displacement),
+        peak_displacement_time_s: Some(peaks.displacement.time),
+        peak_shear_force_n: Some(peaks.restoring_force.value),
+        peak_shear_force_time_s: Some(peaks.restoring_force.time),
+        ductility: sdof.ductility(displacement),
+        drift_ratio: sdof.height_m.map(|height| displacement.abs() / height),
+        ..common
+    }
+}
+
+fn structure_errors(errors: &StructureErrors) -> StructureErrorSummary {
+    StructureErrorSummary {
+        peak_displacement: finite(errors.displacement),
+        peak_displacement_time_s: finite(errors.displacement_time),
+        peak_shear_force: finite(errors.restoring_force),
+        transferred_momentum: finite(errors.momentum),
+    }
+}
+
+/// What rounding leaves of a gap that is closed \[m\].
+const ROUNDING: f64 = 1e-12;
+
+fn pair(
+    review: &Review,
+    motion: &Motion<'_>,
+    (index, measured): (usize, Option<&RunErrors>),
+) -> PairSummary {
+    let scene = motion.scene;
+    let contact = scene.contacts.iter().flatten().nth(index);
+    let contact = contact.expect("a pair is made of a contact");
+    let all = review.outcome.collisions.all().iter();
+    let collisions: Vec<&Collision> = all.filter(|one| one.pair == index).collect();
+    let largest = collisions.iter().copied().reduce(|largest, next| {
+        if next.impulse > largest.impulse {
+            next
+        } else {
+            largest
+        }
+    });
+    let (opening, time) = motion.least_opening(index);
+    let (opening, time) = match largest {
+        // What touches between two instants was open at both.
+        Some(largest) if opening > 0.0 => (0.0, largest.start),
+        _ if opening.abs() < ROUNDING => (0.0, time),
+        _ => (opening, time),
+    };
+    let impulsive = !contact.law.is_compliant();
+    let forces = collisions.iter().filter_map(|one| one.peak_force);
+    PairSummary {
+        left: scene.structures[index].name().into(),
+        right: scene.structures[index + 1].name().into(),
+        gap_m: contact.gap_m,
+        law: contact.law.name().into(),
+        collisions: collisions.len(),
+        first: collisions.first().copied().map(collision),
+        largest: largest.map(collision),
+        // Of an impulsive law only rest between impacts has a force.
+        peak_force_n: forces.max_by(f64::total_cmp).filter(|_| !impulsive),
+        total_impulse_n_s: collisions.iter().map(|one| one.impulse).sum(),
+        least_opening_m: opening,
+        least_opening_time_s: time,
+        errors: measured.map(|errors| pair_errors(&errors.pairs[index])),
+    }
+}
+
+fn collision(one: &Collision) -> CollisionSummary {
+    CollisionSummary {
+        start_s: one.start,
+        end_s: one.end,
+        impulse_n_s: one.impulse,
+        peak_force_n: one.peak_force,
+    }
+}
+
+fn pair_errors(errors: &PairErrors) -> PairErrorSummary {
+    let known = |error: Option<f64>| error.and_then(finite);
+    PairErrorSummary {
+        exact_collisions: errors.collisions.1,
+        rests: errors.rests,
+        first_time_s: known(errors.first_time),
+        first_impulse: known(errors.first_impulse),
+        largest_impulse: known(errors.largest_impulse),
+        peak_force: known(errors.peak_force),
+    }
+}
+
+/// JSON has no infinity.
+fn finite(error: f64) -> Option<f64> {
+    error.is_finite().then_some(error)
+}
