@@ -84,10 +84,11 @@ pub(crate) fn wide_table(rows: &[Vec<String>]) -> String {
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let line = |row: &Vec<String>| {
         let cells = row.iter().zip(&widths).skip(1);
-        let cells: String = cells
+        let cells: Vec<String> = cells
             .map(|(cell, width)| format!("  {cell:>width$}"))
             .collect();
-        format!("{:first$}{cells}\n", row[0], first = widths[0])
+        let first = widths[0];
+        format!("{:first$}{}\n", row[0], cells.concat())
     };
     rows.iter().map(line).collect()
 }

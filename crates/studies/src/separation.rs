@@ -106,6 +106,9 @@ impl Prepared {
     ///
     /// # Errors
     /// [`StudyError::Run`] when a run ends early.
+    ///
+    /// # Panics
+    /// Never: the histories are asked for.
     pub fn separations(&self) -> Result<Vec<Separation>, StudyError> {
         let apart = Scene {
             contacts: None,

@@ -38,11 +38,12 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     };
     let text = TEMPLATE.replace("RECORD", &motion);
     let path = asked.scene.display();
-    let mut file = std::fs::File::create_new(&asked.scene).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => {
+    let mut file = std::fs::File::create_new(&asked.scene).map_err(|error| {
+        if error.kind() == ErrorKind::AlreadyExists {
             format!("{path}: is there already, allowed is a new file; name another one")
+        } else {
+            format!("{path}: cannot be written: {error}")
         }
-        _ => format!("{path}: cannot be written: {error}"),
     })?;
     file.write_all(text.as_bytes())
         .map_err(|error| format!("{path}: cannot be written: {error}"))?;

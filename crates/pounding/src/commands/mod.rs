@@ -5,6 +5,7 @@ mod certify;
 mod check;
 mod compare;
 mod completions;
+mod demo;
 mod gap;
 mod init;
 mod laws;
@@ -20,9 +21,10 @@ use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
+  pounding demo
   pounding init scene.toml --record quake.AT2
   pounding check scene.toml
-  pounding run scene.toml
+  pounding run scene.toml --out results
   pounding COMMAND --help
 
 Exit codes: 0 done; 1 an input was refused or a run failed, with the reason on
@@ -38,6 +40,8 @@ pub(crate) struct Program {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Write a scene with its record, run it, and write its results: nothing needed.
+    Demo(demo::Arguments),
     /// Write a scene to begin with, with comments.
     Init(init::Arguments),
     /// Print what would run, and what its time step can follow.
@@ -68,6 +72,7 @@ impl Program {
     /// What is said on standard error.
     pub(crate) fn answer(&self) -> Result<String, String> {
         match &self.command {
+            Command::Demo(asked) => demo::answer(asked),
             Command::Init(asked) => init::answer(asked),
             Command::Check(asked) => check::answer(asked),
             Command::Run(asked) => run::answer(asked),
@@ -96,9 +101,10 @@ fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
 
 /// Why a motion is left out, beside whose name this stands.
 fn reason(error: StudyError) -> String {
-    match error {
-        StudyError::Record { source, .. } => source.to_string(),
-        other => other.to_string(),
+    if let StudyError::Record { source, .. } = error {
+        source.to_string()
+    } else {
+        error.to_string()
     }
 }
 

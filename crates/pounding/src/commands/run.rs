@@ -29,9 +29,34 @@ pub(crate) struct Arguments {
     /// The scene, a TOML or JSON file.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
+    #[command(flatten)]
+    model: How,
+    #[command(flatten)]
+    suite: Suite,
+    /// Print JSON, SI units.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    #[command(flatten)]
+    results: Results,
+}
+
+/// How the scene is run.
+#[derive(Debug, clap::Args)]
+struct How {
     /// Do not measure the errors; saves the exact run.
     #[arg(long)]
     no_error: bool,
+    /// Model what the scene does not require, too: the same numbers at more cost.
+    #[arg(long, conflicts_with = "records")]
+    full: bool,
+    /// Print what is refused, too, with a warning.
+    #[arg(long, conflicts_with = "records")]
+    force: bool,
+}
+
+/// Under which records.
+#[derive(Debug, clap::Args)]
+struct Suite {
     /// Run the scene under every record of a folder instead of its own.
     #[arg(long, value_name = "FOLDER")]
     records: Option<PathBuf>,
@@ -41,17 +66,6 @@ pub(crate) struct Arguments {
     /// Print a table for a program, SI units.
     #[arg(long, requires = "records")]
     csv: bool,
-    /// Print JSON, SI units.
-    #[arg(long, conflicts_with = "csv")]
-    json: bool,
-    /// Model what the scene does not require, too: the same numbers at more cost.
-    #[arg(long)]
-    full: bool,
-    /// Print what is refused, too, with a warning.
-    #[arg(long)]
-    force: bool,
-    #[command(flatten)]
-    results: Results,
 }
 
 /// Where a folder of results goes.
@@ -75,7 +89,7 @@ enum Printed {
 
 impl Arguments {
     fn printed(&self) -> Printed {
-        match (self.csv, self.json) {
+        match (self.suite.csv, self.json) {
             (true, _) => Printed::Csv,
             (_, true) => Printed::Json,
             _ => Printed::Text,
@@ -85,7 +99,7 @@ impl Arguments {
 
 /// Runs a scene; returns the summary.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    if let Some(folder) = &asked.records {
+    if let Some(folder) = &asked.suite.records {
         return batch::answer(asked, folder);
     }
     let path = &asked.scene;
@@ -93,13 +107,13 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         folder::check(out, asked.results.overwrite)?;
     }
     let refused = |error| hint(error, path);
-    let prepared = super::prepare(path, asked.force).map_err(refused)?;
-    let prepared = if asked.full {
+    let prepared = super::prepare(path, asked.model.force).map_err(refused)?;
+    let prepared = if asked.model.full {
         prepared.full().map_err(refused)?
     } else {
         prepared
     };
-    let measure = !asked.no_error;
+    let measure = !asked.model.no_error;
     if asked.results.out.is_none() && !asked.json {
         let review = prepared.review(measure).map_err(refused)?;
         return Ok(summary::of(&prepared, &review));

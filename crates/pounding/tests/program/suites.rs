@@ -31,13 +31,14 @@ fn suite(test: &str) -> PathBuf {
     fs::create_dir_all(&records).expect("a folder");
     let write = |name: &str, text: String| fs::write(records.join(name), text).expect("a file");
     let ramp = |step: usize| 4.0 * libm::sin(0.25 * step as f64);
-    let csv: String = (0..60)
-        .map(|step| format!("{:.2},{:.4}\n", step as f64 / 50.0, ramp(step)))
-        .collect();
-    write("pulse.csv", format!("time_s,acceleration_m_per_s2\n{csv}"));
-    let column: String = (0..60)
-        .map(|step| format!("{:.3}\n", -100.0 * ramp(step)))
-        .collect();
+    let line = |step: usize| format!("{:.2},{:.4}", step as f64 / 50.0, ramp(step));
+    let csv = (0..60).map(line).collect::<Vec<_>>().join("\n");
+    write(
+        "pulse.csv",
+        format!("time_s,acceleration_m_per_s2\n{csv}\n"),
+    );
+    let line = |step: usize| format!("{:.3}", -100.0 * ramp(step));
+    let column = (0..60).map(line).collect::<Vec<_>>().join("\n");
     write("column.txt", column);
     write(
         "spectra.V3",
@@ -158,6 +159,26 @@ fn reference_a_scene_to_begin_with() {
         missing.starts_with("error: --record none.AT2: cannot be read: "),
         "{missing}"
     );
+}
+
+#[test]
+fn reference_demo() {
+    let folder = folder("demo");
+    let first = pounding(&folder, &["demo"]);
+    assert_snapshot!(printed(&first));
+    let file = |name: &str| fs::read(folder.join("pounding-demo").join(name)).expect("it is there");
+    let page = file("results/report.html");
+    // Again, over what is there: the same bytes.
+    let again = pounding(&folder, &["demo"]);
+    assert_eq!(
+        (again.code, &again.stdout),
+        (0, &first.stdout),
+        "{}",
+        again.stderr
+    );
+    assert_eq!(file("results/report.html"), page);
+    fs::write(folder.join("pounding-demo/scene.toml"), "mine").expect("a file");
+    assert_snapshot!(refusal(&pounding(&folder, &["demo"])), @"");
 }
 
 #[test]

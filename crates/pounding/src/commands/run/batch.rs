@@ -87,7 +87,7 @@ fn all_refused(lines: &[Line]) -> Option<&str> {
 
 fn lines(scene: &Scene, motions: &[Motion], asked: &Arguments) -> Vec<Line> {
     let progress = Progress::new();
-    let directions: &[bool] = if asked.both {
+    let directions: &[bool] = if asked.suite.both {
         &[false, true]
     } else {
         &[scene.record.reversed]
@@ -98,7 +98,7 @@ fn lines(scene: &Scene, motions: &[Motion], asked: &Arguments) -> Vec<Line> {
         .collect();
     let line = |&(motion, reversed): &(&Motion, bool)| {
         let found = motion.shake(scene, reversed).and_then(|prepared| {
-            let review = prepared.review(!asked.no_error)?;
+            let review = prepared.review(!asked.model.no_error)?;
             Ok(Found::new(&prepared, review))
         });
         progress.step(cases.len());
@@ -185,21 +185,23 @@ fn result(lines: &[Line]) -> String {
         .filter_map(|line| Some((line, line.found.as_ref().ok()?.collisions())))
         .collect();
     let touch = found.iter().filter(|(_, (count, ..))| *count > 0);
-    let mut text = format!(
+    let touch = format!(
         "they touch under {} of {} motions",
         touch.count(),
         found.len()
     );
     let hardest = found.iter().max_by(|a, b| a.1.2.total_cmp(&b.1.2));
-    if let Some((line, (_, _, impulse, _))) = hardest.filter(|(_, (count, ..))| *count > 0) {
-        let reversed = if line.reversed { ", reversed" } else { "" };
-        text.push_str(&format!(
-            "\nthe hardest collision is that under {}{reversed}: {} kN·s",
-            line.motion,
-            short(impulse / 1e3)
-        ));
+    match hardest.filter(|(_, (count, ..))| *count > 0) {
+        None => touch,
+        Some((line, (_, _, impulse, _))) => {
+            let reversed = if line.reversed { ", reversed" } else { "" };
+            let hardest = short(impulse / 1e3);
+            format!(
+                "{touch}\nthe hardest collision is that under {}{reversed}: {hardest} kN·s",
+                line.motion
+            )
+        }
     }
-    text
 }
 
 /// Numbers of a structure, with their names: SI units.

@@ -1,0 +1,82 @@
+//! `pounding demo`: a scene, its record and its results, with nothing needed.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use pounding::studies::Report;
+
+use crate::text::paragraph;
+use crate::{folder, summary};
+
+const EXAMPLES: &str = "\
+Example:
+  pounding demo
+
+Writes pounding-demo/scene.toml, its record and pounding-demo/results, and ends
+with the table of the run; open pounding-demo/results/report.html.";
+
+/// What the folder holds besides the results.
+const FILES: [(&str, &str); 2] = [
+    (SCENE, include_str!("demo/scene.toml")),
+    (
+        "el-centro.csv",
+        include_str!("../../../../studies/records/el-centro-1940-ns-chopra.csv"),
+    ),
+];
+const SCENE: &str = "scene.toml";
+
+/// What is asked of `demo`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The folder to write.
+    #[arg(value_name = "FOLDER", default_value = "pounding-demo")]
+    folder: PathBuf,
+}
+
+/// Writes and runs the scene; returns the summary.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let top = &asked.folder;
+    let results = top.join("results");
+    folder::check(&results, false)?;
+    fs::create_dir_all(top).map_err(|error| format!("{}: {error}", top.display()))?;
+    for (name, text) in FILES {
+        write(&top.join(name), text)?;
+    }
+    let path = top.join(SCENE);
+    let message = |error: pounding::studies::StudyError| error.in_file(&path).to_string();
+    let prepared = super::prepare(&path, false).map_err(message)?;
+    let report = Report::of(&prepared, true).map_err(message)?;
+    folder::write(&results, &report.files())?;
+    Ok(format!(
+        "{}\n{}\n{}",
+        summary::of(&prepared, report.review()),
+        paragraph(
+            "Results",
+            &results.join("report.html").display().to_string()
+        ),
+        paragraph(
+            "Next",
+            &format!(
+                "change {0} and run it again:\npounding run {0} --out {1}",
+                path.display(),
+                results.display()
+            )
+        )
+    ))
+}
+
+/// Writes a file that is not there, or leaves one that is as it should be.
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    let fail = |error: std::io::Error| format!("{}: cannot be written: {error}", path.display());
+    match fs::read(path) {
+        Ok(found) if found == text.as_bytes() => Ok(()),
+        Ok(_) => Err(format!(
+            "{}: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER",
+            path.display()
+        )),
+        Err(error) if error.kind() == ErrorKind::NotFound => fs::write(path, text).map_err(fail),
+        Err(error) => Err(fail(error)),
+    }
+}
