@@ -83,7 +83,11 @@ fn limit_rules_for_like_neighbours_and_walls() {
     };
     twins.structures = vec![twin("one"), twin("other")];
     let found = prepared(&twins).separations().expect("it runs")[0];
-    assert_eq!(found.required, 0.0, "twins move alike");
+    assert!(
+        found.required.abs() < 1e-300,
+        "twins move alike: {}",
+        found.required
+    );
     let ddc = Rule::Ddc.width(&found);
     assert!(ddc < 1e-7 * Rule::Abs.width(&found), "{ddc}");
     let beside_wall = prepared(&scene).separations().expect("it runs")[2];
@@ -94,10 +98,8 @@ fn limit_rules_for_like_neighbours_and_walls() {
             "{rule:?}"
         );
     }
-    assert_eq!(
-        Rule::Eurocode8.width(&beside_wall),
-        0.7 * beside_wall.peaks[0]
-    );
+    let level = Rule::Eurocode8.width(&beside_wall) / beside_wall.peaks[0];
+    assert!((level - 0.7).abs() < 1e-15, "{level}");
 }
 
 /// ρ by hand for T₁/T₂ = 2, ζ = 5 %: 8·0.05·0.15·2^1.5/(9 + 0.1 + 0.08) as the fractions of the formula give it.
