@@ -37,3 +37,25 @@ impl Drop for Progress {
         self.bar.finish_and_clear();
     }
 }
+
+/// A clock on standard error for one run that takes longer than a second; only on a terminal.
+#[derive(Debug)]
+pub(crate) struct Waiting(ProgressBar);
+
+impl Waiting {
+    pub(crate) fn new(words: &'static str) -> Self {
+        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}")
+            .expect("the template is well formed");
+        let bar = ProgressBar::new_spinner()
+            .with_style(style)
+            .with_message(words);
+        bar.enable_steady_tick(Duration::from_secs(1));
+        Self(bar)
+    }
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

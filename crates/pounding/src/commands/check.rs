@@ -6,6 +6,7 @@ use pounding::studies::{
     ContactLimit, Limits, Outcome, Prepared, STEPS_PER_CONTACT, Structure, digits,
 };
 
+use crate::progress::Waiting;
 use crate::summary::{method_lines, record_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
 
@@ -28,6 +29,7 @@ pub(crate) struct Arguments {
 /// Checks a scene; returns what would run.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
+    let _waiting = Waiting::new("running the exact method");
     super::prepare(path, true)
         .map(|prepared| of(&prepared))
         .map_err(|error| error.in_file(path).to_string())

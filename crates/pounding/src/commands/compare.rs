@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use pounding::solver::Collision;
 use pounding::studies::{Errors, Prepared, Quantity, Review, Structure, StudyError, digits};
 
+use crate::progress::Waiting;
 use crate::summary::peak_force;
 use crate::text::{NONE, percent, short, wide_table};
 
@@ -37,6 +38,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let run = |path: &PathBuf| {
         run(path, !asked.no_error).map_err(|error| error.in_file(path).to_string())
     };
+    let _waiting = Waiting::new("running");
     let runs: Vec<Run> = asked.scenes.iter().map(run).collect::<Result<_, _>>()?;
     let mut rows = vec![row("Scene", &runs, |run| run.prepared.scene().name.clone())];
     rows.extend(of_runs(&runs));

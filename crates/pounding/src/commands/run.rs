@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pounding::studies::{Prepared, Report, Review, SceneError, StudyError};
 
+use crate::progress::Waiting;
 use crate::text::paragraph;
 use crate::{folder, summary};
 
@@ -114,6 +115,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         prepared
     };
     let measure = !asked.model.no_error;
+    let _waiting = Waiting::new("running");
     if asked.results.out.is_none() && !asked.json {
         let review = prepared.review(measure).map_err(refused)?;
         return Ok(summary::of(&prepared, &review));

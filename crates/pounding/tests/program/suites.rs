@@ -1,7 +1,7 @@
 //! Folders of records, several scenes side by side, and a scene to begin with.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
 use serde_json::Value;
@@ -158,6 +158,37 @@ fn reference_a_scene_to_begin_with() {
     assert!(
         missing.starts_with("error: --record none.AT2: cannot be read: "),
         "{missing}"
+    );
+}
+
+/// What the project ships to be copied runs, and looks usual.
+#[test]
+fn reference_every_example_runs() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let examples = here.join("../../studies/examples");
+    let mut names = Vec::new();
+    for entry in fs::read_dir(&examples).expect("the folder is there") {
+        let path = entry.expect("a file").path();
+        let name = path
+            .file_name()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
+        let path = format!("../../studies/examples/{name}");
+        let ran = pounding(here, &["run", &path]);
+        assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{name}");
+        let checked = pounding(here, &["check", &path]);
+        assert_eq!((checked.code, checked.stderr.as_str()), (0, ""), "{name}");
+        names.push(name);
+    }
+    names.sort();
+    assert_eq!(
+        names,
+        [
+            "towers.toml",
+            "two-structures.json",
+            "wall-and-neighbour.json"
+        ]
     );
 }
 
