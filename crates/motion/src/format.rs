@@ -150,7 +150,10 @@ struct Reader {
 }
 
 /// The readers; the first that recognises a file reads it.
+///
+/// CSV comes first: its header cannot be mistaken, and its comments may hold the header of any other format.
 const READERS: [Reader; 20] = [
+    csv::READER,
     sac::READER,
     miniseed::READER,
     cosmos::READER,
@@ -168,7 +171,6 @@ const READERS: [Reader; 20] = [
     unam::READER,
     bbp::READER,
     at2::READER,
-    csv::READER,
     eqsig::READER,
     plain::READER,
 ];

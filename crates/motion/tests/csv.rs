@@ -147,3 +147,27 @@ fn extreme_times() {
     assert_snapshot!(refusal(&with_times(&["-0.01", "0.00", "0.01"])),  @"line 2: the first time is -0.01 s, allowed are 0 s and one time step, 0.01 s; shift the time column so that the record begins there");
     assert_snapshot!(refusal(&with_times(&["-1.7e308", "0", "1.7e308"])),  @"line 4: the time step is inf s, and must be finite and above 0 s; correct it there");
 }
+
+/// Comments that quote the header of another format, as provenance does, once decided the format.
+#[test]
+fn issue_comments_with_the_header_of_another_format() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files");
+    let files = std::fs::read_dir(folder).expect("the folder is there");
+    for file in files {
+        let path = file.expect("it is listed").path();
+        let bytes = std::fs::read(&path).expect("it is read");
+        let text = String::from_utf8_lossy(&bytes);
+        let header = text.lines().take(60).map(|line| format!("# {line}\n"));
+        let header: String = header.collect();
+        let text = format!("{header}time_s,acceleration_g\n0,0.25\n0.01,0.5\n");
+        let read = pounding_motion::read(text.as_bytes());
+        let read = read.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        assert_eq!(
+            read.format(),
+            pounding_motion::Format::Csv,
+            "{}",
+            path.display()
+        );
+        assert_eq!(read.values(), [0.25, 0.5]);
+    }
+}
