@@ -80,9 +80,12 @@ pub use scene::{
 };
 pub use schema::scene_schema;
 pub use separation::{Rule, Separation};
-pub use spectrum::{SpectralValues, SpectrumError, response_spectrum, scaled_to_sa};
+pub use spectrum::{
+    Shown, SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
+    scaled_to_sa, spectra_figure,
+};
 pub use study::{Output, Study, StudyFile};
-pub use suite::Motion;
+pub use suite::{Motion, files_in};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};

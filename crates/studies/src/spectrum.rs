@@ -1,5 +1,7 @@
 //! Response spectra of a record, by the exact method.
 
+mod figure;
+
 use std::f64::consts::TAU;
 
 use pounding_motion::{Record, RecordError};
@@ -9,6 +11,8 @@ use pounding_solver::{
 };
 use rayon::prelude::*;
 use thiserror::Error;
+
+pub use figure::{Shown, Spectrum, spectra_figure};
 
 /// Halvings of a span that find a peak in it to rounding.
 const HALVINGS: u32 = 53;
@@ -101,6 +105,17 @@ pub fn response_spectrum(
         }
     };
     periods.par_iter().map(values).collect()
+}
+
+/// Periods from one to another, both > 0 \[s\], in equal ratios; the first alone where one is asked for.
+pub fn periods_between(from: f64, to: f64, count: u32) -> Vec<f64> {
+    let ratio = libm::log(to / from);
+    let period = |index: u32| match index {
+        0 => from,
+        last if last == count - 1 => to,
+        _ => from * libm::exp(ratio * f64::from(index) / f64::from(count - 1)),
+    };
+    (0..count).map(period).collect()
 }
 
 /// The record times one factor > 0, such that its pseudo-acceleration at a period \[s\] is `target` \[m/s²\], > 0.

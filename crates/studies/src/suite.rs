@@ -24,22 +24,7 @@ impl Motion {
     /// # Errors
     /// [`StudyError::Unreadable`] when the folder cannot be read.
     pub fn in_folder(folder: &Path) -> Result<Vec<Self>, StudyError> {
-        let unreadable = |source| StudyError::Unreadable {
-            path: folder.to_path_buf(),
-            source,
-        };
-        let mut paths = Vec::new();
-        for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-            let path = entry.map_err(unreadable)?.path();
-            let hidden = path
-                .file_name()
-                .is_none_or(|name| name.to_string_lossy().starts_with('.'));
-            if path.is_file() && !hidden {
-                paths.push(path);
-            }
-        }
-        paths.sort();
-        Ok(paths.into_iter().flat_map(of_file).collect())
+        Ok(files_in(folder)?.into_iter().flat_map(of_file).collect())
     }
 
     /// The scene under this motion, reversed or not; processed and scaled as the scene says.
@@ -88,6 +73,29 @@ impl Motion {
             None => file.into_owned(),
         }
     }
+}
+
+/// The files of a folder, in the order of their names, but for those whose names begin with a dot.
+///
+/// # Errors
+/// [`StudyError::Unreadable`] when the folder cannot be read.
+pub fn files_in(folder: &Path) -> Result<Vec<PathBuf>, StudyError> {
+    let unreadable = |source| StudyError::Unreadable {
+        path: folder.to_path_buf(),
+        source,
+    };
+    let mut paths = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        let hidden = path
+            .file_name()
+            .is_none_or(|name| name.to_string_lossy().starts_with('.'));
+        if path.is_file() && !hidden {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    Ok(paths)
 }
 
 /// The motions of a file: one, or one per horizontal component.
