@@ -2,6 +2,7 @@
 
 mod commands;
 mod folder;
+mod new_file;
 mod progress;
 mod summary;
 mod text;

@@ -94,7 +94,7 @@ pub(crate) fn wide_table(rows: &[Vec<String>]) -> String {
 }
 
 /// The text, or its beginning and an ellipsis.
-fn cut(text: &str, width: usize) -> String {
+pub(crate) fn cut(text: &str, width: usize) -> String {
     if text.chars().count() <= width {
         text.into()
     } else {

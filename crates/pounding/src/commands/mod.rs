@@ -9,6 +9,7 @@ mod demo;
 mod gap;
 mod init;
 mod laws;
+mod motion;
 mod run;
 mod schema;
 
@@ -54,6 +55,8 @@ enum Command {
     Gap(gap::Arguments),
     /// Find the cheapest method and time step for an accuracy.
     Advise(advise::Arguments),
+    /// Look at record files: what they hold, as CSV, response spectra.
+    Motion(motion::Arguments),
     /// List the contact laws: forces, formulas, parameters, sources.
     Laws,
     /// Print what a contact law and a method deliver to a free impact.
@@ -79,6 +82,7 @@ impl Program {
             Command::Compare(asked) => compare::answer(asked),
             Command::Gap(asked) => gap::answer(asked),
             Command::Advise(asked) => advise::answer(asked),
+            Command::Motion(asked) => motion::answer(asked),
             Command::Laws => Ok(laws::answer()),
             Command::Certify(asked) => certify::answer(asked),
             Command::Schema => Ok(schema::answer()),

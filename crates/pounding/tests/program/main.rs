@@ -2,6 +2,7 @@
 
 mod certificates;
 mod errors;
+mod motions;
 mod plans;
 mod records;
 mod results;

@@ -1,0 +1,143 @@
+//! What is done to a record on its way into a CSV: the options of a scene's `record`.
+
+use clap::ValueEnum;
+use pounding::studies::{Detrend, FilterBand, RecordUse, ScaleTo, digits};
+
+use crate::commands::motion::part_of_one;
+use crate::commands::positive;
+
+/// What is done to the record, in this order.
+#[derive(Debug, Clone, PartialEq, clap::Args)]
+#[command(next_help_heading = "Processing")]
+pub(super) struct Processing {
+    /// Take away the mean or a line: constant, linear.
+    #[arg(long, value_enum, value_name = "LINE", hide_possible_values = true)]
+    detrend: Option<Line>,
+    /// Keep a band of frequencies [Hz], Butterworth.
+    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], value_parser = positive)]
+    band_pass: Vec<f64>,
+    /// Order of the filter, 1 to 10.
+    #[arg(long, value_name = "N", default_value_t = 4, requires = "band_pass")]
+    order: u32,
+    /// Filter forward only; both ways delay nothing.
+    #[arg(long, requires = "band_pass")]
+    causal: bool,
+    /// New time between samples [s].
+    #[arg(long, value_name = "DT", value_parser = positive)]
+    pub(super) resample: Option<f64>,
+    /// Scale to a peak ground acceleration [g].
+    #[arg(long, value_name = "PGA", value_parser = positive)]
+    scale_to_pga: Option<f64>,
+    /// Scale to Sa [g] at T [s], damping Z such as 5%.
+    #[arg(long, num_args = 3, value_names = ["T", "Z", "SA"], conflicts_with = "scale_to_pga", value_parser = part_of_one)]
+    scale_to_sa: Vec<f64>,
+    /// Multiply.
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        default_value_t = 1.0,
+        allow_negative_numbers = true,
+        hide_default_value = true
+    )]
+    pub(super) scale: f64,
+    /// Change the sign: left becomes right.
+    #[arg(long)]
+    pub(super) reverse: bool,
+}
+
+/// What is taken away.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Line {
+    /// The mean of all samples.
+    Constant,
+    /// The straight line of least squares.
+    Linear,
+}
+
+impl Processing {
+    /// Whether nothing is done.
+    pub(super) fn is_empty(&self) -> bool {
+        let nothing = Self {
+            detrend: None,
+            band_pass: Vec::new(),
+            order: self.order,
+            causal: false,
+            resample: None,
+            scale_to_pga: None,
+            scale_to_sa: Vec::new(),
+            scale: 1.0,
+            reverse: false,
+        };
+        *self == nothing
+    }
+
+    pub(super) fn detrend(&self) -> Option<Detrend> {
+        self.detrend.map(|line| match line {
+            Line::Constant => Detrend::Constant,
+            Line::Linear => Detrend::Linear,
+        })
+    }
+
+    pub(super) fn band_pass(&self) -> Option<FilterBand> {
+        let &[low_hz, high_hz] = &self.band_pass[..] else {
+            return None;
+        };
+        Some(FilterBand {
+            low_hz,
+            high_hz,
+            order: self.order,
+            causal: self.causal,
+        })
+    }
+
+    pub(super) fn scale_to(&self) -> Option<ScaleTo> {
+        match (self.scale_to_pga, &self.scale_to_sa[..]) {
+            (Some(peak), _) => Some(ScaleTo::PgaG(peak)),
+            (None, &[period_s, damping_ratio, sa_g]) => Some(ScaleTo::Sa {
+                period_s,
+                damping_ratio,
+                sa_g,
+            }),
+            _ => None,
+        }
+    }
+}
+
+/// What was done, a line each.
+pub(super) fn words(record: &RecordUse) -> Vec<String> {
+    let detrend = record.detrend.map(|line| match line {
+        Detrend::Constant => "mean taken away".into(),
+        Detrend::Linear => "straight line of least squares taken away".into(),
+    });
+    let band = record.band_pass.map(|band| {
+        let passes = if band.causal {
+            "forward"
+        } else {
+            "forward and backward"
+        };
+        format!(
+            "band-pass {} to {} Hz, Butterworth, order {}, {passes}",
+            digits(band.low_hz),
+            digits(band.high_hz),
+            band.order
+        )
+    });
+    let resampled = record
+        .resample_s
+        .map(|step| format!("resampled every {step} s"));
+    let target = record.scale_to.map(|target| match target {
+        ScaleTo::PgaG(peak) => format!("scaled to a PGA of {peak} g"),
+        ScaleTo::Sa {
+            period_s,
+            damping_ratio,
+            sa_g,
+        } => format!("scaled to Sa({period_s} s, damping {damping_ratio}) = {sa_g} g"),
+    });
+    let needs_g = target.is_some();
+    let gravity = needs_g.then(|| format!("with g = {} m/s²", record.gravity_m_per_s2));
+    let one = 1.0_f64.to_bits();
+    let scale = (record.scale.to_bits() != one).then(|| format!("multiplied by {}", record.scale));
+    let reversed = record.reversed.then(|| "sign changed".into());
+    let all = [detrend, band, resampled, target, gravity, scale, reversed];
+    all.into_iter().flatten().collect()
+}

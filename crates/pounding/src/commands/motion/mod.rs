@@ -1,0 +1,56 @@
+//! `pounding motion`: what a record holds, the project's CSV of it, its response spectra.
+
+mod convert;
+mod info;
+mod source;
+mod spectrum;
+
+use clap::Subcommand;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding motion info quake.AT2
+  pounding motion convert quake.AT2 quake.csv --band-pass 0.1 25
+  pounding motion spectrum quake.AT2 --damping 2%,5% --figure spectrum.png
+  pounding motion COMMAND --help";
+
+/// What is asked of `motion`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Print what record files hold and how strong the motion is.
+    Info(info::Arguments),
+    /// Write a record as CSV, processed as asked for.
+    Convert(convert::Arguments),
+    /// Print the response spectra of a record, by the exact method.
+    Spectrum(spectrum::Arguments),
+}
+
+/// Runs the subcommand; returns what is printed.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    match &asked.command {
+        Command::Info(asked) => info::answer(asked),
+        Command::Convert(asked) => convert::answer(asked),
+        Command::Spectrum(asked) => spectrum::answer(asked),
+    }
+}
+
+/// A finite number ≥ 0, or so many per cent.
+fn part_of_one(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let (number, divisor) = match text.strip_suffix('%') {
+        Some(number) => (number.trim_end(), 100.0),
+        None => (text, 1.0),
+    };
+    match number.parse::<f64>() {
+        // Divided, 5 % is the number that is written 0.05.
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value / divisor),
+        _ => Err("allowed is a finite number >= 0, such as 0.05 or 5%".into()),
+    }
+}
