@@ -160,7 +160,7 @@ fn issue_comments_with_the_header_of_another_format() {
         let header = text.lines().take(60).map(|line| format!("# {line}\n"));
         let header: String = header.collect();
         let text = format!("{header}time_s,acceleration_g\n0,0.25\n0.01,0.5\n");
-        let read = pounding_motion::read(text.as_bytes());
+        let read = read(text.as_bytes());
         let read = read.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         assert_eq!(
             read.format(),

@@ -1,7 +1,8 @@
 //! `pounding init`: a scene to begin with, with a comment on every line.
 
-use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
+
+use crate::new_file;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,6 +29,9 @@ pub(crate) struct Arguments {
     /// The record that shakes it, seen from here; without it a motion from a formula.
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
+    /// Also where the file is there already.
+    #[arg(long)]
+    overwrite: bool,
 }
 
 /// Writes the scene; returns what to do next.
@@ -38,15 +42,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     };
     let text = TEMPLATE.replace("RECORD", &motion);
     let path = asked.scene.display();
-    let mut file = std::fs::File::create_new(&asked.scene).map_err(|error| {
-        if error.kind() == ErrorKind::AlreadyExists {
-            format!("{path}: is there already, allowed is a new file; name another one")
-        } else {
-            format!("{path}: cannot be written: {error}")
-        }
-    })?;
-    file.write_all(text.as_bytes())
-        .map_err(|error| format!("{path}: cannot be written: {error}"))?;
+    new_file::write(&asked.scene, text.as_bytes(), asked.overwrite)?;
     Ok(format!(
         "wrote {path}\n\nnext:\n  pounding check {path}\n  pounding run {path} --out results\n"
     ))
