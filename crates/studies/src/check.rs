@@ -43,7 +43,6 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
     for (index, structure) in scene.structures.iter().enumerate() {
         if let Structure::Sdof(structure) = structure {
             structure::check(index, structure)?;
-            structure::unlike_names_before(index, structure, scene)?;
         }
     }
     check_method(scene)?;

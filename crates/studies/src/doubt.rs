@@ -53,6 +53,20 @@ impl Prepared {
         for (index, structure) in scene.structures.iter().enumerate() {
             if let Structure::Sdof(sdof) = structure {
                 doubt_a_structure(index, sdof, &mut doubts);
+                let before = &scene.structures[..index];
+                let first = before.iter().position(|other| other.name() == sdof.name);
+                doubts.unless(
+                    first.is_none(),
+                    format!("structures[{index}].sdof.name"),
+                    (
+                        format!(
+                            "\"{}\", as structures[{}] is called",
+                            sdof.name,
+                            first.unwrap_or(0)
+                        ),
+                        "names that differ, by which results tell structures",
+                    ),
+                );
             }
         }
         if let Some(expected) = expected {

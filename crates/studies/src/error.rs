@@ -174,18 +174,6 @@ pub enum SceneError {
     /// A scene without structures.
     #[error("structures: found none, allowed one or more")]
     NoStructures,
-    /// Two structures of one name.
-    #[error(
-        "structures[{}].sdof.name: found \"{name}\", which structures[{}] is called; allowed are names that differ",
-        structures[1],
-        structures[0]
-    )]
-    NameTwice {
-        /// The name.
-        name: String,
-        /// Indices of both structures.
-        structures: [usize; 2],
-    },
     /// Neighbours that already overlap at t = 0.
     #[error(
         "contacts[{contact}].gap_m: found {gap}, but the initial displacements of structures[{contact}] and [{}] close \

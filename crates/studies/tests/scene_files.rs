@@ -201,7 +201,7 @@ fn extreme_motions_that_cannot_be() {
     assert_snapshot!(refused(&format!("{harmonic}\nrecord.band_pass = {{ low_hz = 1, high_hz = 50 }}")), @r#"scene "two towers": record: high_corner is 50 Hz, allowed is below 50 Hz, the highest frequency that samples of this time step hold; lower it, or shorten the time step; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
     assert_snapshot!(refused(&format!("{harmonic}\nrecord.resample_s = 0")), @r#"scene "two towers": record: the time step is 0 s, and must be finite and above 0 s; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
     assert_snapshot!(refused(&format!("{harmonic}\nrecord.scale_to.pga_g = -1")), @r#"scene "two towers": record: the peak to scale to is -9.80665, allowed is a finite number >= 0 m/s²; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.scale_to.sa = {{ period_s = -1, sa_g = 1 }}")), @r#"scene "two towers": record.scale_to.sa: periods[0]: found -1, allowed 0 s, or 1e-6 s to 1e6 s"#);
+    assert_snapshot!(refused(&format!("{harmonic}\nrecord.scale_to.sa = {{ period_s = -1, sa_g = 1 }}")), @r#"scene "two towers": record.scale_to.sa: periods[0]: found -1.0, allowed 0 s, or 1e-6 s to 1e6 s"#);
     assert_snapshot!(refused("record.file = \"x\"\nrecord.unit = \"kg\""), @"scene.toml, line 4, column 15: record.unit: found `kg`, allowed are `g`, `m_per_s2`, `cm_per_s2`, `mm_per_s2`, `mg`, `g_per_10`");
 }
 

@@ -74,14 +74,14 @@ fn extreme_scene_name_twice() {
 fn extreme_output_unknown() {
     let mut study = study("table-5");
     study["output"] = json!("momentum_table");
-    assert_snapshot!(refused("output", &study), @"study.json: output: unknown variant `momentum_table`, expected one of `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `trade`, `laws`, `extremes`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure` at line 3 column 28");
+    assert_snapshot!(refused("output", &study), @"study.json, line 3, column 28: output: found `momentum_table`, allowed are `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `trade`, `laws`, `extremes`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure`");
 }
 
 #[test]
 fn extreme_option_of_output_unknown() {
     let mut study = study("table-2");
     study["output"]["pounding_forces_table"]["offset_s"] = json!(0.02);
-    assert_snapshot!(refused("option", &study), @"study.json: output.pounding_forces_table.offset_s: unknown field `offset_s`, expected `n_collisions` or `label_offset_s` at line 6 column 16");
+    assert_snapshot!(refused("option", &study), @"study.json, line 6, column 16: output.pounding_forces_table.offset_s: found the field `offset_s`, allowed are `n_collisions`, `label_offset_s`");
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn extreme_field_missing_deep_in_a_study() {
     let mut study = study("table-2");
     let contact = study["scenes"][1]["contacts"][0].as_object_mut();
     contact.expect("a contact has fields").remove("gap_m");
-    assert_snapshot!(refused("deep", &study), @"study.json: scenes[1].contacts[0]: missing field `gap_m` at line 71 column 9");
+    assert_snapshot!(refused("deep", &study), @"study.json, line 71, column 9: scenes[1].contacts[0]: found no `gap_m`, which must be there; add it");
 }
 
 #[test]
@@ -115,14 +115,14 @@ fn extreme_peak_force_of_an_impulsive_law() {
 fn extreme_pounding_forces_of_three_structures() {
     let mut study = study("table-6");
     study["output"] = json!({"pounding_forces_table": {}});
-    assert_snapshot!(refused("three", &study), @r#"study.json: scenes: found 3 structures in "layout A elastic", allowed two structures per scene"#);
+    assert_snapshot!(refused("three", &study), @r#"study.json: scene "layout A elastic": structures[1].sdof.name: found "weak", which structures[0] is called; allowed are names that differ"#);
 }
 
 #[test]
 fn extreme_shear_force_of_a_structure_that_is_not_there() {
     let mut study = study("figure-15");
     study["output"]["shear_force_figure"]["structure"] = json!("west");
-    assert_snapshot!(refused("shear", &study), @r#"study.json: output.shear_force_figure.structure: found "west", allowed the name of a structure of every scene"#);
+    assert_snapshot!(refused("shear", &study), @r#"study.json: scene "layout C, stereomechanical": structures[2].sdof.name: found "stiff", which structures[0] is called; allowed are names that differ"#);
 }
 
 #[test]

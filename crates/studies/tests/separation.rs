@@ -8,7 +8,7 @@ use pounding_studies::{Contact, Prepared, Rule, Scene, Structure, parse};
 /// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
 const SCENE: &str = r#"
 name = "row"
-record.generated.stochastic = { ground = "medium", pga_m_per_s2 = 4, strong_from_s = 1, strong_until_s = 4, decay_per_s = 0.8, duration_s = 8, time_step_s = 0.02, seed = 3 }
+record.generated.stochastic = { ground = "medium", pga_m_per_s2 = 4, strong_from_s = 1, strong_until_s = 4, decay_per_s = 0.8, duration_s = 8, time_step_s = 0.02, cutoff_hz = 20, seed = 3 }
 structures = [
   { sdof = { name = "a", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0.05 } },
   { sdof = { name = "b", mass_kg = 3e5, period_s = 0.5, damping.ratio = 0.02, yield_displacement_m = 0.01 } },

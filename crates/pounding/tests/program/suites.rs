@@ -136,7 +136,7 @@ fn reference_a_scene_to_begin_with() {
     assert_snapshot!(printed(&wrote));
     let checked = pounding(&folder, &["check", "scene.toml"]);
     assert_snapshot!(printed(&checked));
-    assert_snapshot!(refusal(&pounding(&folder, &["init"])), @"error: scene.toml: is there already, allowed is a new file; name another one");
+    assert_snapshot!(refusal(&pounding(&folder, &["init"])), @"error: scene.toml: is there already, allowed is a new file; name another one or add --overwrite");
     let own = pounding(
         &folder,
         &["init", "own.toml", "--record", "records/pulse.csv"],
@@ -209,7 +209,7 @@ fn reference_demo() {
     );
     assert_eq!(file("results/report.html"), page);
     fs::write(folder.join("pounding-demo/scene.toml"), "mine").expect("a file");
-    assert_snapshot!(refusal(&pounding(&folder, &["demo"])), @"");
+    assert_snapshot!(refusal(&pounding(&folder, &["demo"])), @"error: pounding-demo/scene.toml: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER");
 }
 
 #[test]

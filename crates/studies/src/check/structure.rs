@@ -1,26 +1,7 @@
 //! Checks a structure, field by field.
 
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, require};
-use crate::{Damping, Scene, SceneError, Sdof};
-
-/// Tables and files of results tell structures by their names.
-pub(super) fn unlike_names_before(
-    index: usize,
-    structure: &Sdof,
-    scene: &Scene,
-) -> Result<(), SceneError> {
-    let before = &scene.structures[..index];
-    match before
-        .iter()
-        .position(|other| other.name() == structure.name)
-    {
-        Some(first) => Err(SceneError::NameTwice {
-            name: structure.name.clone(),
-            structures: [first, index],
-        }),
-        None => Ok(()),
-    }
-}
+use crate::{Damping, SceneError, Sdof};
 
 /// Refuses the first field of a structure that cannot be modelled.
 pub(super) fn check(index: usize, structure: &Sdof) -> Result<(), SceneError> {
