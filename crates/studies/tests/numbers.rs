@@ -162,7 +162,7 @@ fn extreme_numbers_that_are_none_are_refused_with_their_place() {
                 let named = message.contains(field) || message.contains("not JSON") && !is_json;
                 assert!(named, "{place} = {wrong}: {message}");
                 assert!(
-                    message.contains("line 1 column "),
+                    message.contains("line 1, column "),
                     "{place} = {wrong}: {message}"
                 );
                 tried += 1;
