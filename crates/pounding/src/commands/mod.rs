@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod completions;
 mod demo;
+mod export;
 mod gap;
 mod init;
 mod laws;
@@ -53,6 +54,8 @@ enum Command {
     Compare(compare::Arguments),
     /// Find how wide gaps must be under a folder of records.
     Gap(gap::Arguments),
+    /// Write a scene as a script for OpenSees, to check this program.
+    Export(export::Arguments),
     /// Find the cheapest method and time step for an accuracy.
     Advise(advise::Arguments),
     /// Look at record files: what they hold, as CSV, response spectra.
@@ -81,6 +84,7 @@ impl Program {
             Command::Run(asked) => run::answer(asked),
             Command::Compare(asked) => compare::answer(asked),
             Command::Gap(asked) => gap::answer(asked),
+            Command::Export(asked) => export::answer(asked),
             Command::Advise(asked) => advise::answer(asked),
             Command::Motion(asked) => motion::answer(asked),
             Command::Laws => Ok(laws::answer()),

@@ -2,6 +2,7 @@
 
 mod certificates;
 mod errors;
+mod exports;
 mod motions;
 mod plans;
 mod records;

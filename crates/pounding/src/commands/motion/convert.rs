@@ -35,8 +35,8 @@ pub(super) struct Arguments {
     /// The CSV to write.
     #[arg(value_name = "OUT.csv")]
     out: PathBuf,
-    /// Unit of the CSV: `m_per_s2` or g.
-    #[arg(long, value_enum, value_name = "UNIT", default_value_t = To::MPerS2, hide_possible_values = true)]
+    /// Unit of the CSV.
+    #[arg(long, help = "Unit of the CSV: m_per_s2 or g", value_enum, value_name = "UNIT", default_value_t = To::MPerS2, hide_possible_values = true)]
     to: To,
     /// Write over a file that is there already.
     #[arg(long)]

@@ -1,0 +1,120 @@
+//! `pounding export`: a scene as a script for another program, so that anyone can check this one.
+
+mod material;
+mod opensees;
+
+use std::path::PathBuf;
+
+use pounding::solver::Collision;
+use pounding::studies::{
+    Contact, Method, Outcome, Prepared, Scene, Structure, StudyError, read_file,
+};
+
+use super::positive;
+use crate::new_file;
+use material::Material;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding export --opensees scene.toml --out check.py
+  pip install openseespy
+  python3 check.py           # OpenSees beside the exact numbers
+  python3 check.py 1e-5      # the same with another time step
+
+The script holds the row, the processed ground motion and the numbers of the
+exact method. OpenSees steps by Newmark's method of average acceleration, and
+its differences fall with the time step. Contact laws with an equal in
+OpenSees: linear_spring, hertz, nonlinear_viscoelastic, hertz_damp and
+modified_kelvin; the last two are not clamped there where something drives the
+neighbours apart faster than they met.";
+
+/// What is asked of `export`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The scene, a TOML or JSON file.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Write a script for OpenSeesPy.
+    #[arg(long, required = true)]
+    opensees: bool,
+    /// The file to write; without it the script is printed.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Write over a file that is there already.
+    #[arg(long, requires = "out")]
+    overwrite: bool,
+    /// Time step of OpenSees [s]; without it a fine one.
+    #[arg(long, value_name = "DT", value_parser = positive)]
+    time_step: Option<f64>,
+    /// Take a material that pulls for Kelvin–Voigt contacts.
+    #[arg(long)]
+    approximate: bool,
+}
+
+/// Writes the script, or returns it.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let path = &asked.scene;
+    let message = |error: StudyError| error.in_file(path).to_string();
+    let mut scene: Scene = read_file(path).map_err(message)?;
+    // The method of the scene does not matter: the script steps by its own.
+    scene.method = Method::EXACT;
+    let materials = materials(&scene, asked)?;
+    let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;
+    let exact = prepared.run(None).map_err(message)?;
+    let script = opensees::script(&opensees::Contents {
+        prepared: &prepared,
+        materials,
+        exact: &exact,
+        time_step: asked
+            .time_step
+            .unwrap_or_else(|| time_step(&prepared, &exact)),
+    });
+    let Some(out) = &asked.out else {
+        return Ok(script);
+    };
+    new_file::write(out, script.as_bytes(), asked.overwrite)?;
+    let out = out.display();
+    Ok(format!(
+        "wrote {out}\n\nnext:\n  pip install openseespy\n  python3 {out}\n"
+    ))
+}
+
+/// The material of every contact of a scene.
+fn materials(scene: &Scene, asked: &Arguments) -> Result<Vec<Material>, String> {
+    let mass = |structure: &Structure| match structure {
+        Structure::Sdof(sdof) => Some(sdof.mass_kg),
+        Structure::Wall => None,
+    };
+    let contacts = scene.contacts.iter().flatten().enumerate();
+    let material = |(index, contact): (usize, &Contact)| {
+        let pair = scene.structures.get(index..index + 2).unwrap_or_default();
+        let inverse: f64 = pair.iter().filter_map(mass).map(f64::recip).sum();
+        Material::of(contact, inverse.recip(), asked.approximate).map_err(|allowed| {
+            format!(
+                "{}: contacts[{index}].law: found {}, {allowed}",
+                asked.scene.display(),
+                contact.law.name()
+            )
+        })
+    };
+    contacts.map(material).collect()
+}
+
+/// Time steps that are chosen \[s\]: in the last 20 s are two million steps, a minute or two.
+const TIME_STEPS: [f64; 7] = [1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5];
+/// Steps in the shortest period, and in the hardest touch.
+const STEPS: f64 = 200.0;
+
+/// A time step \[s\] that follows the shortest period and the hardest touch.
+fn time_step(prepared: &Prepared, exact: &Outcome) -> f64 {
+    let structures = prepared.scene().structures.iter();
+    let shortest = structures.filter_map(Structure::period);
+    let force = |one: &Collision| one.peak_force.unwrap_or(0.0);
+    let collisions = exact.collisions.all().iter();
+    let hardest = collisions.max_by(|a, b| force(a).total_cmp(&force(b)));
+    let touch = hardest.map(|one| one.end - one.start);
+    let wanted = shortest.chain(touch).fold(f64::INFINITY, f64::min) / STEPS;
+    let fits = TIME_STEPS.into_iter().find(|step| *step <= wanted);
+    fits.unwrap_or(TIME_STEPS[TIME_STEPS.len() - 1])
+}
