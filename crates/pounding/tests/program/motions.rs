@@ -302,4 +302,13 @@ fn reference_figures_of_spectra() {
     );
     assert_snapshot!(refusal(&draw("a.png")), @"error: a.png: is there already, allowed is a new file; name another one or add --overwrite");
     assert_eq!(draw("a.jpg").code, 2);
+    let arguments = [
+        "spectrum",
+        "record.csv",
+        "--periods",
+        "0",
+        "--figure",
+        "b.png",
+    ];
+    assert_snapshot!(refusal(&motion(&folder, &arguments)), @"error: --figure b.png: found no period > 0, which its logarithmic axis needs; add some to --periods");
 }

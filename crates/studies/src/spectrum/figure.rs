@@ -40,7 +40,7 @@ const SHADES: [Shade; 7] = [
 /// Periods of 0 are left out: the axis is logarithmic.
 ///
 /// # Errors
-/// [`PlotError`] for values that are not finite, and where no period is above 0.
+/// [`PlotError`] for values that are not finite.
 pub fn spectra_figure(
     spectra: &[Spectrum],
     shown: Shown<'_>,

@@ -127,6 +127,13 @@ fn periods(asked: &Arguments) -> Result<Vec<f64>, String> {
 }
 
 fn draw(asked: &Arguments, spectra: &[Spectrum], path: &Path) -> Result<(), String> {
+    let mut values = spectra.iter().flat_map(|spectrum| &spectrum.values);
+    if values.all(|values| values.period <= 0.0) {
+        return Err(format!(
+            "--figure {}: found no period > 0, which its logarithmic axis needs; add some to --periods",
+            path.display()
+        ));
+    }
     let name = asked.file.file_name().unwrap_or_default();
     let title = match &asked.declared.component {
         Some(component) => format!("{} {component}", name.to_string_lossy()),
