@@ -2,10 +2,10 @@
 //!
 //! | Module | Holds | Knows nothing of |
 //! |---|---|---|
-//! | [`motion`] | ground motion records: formats, scaling, resampling | structures |
+//! | [`motion`] | ground motions: formats, processing, measures, formulas | structures |
 //! | [`contact`] | contact laws and the restitution each really delivers | time steps, rows |
 //! | [`solver`] | structures, rows, methods of time integration, recorders | files, units other than SI |
-//! | [`studies`] | scenes and studies as JSON, tables, figures, agreement with the paper | – |
+//! | [`studies`] | scenes as TOML and JSON, studies, reports, tables, figures, agreement with the paper | – |
 //!
 //! Two structures 3 cm apart, and what happens when the ground jerks once:
 //!

@@ -4,6 +4,7 @@ mod commands;
 mod folder;
 mod new_file;
 mod progress;
+mod record;
 mod summary;
 mod text;
 

@@ -1,5 +1,7 @@
 //! A bar for what takes longer than a second.
 
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -38,24 +40,43 @@ impl Drop for Progress {
     }
 }
 
-/// A clock on standard error for one run that takes longer than a second; only on a terminal.
+/// A clock on standard error for one run, which appears after a second, and only on a terminal.
 #[derive(Debug)]
-pub(crate) struct Waiting(ProgressBar);
+pub(crate) struct Waiting {
+    /// Dropped when the run is over.
+    running: Option<Sender<()>>,
+    clock: Option<JoinHandle<()>>,
+}
 
 impl Waiting {
     pub(crate) fn new(words: &'static str) -> Self {
-        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}")
-            .expect("the template is well formed");
-        let bar = ProgressBar::new_spinner()
-            .with_style(style)
-            .with_message(words);
-        bar.enable_steady_tick(Duration::from_secs(1));
-        Self(bar)
+        let (running, over) = channel();
+        let clock = thread::spawn(move || {
+            let waited = over.recv_timeout(Duration::from_secs(1));
+            if waited == Err(RecvTimeoutError::Timeout) {
+                let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}")
+                    .expect("the template is well formed");
+                let bar = ProgressBar::new_spinner().with_style(style);
+                bar.set_message(words);
+                bar.enable_steady_tick(Duration::from_millis(200));
+                // Nothing is ever sent: this waits for the end.
+                let _ = over.recv();
+                bar.finish_and_clear();
+            }
+        });
+        Self {
+            running: Some(running),
+            clock: Some(clock),
+        }
     }
 }
 
 impl Drop for Waiting {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        drop(self.running.take());
+        if let Some(clock) = self.clock.take() {
+            // A clock that failed is no reason for a run to fail.
+            let _ = clock.join();
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! What happened in a scene, and how far each number is from the exact run, as plain text.
 
-use pounding::motion::Record;
 use pounding::solver::{Collision, ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
     Errors, Method, Outcome, PairErrors, Prepared, Quantity, Review, RunErrors, Scene, Structure,
     StructureErrors, Warning, digits,
 };
 
+use crate::record;
 use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
 
 /// Summary of a run.
@@ -21,7 +21,7 @@ pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
     };
     [
         paragraph("Scene", &scene.name),
-        paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
+        paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
         structures(scene, outcome, measured),
         pairs(scene, outcome, measured),
@@ -180,27 +180,6 @@ fn words(start: Start) -> &'static str {
         Start::FirstLoadUsed => "first load used",
         Start::FirstLoadSkipped => "first load skipped",
     }
-}
-
-/// File, use and peak of the record, and what its file says of itself.
-pub(crate) fn record_lines(scene: &Scene, record: &Record) -> Vec<String> {
-    let used = &scene.record;
-    let (time, peak) = record.peak();
-    let mut lines = vec![
-        used.source.to_string(),
-        format!(
-            "peak {} g = {} m/s² at {} s, {} s long in steps of {} s, scale {}{}",
-            short(peak / used.gravity_m_per_s2),
-            short(peak),
-            digits(time),
-            digits(record.duration()),
-            digits(record.time_step()),
-            digits(used.scale),
-            if used.reversed { ", reversed" } else { "" },
-        ),
-    ];
-    lines.extend(record.source().lines().map(String::from));
-    lines
 }
 
 fn structures(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String {

@@ -93,11 +93,14 @@ pub(crate) fn wide_table(rows: &[Vec<String>]) -> String {
     rows.iter().map(line).collect()
 }
 
-/// The text, or its beginning and an ellipsis.
+/// The text, or its beginning and its end with an ellipsis between: names often differ at their ends.
 pub(crate) fn cut(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        text.into()
-    } else {
-        text.chars().take(width - 1).chain(['…']).collect()
+    let letters: Vec<char> = text.chars().collect();
+    if letters.len() <= width {
+        return text.into();
     }
+    let end = (width - 1) / 2;
+    let begin = width - 1 - end;
+    let (begin, end) = (&letters[..begin], &letters[letters.len() - end..]);
+    begin.iter().chain(['…'].iter()).chain(end).collect()
 }

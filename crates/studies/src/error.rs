@@ -63,6 +63,14 @@ pub enum StudyError {
         /// What is wrong and where.
         source: ReadError,
     },
+    /// A vertical component, which shakes no row.
+    #[error(
+        "the component \"{component}\" is vertical, allowed are horizontal ones; a scene of its own can name it as `record.component`"
+    )]
+    Vertical {
+        /// Its name.
+        component: String,
+    },
     /// A scene with a value that cannot be modelled.
     #[error("scene \"{scene}\": {source}")]
     Scene {

@@ -21,6 +21,8 @@ pub struct Separation {
     pub peaks: [f64; 2],
     /// Natural period \[s\] and damping ratio of each; nothing for a wall.
     pub oscillations: [Option<(f64, f64)>; 2],
+    /// Whether both stand equally high, by the heights that the scene gives.
+    pub level: bool,
 }
 
 /// A rule for the width of a gap.
@@ -31,9 +33,9 @@ pub enum Rule {
     /// Root of the sum of their squares.
     Srss,
     /// Double difference combination: the square root of u₁² + u₂² − 2ρu₁u₂ with the correlation ρ of two oscillators
-    /// under white noise (V. Jeng, K. Kasai and B. F. Maison, *Earthquake Spectra* 8 (1992) 201).
+    /// under white noise, of elastic periods and damping also where columns yield (V. Jeng, K. Kasai and B. F. Maison, *Earthquake Spectra* 8 (1992) 201).
     Ddc,
-    /// EN 1998-1, 4.4.2.7: the root of the sum of squares, 0.7 times that where floors are level, as in rows of one storey.
+    /// EN 1998-1, 4.4.2.7: the root of the sum of squares, 0.7 times that where floors are level.
     Eurocode8,
     /// ASCE 7-16, 12.12.3: the root of the sum of squares of the inelastic displacements.
     Asce7,
@@ -69,8 +71,8 @@ impl Rule {
         let srss = (left * left + right * right).sqrt();
         match self {
             Self::Abs => left + right,
-            Self::Srss | Self::Asce7 => srss,
-            Self::Eurocode8 => 0.7 * srss,
+            Self::Eurocode8 if separation.level => 0.7 * srss,
+            Self::Srss | Self::Eurocode8 | Self::Asce7 => srss,
             Self::Ddc => {
                 let correlation = correlation(separation.oscillations);
                 let square = left * left + right * right - 2.0 * correlation * left * right;
@@ -140,11 +142,22 @@ impl Prepared {
                 time,
                 peaks: [left, left + 1]
                     .map(|index| outcome.peaks.of(index).displacement.value.abs()),
+                level: level(pair),
                 oscillations: [left, left + 1].map(|index| oscillation(&structures[index])),
             })
         };
         Ok(neighbours.filter_map(separation).collect())
     }
+}
+
+/// Whether both have heights, the same ones.
+fn level(pair: &[Structure]) -> bool {
+    let height = |structure: &Structure| match structure {
+        Structure::Sdof(sdof) => sdof.height_m,
+        Structure::Wall => None,
+    };
+    let heights = (height(&pair[0]), height(&pair[1]));
+    matches!(heights, (Some(left), Some(right)) if left.total_cmp(&right).is_eq())
 }
 
 fn oscillation(structure: &Structure) -> Option<(f64, f64)> {

@@ -91,26 +91,42 @@ fn limit_rules_for_like_neighbours_and_walls() {
     let ddc = Rule::Ddc.width(&found);
     assert!(ddc < 1e-7 * Rule::Abs.width(&found), "{ddc}");
     let beside_wall = prepared(&scene).separations().expect("it runs")[2];
-    for rule in [Rule::Abs, Rule::Srss, Rule::Ddc, Rule::Asce7] {
+    for rule in Rule::ALL {
         let width = rule.width(&beside_wall);
         assert!(
             (width / beside_wall.peaks[0] - 1.0).abs() < 1e-15,
             "{rule:?}"
         );
     }
-    let level = Rule::Eurocode8.width(&beside_wall) / beside_wall.peaks[0];
-    assert!((level - 0.7).abs() < 1e-15, "{level}");
+    // Floors are level where both heights are given and the same.
+    for (heights, share) in [
+        ((Some(9.0), Some(9.0)), 0.7),
+        ((Some(9.0), Some(8.0)), 1.0),
+        ((None, None), 1.0),
+    ] {
+        let mut scene = scene.clone();
+        for (structure, height) in scene.structures.iter_mut().zip([heights.0, heights.1]) {
+            if let Structure::Sdof(sdof) = structure {
+                sdof.height_m = height;
+            }
+        }
+        let found = prepared(&scene).separations().expect("it runs")[0];
+        let found = Rule::Eurocode8.width(&found) / Rule::Srss.width(&found);
+        assert!((found - share).abs() < 1e-15, "{heights:?}: {found}");
+    }
 }
 
-/// ρ by hand for T₁/T₂ = 2, ζ = 5 %: 8·0.05·0.15·2^1.5/(9 + 0.1 + 0.08) as the fractions of the formula give it.
+/// ρ by hand for T₁/T₂ = 2, ζ₁ = 2 % and ζ₂ = 10 %, term by term of the formula.
 #[test]
 fn reference_correlation_of_the_double_difference_combination() {
     let found = prepared(&scene()).separations().expect("it runs")[0];
     let mut pair = found;
     pair.peaks = [1.0, 1.0];
-    pair.oscillations = [Some((1.0, 0.05)), Some((0.5, 0.05))];
-    let rho =
-        8.0 * 0.05 * 0.15 * 8.0_f64.sqrt() / (9.0 + 4.0 * 0.0025 * 2.0 * 5.0 + 4.0 * 0.005 * 4.0);
+    pair.oscillations = [Some((1.0, 0.02)), Some((0.5, 0.10))];
+    // 8 √(ζ₁ζ₂) (ζ₁ + rζ₂) r^1.5 over (1 − r²)² + 4ζ₁ζ₂r(1 + r²) + 4(ζ₁² + ζ₂²)r².
+    let above = 8.0 * 0.002_f64.sqrt() * 0.22 * 8.0_f64.sqrt();
+    let below = 9.0 + 4.0 * 0.002 * 2.0 * 5.0 + 4.0 * 0.0104 * 4.0;
+    let rho = above / below;
     let width = Rule::Ddc.width(&pair);
     assert!(
         (width * width - (2.0 - 2.0 * rho)).abs() < 1e-14,

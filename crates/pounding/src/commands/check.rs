@@ -7,7 +7,8 @@ use pounding::studies::{
 };
 
 use crate::progress::Waiting;
-use crate::summary::{method_lines, record_lines, warnings};
+use crate::record;
+use crate::summary::{method_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
 
 const EXAMPLES: &str = "\
@@ -40,7 +41,7 @@ fn of(prepared: &Prepared) -> String {
     let scene = prepared.scene();
     let mut parts = vec![
         paragraph("Scene", &scene.name),
-        paragraph("Record", &record_lines(scene, prepared.record()).join("\n")),
+        paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
         paragraph("Model", &model_lines(prepared)),
         structures(prepared),
@@ -92,10 +93,15 @@ fn model_lines(prepared: &Prepared) -> String {
             if n == 1 { "" } else { "s" }
         ),
     };
+    let walls = prepared.walls().iter().filter(|wall| **wall).count();
+    let structures = scene.structures.len() - walls;
+    let walls = if walls == 0 {
+        String::new()
+    } else {
+        format!(" and {walls} fixed")
+    };
     format!(
-        "{} structures and walls; columns: {columns};\ncontact: {contact};\nno histories unless --out asks for them; --full \
-         models all of it",
-        scene.structures.len()
+        "{structures} moving{walls}; columns: {columns};\ncontact: {contact};\nno histories unless `run --out` asks for them"
     )
 }
 

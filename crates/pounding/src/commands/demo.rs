@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pounding::studies::Report;
 
+use crate::progress::Waiting;
 use crate::text::paragraph;
 use crate::{folder, summary};
 
@@ -46,6 +47,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     }
     let path = top.join(SCENE);
     let message = |error: pounding::studies::StudyError| error.in_file(&path).to_string();
+    let _waiting = Waiting::new("running and drawing");
     let prepared = super::prepare(&path, false).map_err(message)?;
     let report = Report::of(&prepared, true).map_err(message)?;
     folder::write(&results, &report.files())?;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use pounding::studies::{Motion, Rule, Scene, Separation, StudyError, digits, read_file};
+use pounding::studies::{Method, Motion, Rule, Scene, Separation, StudyError, digits, read_file};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -54,7 +54,13 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
             scene.structures.len()
         ));
     }
-    let lines = lines(&scene, &super::motions(&asked.records)?);
+    // What does not matter must not be refused, nor searched for.
+    let apart = Scene {
+        contacts: None,
+        method: Method::EXACT,
+        ..scene.clone()
+    };
+    let lines = lines(&apart, &super::motions(&asked.records)?);
     if lines.iter().all(|line| line.found.is_err()) {
         let reasons = lines.iter().filter_map(|line| line.found.as_ref().err());
         let first = reasons.clone().next().map_or("", String::as_str);
@@ -114,8 +120,9 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
 }
 
 const NOTES: &str = "Needs: the largest closing of the gap while every structure stands alone, by the exact method. Rules: from the \
-                     peak displacements of both structures under the same record; EC 8 is 0.7 SRSS, as floors of one-storey rows are \
-                     level; ASCE 7 is SRSS of the displacements of the time history. * marks what is too narrow.";
+                     peak displacements of both structures under the same record; EC 8 is SRSS, 0.7 times that where \
+                     both heights are given and the same; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
+                     periods and damping. * marks what is too narrow.";
 
 /// The table of one gap.
 fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {

@@ -2,7 +2,8 @@
 
 use pounding_solver::Damping as SolverDamping;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// How the viscous damping of a structure is given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -20,10 +21,21 @@ pub enum Damping {
     /// Rayleigh damping that has these ratios at two frequencies.
     TwoFrequencies {
         /// The frequencies \[Hz\], 0 < first < second.
+        #[serde(deserialize_with = "two")]
         frequencies_hz: [f64; 2],
         /// The damping ratio at each \[–\], ≥ 0.
+        #[serde(deserialize_with = "two")]
         ratios: [f64; 2],
     },
+}
+
+/// Two numbers: TOML would give the first two of more.
+fn two<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Error> {
+    let numbers = Vec::deserialize(from)?;
+    let found = numbers.len();
+    let refused =
+        |_| D::Error::custom(format!("found a list of {found}, allowed is a list of two"));
+    numbers.try_into().map_err(refused)
 }
 
 impl Damping {

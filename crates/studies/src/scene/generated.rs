@@ -22,10 +22,10 @@ pub enum Generated {
         /// Phase φ \[rad\].
         #[serde(default)]
         phase_rad: f64,
-        /// Periods over which the amplitude grows from 0.
+        /// Periods over which the amplitude grows from 0, and falls to 0 before the end.
         #[serde(default)]
         ramp_periods: f64,
-        /// Duration \[s\], > 0.
+        /// Duration \[s\], ≥ 0.
         duration_s: f64,
         /// Time between samples \[s\], > 0.
         time_step_s: f64,

@@ -66,12 +66,12 @@ pub enum ScaleTo {
     PgaG(f64),
     /// A spectral acceleration at one period.
     Sa {
-        /// Period \[s\], > 0.
+        /// Period \[s\], 0 (the ground itself) or 1e-6 to 1e6.
         period_s: f64,
         /// Damping ratio \[–\]; without it 0.05.
         #[serde(default = "five_per_cent")]
         damping_ratio: f64,
-        /// Pseudo-spectral acceleration ω²·Sd \[g\], ≥ 0.
+        /// Pseudo-spectral acceleration ω²·Sd \[g\], > 0.
         sa_g: f64,
     },
 }

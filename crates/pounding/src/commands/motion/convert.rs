@@ -11,6 +11,7 @@ use pounding::studies::{GroundMotion, RecordUse, Scene, Source, digits, read_fil
 
 use super::source::{Declared, processed};
 use crate::new_file;
+use crate::record;
 use processing::Processing;
 
 const EXAMPLES: &str = "\
@@ -110,7 +111,7 @@ fn of_file(asked: &Arguments) -> Result<Motion, String> {
     ));
     let component = file.readings().iter().find(|one| one.what == "component");
     comments.extend(component.map(|one| format!("component {}", one.found)));
-    comments.extend(processing::words(&record));
+    comments.extend(record::processing(&record));
     Ok(Motion {
         record: opened.record,
         gravity: asked.declared.gravity,
@@ -136,7 +137,7 @@ fn of_scene(asked: &Arguments) -> Result<Motion, String> {
         Source::Generated(_) => String::new(),
     };
     comments.push(format!("from {}, scene {:?}{from}", name(path), scene.name));
-    comments.extend(processing::words(&scene.record));
+    comments.extend(record::processing(&scene.record));
     Ok(Motion {
         record: motion.record,
         gravity: scene.record.gravity_m_per_s2,

@@ -25,6 +25,8 @@ use crate::{Excitation, Impact, Path, PiecewiseLinear, Recorder, Row, Span};
 /// accuracy shows where works meet energies ([`residual`](Self::residual)), and in the distance from the ledger of a
 /// better run ([`error`](Self::error)).
 ///
+/// Largest values over time are taken after every span, in rows of more than sixteen structures after every n/16th one.
+///
 /// Signs: input counts positive into the row, everything else positive out of the motion; see [`Terms`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ledger<'a> {

@@ -1,7 +1,7 @@
 //! What is done to a record on its way into a CSV: the options of a scene's `record`.
 
 use clap::ValueEnum;
-use pounding::studies::{Detrend, FilterBand, RecordUse, ScaleTo, digits};
+use pounding::studies::{Detrend, FilterBand, ScaleTo};
 
 use crate::commands::motion::part_of_one;
 use crate::commands::positive;
@@ -101,43 +101,4 @@ impl Processing {
             _ => None,
         }
     }
-}
-
-/// What was done, a line each.
-pub(super) fn words(record: &RecordUse) -> Vec<String> {
-    let detrend = record.detrend.map(|line| match line {
-        Detrend::Constant => "mean taken away".into(),
-        Detrend::Linear => "straight line of least squares taken away".into(),
-    });
-    let band = record.band_pass.map(|band| {
-        let passes = if band.causal {
-            "forward"
-        } else {
-            "forward and backward"
-        };
-        format!(
-            "band-pass {} to {} Hz, Butterworth, order {}, {passes}",
-            digits(band.low_hz),
-            digits(band.high_hz),
-            band.order
-        )
-    });
-    let resampled = record
-        .resample_s
-        .map(|step| format!("resampled every {step} s"));
-    let target = record.scale_to.map(|target| match target {
-        ScaleTo::PgaG(peak) => format!("scaled to a PGA of {peak} g"),
-        ScaleTo::Sa {
-            period_s,
-            damping_ratio,
-            sa_g,
-        } => format!("scaled to Sa({period_s} s, damping {damping_ratio}) = {sa_g} g"),
-    });
-    let needs_g = target.is_some();
-    let gravity = needs_g.then(|| format!("with g = {} m/s²", record.gravity_m_per_s2));
-    let one = 1.0_f64.to_bits();
-    let scale = (record.scale.to_bits() != one).then(|| format!("multiplied by {}", record.scale));
-    let reversed = record.reversed.then(|| "sign changed".into());
-    let all = [detrend, band, resampled, target, gravity, scale, reversed];
-    all.into_iter().flatten().collect()
 }
