@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use pounding_motion::{Record, RickerPulse};
-use pounding_studies::{SpectralValues, SpectrumError, response_spectrum, scaled_to_sa};
+use pounding_studies::{
+    SpectralValues, SpectrumError, periods_between, response_spectrum, scaled_to_sa,
+};
 
 /// One inch \[m\].
 const INCH: f64 = 0.0254;
@@ -246,4 +248,16 @@ fn extreme_spectra_that_cannot_be() {
     let huge = Record::new(0.01, vec![0.0, 1e300, 0.0], "").expect("a record");
     let huge = response_spectrum(&huge, &[1e6], 0.0);
     assert!(matches!(huge, Err(SpectrumError::Run { .. })), "{huge:?}");
+}
+
+#[test]
+fn limit_periods_rise_in_equal_ratios_between_exact_ends() {
+    let periods = periods_between(0.02, 10.0, 60);
+    assert_eq!((periods.len(), periods[0], periods[59]), (60, 0.02, 10.0));
+    let ratio = periods[1] / periods[0];
+    for pair in periods.windows(2) {
+        assert!((pair[1] / pair[0] / ratio - 1.0).abs() < 1e-13, "{pair:?}");
+    }
+    assert_eq!(periods_between(0.5, 2.0, 1), [0.5]);
+    assert!(periods_between(0.5, 2.0, 0).is_empty());
 }
