@@ -72,7 +72,7 @@ pub(crate) fn processing(record: &RecordUse) -> Vec<String> {
     let gravity = needs_g.then(|| format!("with g = {} m/s²", record.gravity_m_per_s2));
     let one = 1.0_f64.to_bits();
     let scale = (record.scale.to_bits() != one).then(|| format!("multiplied by {}", record.scale));
-    let reversed = record.reversed.then(|| "sign changed".into());
+    let reversed = record.reversed.then(|| "reversed".into());
     let all = [detrend, band, resampled, target, gravity, scale, reversed];
     all.into_iter().flatten().collect()
 }
