@@ -223,13 +223,12 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 /// The body at its first node to be solved: node 0, or node 1 when the first load is skipped.
-fn begin<Column: RestoringForce>(
-    node: &Node<Column>,
+fn begin<Memory>(
+    (state, memory): (State, Memory),
     start: Start,
     ground: f64,
     dt: f64,
-) -> Body<Column::Memory> {
-    let (state, memory) = node.initial(ground);
+) -> Body<Memory> {
     let (u, v) = (state.displacement, state.velocity);
     let (displacement, increment) = match start {
         Start::Consistent => (u, dt * (v - 0.5 * dt * state.acceleration)),
@@ -260,9 +259,11 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let nodes = row.nodes().iter();
             nodes.map(|node| Coefficients::new(node, dt)).collect()
         };
-        let nodes = row.nodes().iter();
-        let bodies: Vec<_> = nodes
-            .map(|node| begin(node, settings.start, ground, dt))
+        let (states, memories) = row.initial(ground);
+        let bodies: Vec<_> = states
+            .into_iter()
+            .zip(memories)
+            .map(|initial| begin(initial, settings.start, ground, dt))
             .collect();
         Self {
             row,
@@ -317,8 +318,16 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 let times = (body.start_time, node.time);
                 let ends = [body.start, end];
                 let loads = [
-                    Load::at(&ends[0], damping * central, body.start_ground),
-                    Load::at(&ends[1], damping * body.velocity, node.ground),
+                    Load::at(
+                        &ends[0],
+                        (ends[0].restoring_force, damping * central),
+                        body.start_ground,
+                    ),
+                    Load::at(
+                        &ends[1],
+                        (ends[1].restoring_force, damping * body.velocity),
+                        node.ground,
+                    ),
                 ];
                 let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
                 let weights = (0.5 * constants.time_step, weights);

@@ -20,13 +20,71 @@ pub trait RestoringForce: Copy {
     fn respond(&self, displacement: f64, memory: Self::Memory) -> Response<Self::Memory>;
 }
 
-/// Columns that are linear between yield forces ±`f_y`; what the exact method asks for besides [`RestoringForce`].
-pub trait PiecewiseLinear: RestoringForce {
+/// Columns whose loop is known in numbers; what the exact method and the ledger ask for besides [`RestoringForce`].
+pub trait Hysteretic: RestoringForce {
+    /// The loop.
+    fn hysteresis(&self) -> Hysteresis;
+
     /// Stiffness of the elastic branch k \[N/m\].
-    fn stiffness(&self) -> f64;
+    fn stiffness(&self) -> f64 {
+        self.hysteresis().stiffness
+    }
 
     /// Yield force `f_y` \[N\]; infinite for columns that never yield.
-    fn yield_force(&self) -> f64;
+    fn yield_force(&self) -> f64 {
+        self.hysteresis().yield_force
+    }
+}
+
+/// The loop of columns: f = a k d + (1 − a) k z under a drift d.
+///
+/// z \[m\] is the part of the drift that is elastic: d itself until z reaches ±`f_y`/k, where it stays while the columns
+/// yield on, or approaches it smoothly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hysteresis {
+    /// Stiffness k \[N/m\], ≥ 0.
+    pub stiffness: f64,
+    /// Stiffness after yielding as a part a of the stiffness \[–\], 0 ≤ a < 1.
+    pub hardening: f64,
+    /// Yield force `f_y` \[N\], > 0: the force at the drift `f_y`/k of a sharp knee; infinite for columns that never yield.
+    pub yield_force: f64,
+    /// How z turns into yielding.
+    pub knee: Knee,
+}
+
+/// How columns turn from elastic into yielding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Knee {
+    /// At one point: perfectly plastic, or bilinear.
+    Sharp,
+    /// Smoothly, as [`BoucWen`](crate::BoucWen) says.
+    Smooth(Smoothness),
+}
+
+/// Shape of a smooth knee: dz/dd = 1 − |z k/`f_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Smoothness {
+    /// n \[–\], 1 to 20: the larger, the sharper.
+    pub exponent: u32,
+    /// β \[–\], 0 ..= 1: 1/2 unloads along the elastic line; 0 dissipates nothing.
+    pub unloading: f64,
+}
+
+impl Hysteresis {
+    /// A loop that never yields.
+    pub fn elastic(stiffness: f64) -> Self {
+        Self::plastic(stiffness, f64::INFINITY)
+    }
+
+    /// A loop without hardening.
+    pub fn plastic(stiffness: f64, yield_force: f64) -> Self {
+        Self {
+            stiffness,
+            hardening: 0.0,
+            yield_force,
+            knee: Knee::Sharp,
+        }
+    }
 }
 
 /// Linear elastic columns; they remember nothing.
@@ -49,13 +107,9 @@ impl RestoringForce for Elastic {
     }
 }
 
-impl PiecewiseLinear for Elastic {
-    fn stiffness(&self) -> f64 {
-        self.stiffness
-    }
-
-    fn yield_force(&self) -> f64 {
-        f64::INFINITY
+impl Hysteretic for Elastic {
+    fn hysteresis(&self) -> Hysteresis {
+        Hysteresis::elastic(self.stiffness)
     }
 }
 
@@ -94,13 +148,9 @@ impl RestoringForce for ElastoPlastic {
     }
 }
 
-impl PiecewiseLinear for ElastoPlastic {
-    fn stiffness(&self) -> f64 {
-        self.stiffness
-    }
-
-    fn yield_force(&self) -> f64 {
-        self.yield_force
+impl Hysteretic for ElastoPlastic {
+    fn hysteresis(&self) -> Hysteresis {
+        Hysteresis::plastic(self.stiffness, self.yield_force)
     }
 }
 

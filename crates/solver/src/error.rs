@@ -29,6 +29,16 @@ pub enum ModelError {
         /// Number of nodes in the row.
         n_nodes: usize,
     },
+    /// A floor that does not stand on an earlier one of its own building.
+    #[error(
+        "nodes[{node}]: stands on node {below}; allowed is an earlier floor that is no wall and carries no other one"
+    )]
+    NotAFloor {
+        /// Index of the node.
+        node: usize,
+        /// What it stands on.
+        below: usize,
+    },
     /// Structures that already overlap at t = 0.
     #[error(
         "pairs[{pair}]: the initial displacements overlap by {overlap} m; allowed 0 or less: widen the gap or change \

@@ -56,13 +56,13 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
     let mut work = Work::default();
     for (step, at_ends) in (1..).zip(ground.windows(2)) {
-        let nodes = row.nodes().iter().zip(&scratch.states);
-        for ((node, state), trial) in nodes.zip(&mut scratch.trials) {
+        let states = &scratch.states;
+        for ((node, state), trial) in states.iter().enumerate().zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement + dt * (state.velocity + dt * (0.5 - beta) * state.acceleration),
                 state.velocity + dt * (1.0 - gamma) * state.acceleration,
             );
-            trial.carried = alpha * slopes.inertia * node.acceleration(state, at_ends[0]);
+            trial.carried = alpha * slopes.inertia * row.acceleration(node, states, at_ends[0]);
         }
         let time = clock.time(step);
         balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
@@ -70,7 +70,11 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             let damping = row.nodes()[structure].damping;
             let load = |index: usize| {
                 let state: &State = &ends[index];
-                Load::at(state, damping * state.velocity, at_ends[index])
+                Load::at(
+                    state,
+                    (state.restoring_force, damping * state.velocity),
+                    at_ends[index],
+                )
             };
             let (start, end) = (load(0), load(1));
             // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.

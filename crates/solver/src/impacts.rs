@@ -154,12 +154,23 @@ impl Impacts {
         recorder: &mut R,
     ) {
         self.report(row.pairs(), states, time, recorder);
-        for ((node, state), before) in row.nodes().iter().zip(states).zip(&self.before) {
-            let jumped = (state.velocity - before).abs() > 0.0;
-            if jumped {
-                state.acceleration = node.acceleration(state, ground);
+        for node in 0..states.len() {
+            if self.feels_jump(row, node, states) {
+                states[node].acceleration = row.acceleration(node, states, ground);
             }
         }
+    }
+
+    /// Whether the velocity of a node has jumped, or that of a floor to which a damper joins it.
+    fn feels_jump<Column: RestoringForce>(
+        &self,
+        row: &Row<Column>,
+        node: usize,
+        states: &[State],
+    ) -> bool {
+        let jumped = |node: usize| (states[node].velocity - self.before[node]).abs() > 0.0;
+        let below = row.nodes()[node].support.below();
+        jumped(node) || below.is_some_and(jumped) || row.above(node).is_some_and(jumped)
     }
 
     fn report<R: Recorder>(&self, pairs: &[Pair], states: &[State], time: f64, recorder: &mut R) {

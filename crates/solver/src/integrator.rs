@@ -1,6 +1,6 @@
 use crate::{
-    CentralDifference, Clock, Exact, Excitation, Hht, ImpactRule, Laws, MoreauJean, Newmark,
-    PiecewiseLinear, Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht,
+    CentralDifference, Clock, Exact, Excitation, Hht, Hysteretic, ImpactRule, Laws, MoreauJean,
+    Newmark, Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht,
     moreau_jean, newmark, rk4, verlet,
 };
 
@@ -43,7 +43,7 @@ impl Integrator {
     ///
     /// # Errors
     /// [`RunError`] for a setting out of range, a response that is no longer finite, or an equilibrium not found.
-    pub fn run<Column: PiecewiseLinear, R: Recorder>(
+    pub fn run<Column: Hysteretic, R: Recorder>(
         &self,
         row: &Row<Column>,
         excitation: Excitation<'_>,

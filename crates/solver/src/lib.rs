@@ -1,6 +1,6 @@
 //! Time integration of rows of adjacent structures that may collide.
 //!
-//! A [`Row`] (the model) is integrated under an [`Excitation`] on a [`Clock`] by an [`Integrator`]; a [`Recorder`]
+//! A [`Row`] (the model: structures of one storey, or buildings of several) is integrated under an [`Excitation`] on a [`Clock`] by an [`Integrator`]; a [`Recorder`]
 //! sees the motion as [`Span`]s and [`Impact`]s and keeps what it was made for; [`Work`] counts what the run cost.
 //!
 //! ```
@@ -29,6 +29,8 @@
 //! Left out: files, printing, units other than SI, contact search (neighbours are known).
 
 mod approach;
+mod bilinear;
+mod bouc_wen;
 mod central_difference;
 mod clock;
 mod column;
@@ -40,6 +42,7 @@ mod excitation;
 mod hht;
 mod impacts;
 mod integrator;
+mod levels;
 mod moreau_jean;
 mod newmark;
 mod newton;
@@ -49,13 +52,18 @@ mod recorders;
 mod rk4;
 mod row;
 mod span;
+mod support;
 mod together;
 mod verlet;
 mod work;
 
+pub use bilinear::Bilinear;
+pub use bouc_wen::{Bent, BoucWen};
 pub use central_difference::{CentralDifference, ImpactRule, Start};
 pub use clock::Clock;
-pub use column::{Elastic, ElastoPlastic, PiecewiseLinear, Response, RestoringForce};
+pub use column::{
+    Elastic, ElastoPlastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,
+};
 pub use critical::Oscillation;
 pub use damping::Damping;
 pub use error::{ModelError, RunError};
@@ -63,6 +71,7 @@ pub use exact::{Exact, SimultaneousImpacts};
 pub use excitation::Excitation;
 pub use hht::Hht;
 pub use integrator::Integrator;
+pub use levels::{Levels, Storey};
 pub use moreau_jean::MoreauJean;
 pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Touch, Velocities};
@@ -72,6 +81,7 @@ pub use recorders::{
 };
 pub use rk4::Rk4;
 pub use row::{Node, Pair, Row};
-pub use span::{Path, Series, Span, State, Weighed};
+pub use span::{Motion, Path, Series, Span, State, Weighed};
+pub use support::{Floor, Support};
 pub use verlet::{Verlet, VerletImpacts};
 pub use work::Work;

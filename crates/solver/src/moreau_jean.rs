@@ -96,7 +96,10 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 let state: &State = &ends[index];
                 Load::at(
                     state,
-                    node.damping * (state.velocity + jump),
+                    (
+                        state.restoring_force,
+                        node.damping * (state.velocity + jump),
+                    ),
                     at_ends[index],
                 )
             };

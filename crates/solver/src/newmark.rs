@@ -99,7 +99,11 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             let damping = row.nodes()[structure].damping;
             let load = |index: usize| {
                 let state: &State = &ends[index];
-                Load::at(state, damping * state.velocity, at_ends[index])
+                Load::at(
+                    state,
+                    (state.restoring_force, damping * state.velocity),
+                    at_ends[index],
+                )
             };
             (weights, [load(0), load(1)])
         })?;
@@ -119,13 +123,11 @@ pub(crate) fn begin<Column: RestoringForce>(
     ground: f64,
 ) -> Scratch<Column::Memory> {
     let mut trials = vec![Trial::new(); row.nodes().len()];
-    let state = |(node, trial): (&crate::Node<Column>, &mut Trial<Column::Memory>)| {
-        let (state, memory) = node.initial(ground);
+    let (states, memories) = row.initial(ground);
+    for (trial, (state, memory)) in trials.iter_mut().zip(states.iter().zip(memories)) {
         trial.memory = memory;
         trial.acceleration = state.acceleration;
-        state
-    };
-    let states = row.nodes().iter().zip(&mut trials).map(state).collect();
+    }
     Scratch {
         states,
         trials,

@@ -104,9 +104,8 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 
 impl<Memory: Copy> Scratch<Memory> {
     fn new<Column: RestoringForce<Memory = Memory>>(row: &Row<Column>, ground: f64) -> Self {
-        let nodes = row.nodes().iter();
-        let (states, memories): (Vec<_>, Vec<_>) = nodes.map(|node| node.initial(ground)).unzip();
-        let nothing = Load::at(&State::default(), 0.0, 0.0);
+        let (states, memories) = row.initial(ground);
+        let nothing = Load::at(&State::default(), (0.0, 0.0), 0.0);
         Self {
             stages: states.clone(),
             slopes: vec![(0.0, 0.0); states.len()],
@@ -138,23 +137,30 @@ impl<Memory: Copy> Scratch<Memory> {
                 stage.velocity = state.velocity + ahead * stage.acceleration;
             }
             row.push(&mut self.stages, &mut self.approaches);
-            let nodes = row.nodes().iter().zip(&self.memories);
-            for ((node, memory), stage) in nodes.zip(&mut self.stages) {
+            for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
                 // What the columns would remember of a stage is forgotten.
-                stage.restoring_force = node.column.respond(stage.displacement, *memory).force;
-                stage.acceleration = node.acceleration(stage, ground);
+                let drift = row.drift(index, &self.stages);
+                self.stages[index].restoring_force = node.column.respond(drift, *memory).force;
             }
+            self.accelerate(row, ground);
             self.add(row, stage, ground);
+        }
+    }
+
+    /// Gives the stage its accelerations, from equilibrium.
+    fn accelerate<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: f64) {
+        for node in 0..self.stages.len() {
+            self.stages[node].acceleration = row.acceleration(node, &self.stages, ground);
         }
     }
 
     /// Adds the slopes of a stage and keeps its loads.
     fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: f64) {
-        let sums = self.slopes.iter_mut().zip(&mut self.loads);
-        for ((slopes, loads), (stage, node)) in sums.zip(self.stages.iter().zip(row.nodes())) {
+        for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
+            let stage = &self.stages[node];
             slopes.0 += WEIGHTS[index] * stage.velocity;
             slopes.1 += WEIGHTS[index] * stage.acceleration;
-            loads[index] = Load::at(stage, node.damping * stage.velocity, ground);
+            loads[index] = row.load(node, &self.stages, ground);
         }
     }
 
@@ -176,25 +182,26 @@ impl<Memory: Copy> Scratch<Memory> {
         row.push(&mut self.stages, &mut self.approaches);
         self.approaches.forget_parted(row.pairs(), &self.stages);
         for (structure, node) in row.nodes().iter().enumerate() {
-            let end = &mut self.stages[structure];
-            if !end.displacement.is_finite() {
+            if !self.stages[structure].displacement.is_finite() {
                 return Err(RunError::Diverged {
                     structure,
                     time: times.1,
                     time_step: clock.time_step,
                 });
             }
-            let response = node
-                .column
-                .respond(end.displacement, self.memories[structure]);
-            end.restoring_force = response.force;
-            end.acceleration = node.acceleration(end, ground);
+            let drift = row.drift(structure, &self.stages);
+            let response = node.column.respond(drift, self.memories[structure]);
+            self.stages[structure].restoring_force = response.force;
             self.memories[structure] = response.memory;
-            let ends = [self.states[structure], *end];
-            let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
-            recorder.span(&Span::step::<R, _>(structure, times, ends, weights, loads));
-            self.states[structure] = *end;
         }
+        self.accelerate(row, ground);
+        let (starts, ends) = (&self.states, &self.stages);
+        for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
+            let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
+            let span = Span::step::<R, _>(structure, times, [*start, *end], weights, loads);
+            recorder.span(&span.over(row.below(structure, [starts, ends])));
+        }
+        self.states.copy_from_slice(&self.stages);
         Ok(())
     }
 }

@@ -1,17 +1,23 @@
 use pounding_contact::{ContactForce, ContactLaw, Overlap, reduced_mass};
 
 use crate::approach::Approaches;
+use crate::support::{self, Floor, Support};
 use crate::{ModelError, RestoringForce, State};
 
-/// One structure of a row (SDOF), or a fixed wall.
+/// One floor of a building, or a fixed wall. The only floor of a building of one storey is a structure (SDOF).
+///
+/// Displacements and velocities are relative to the ground; columns and their damping see the drift, that is the
+/// displacement relative to what they stand on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node<Column> {
     /// Inverse mass \[1/kg\], ≥ 0; 0 for a fixed wall, which stays where it is.
     pub inverse_mass: f64,
-    /// Damping coefficient c \[N·s/m\], ≥ 0.
+    /// Damping coefficient c of the storey below the floor \[N·s/m\], ≥ 0.
     pub damping: f64,
-    /// The columns.
+    /// The columns of that storey.
     pub column: Column,
+    /// What the columns stand on.
+    pub support: Support,
     /// Displacement at t = 0 \[m\].
     pub initial_displacement: f64,
     /// Velocity at t = 0 \[m/s\].
@@ -25,8 +31,18 @@ impl<Column> Node<Column> {
             inverse_mass: 1.0 / mass,
             damping,
             column,
+            support: Support::Ground,
             initial_displacement: 0.0,
             initial_velocity: 0.0,
+        }
+    }
+
+    /// The same on another floor of the building.
+    #[must_use]
+    pub fn on_floor(self, floor: Floor) -> Self {
+        Self {
+            support: Support::Floor(floor),
+            ..self
         }
     }
 
@@ -36,6 +52,7 @@ impl<Column> Node<Column> {
             inverse_mass: 0.0,
             damping: 0.0,
             column,
+            support: Support::Ground,
             initial_displacement: 0.0,
             initial_velocity: 0.0,
         }
@@ -48,26 +65,11 @@ impl<Column> Node<Column> {
 }
 
 impl<Column: RestoringForce> Node<Column> {
-    /// Acceleration \[m/s²\] in equilibrium with the velocity and forces of a state; a wall has none.
+    /// Acceleration \[m/s²\] of a structure of one storey in equilibrium; a wall has none.
     pub(crate) fn acceleration(&self, state: &State, ground: f64) -> f64 {
         let ground = if self.is_wall() { 0.0 } else { ground };
         let force = state.pounding_force() - self.damping * state.velocity - state.restoring_force;
         self.inverse_mass * force - ground
-    }
-
-    /// State at t = 0, in equilibrium, and what the columns then remember.
-    pub(crate) fn initial(&self, ground: f64) -> (State, Column::Memory) {
-        let response = self
-            .column
-            .respond(self.initial_displacement, Column::Memory::default());
-        let mut state = State {
-            displacement: self.initial_displacement,
-            velocity: self.initial_velocity,
-            restoring_force: response.force,
-            ..State::default()
-        };
-        state.acceleration = self.acceleration(&state, ground);
-        (state, response.memory)
     }
 }
 
@@ -84,12 +86,15 @@ pub struct Pair {
     pub law: ContactLaw,
 }
 
-/// The model: structures from left to right and the pairs of them that can touch.
+/// The model: floors, level by level and in each from left to right, and the pairs of them that can touch.
 ///
-/// Structures that cannot touch share no pair, and nothing of one then enters the arithmetic of the other.
+/// A row of structures of one storey is one level. Structures that cannot touch share no pair, and nothing of one then
+/// enters the arithmetic of the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<Column> {
     nodes: Vec<Node<Column>>,
+    /// For every node the floor that stands on it.
+    above: Vec<Option<usize>>,
     pairs: Vec<Pair>,
 }
 
@@ -109,12 +114,14 @@ impl<Column: RestoringForce> Row<Column> {
     /// Checks and keeps the nodes and pairs.
     ///
     /// # Errors
-    /// [`ModelError`] for a mass, damping or initial state out of range, a pair that is not made of neighbours in
-    /// order, a negative gap, a contact parameter out of range, or neighbours that overlap at t = 0.
+    /// [`ModelError`] for a mass, damping or initial state out of range, a floor that does not stand on an earlier one
+    /// of its own, a pair that is not made of neighbours in order, a negative gap, a contact parameter out of range, or
+    /// neighbours that overlap at t = 0.
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
         for (index, node) in nodes.iter().enumerate() {
             check_node(index, node)?;
         }
+        let above = support::floors_above(&nodes)?;
         for (index, pair) in pairs.iter().enumerate() {
             let in_order = index == 0 || pairs[index - 1].left < pair.left;
             let neighbours = pair.right == pair.left + 1 && pair.right < nodes.len();
@@ -140,17 +147,26 @@ impl<Column: RestoringForce> Row<Column> {
                 });
             }
         }
-        Ok(Self { nodes, pairs })
+        Ok(Self {
+            nodes,
+            above,
+            pairs,
+        })
     }
 
-    /// The structures and walls, from left to right.
+    /// The floors and walls: those on the ground from left to right, then those of the next level, and so on.
     pub fn nodes(&self) -> &[Node<Column>] {
         &self.nodes
     }
 
-    /// The pairs that can touch, from left to right.
+    /// The pairs that can touch, level by level from left to right.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
+    }
+
+    /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
+    pub fn above(&self, node: usize) -> Option<usize> {
+        self.above[node]
     }
 
     /// Number of pairs that overlap.

@@ -45,8 +45,37 @@ pub struct Span<'a> {
     pub impulse_from_left: f64,
     /// Impulse of the pounding force from the right neighbour over the span \[N·s\], ≤ 0.
     pub impulse_from_right: f64,
+    /// Displacement and velocity of the floor below at both ends; nothing for a floor that stands on the ground.
+    pub below: Option<[Motion; 2]>,
     /// What is known between the ends.
     pub path: Path<'a>,
+}
+
+/// Displacement and velocity: of a floor relative to the ground, or of a storey, whose drift it then is.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Motion {
+    /// Displacement \[m\], positive to the right.
+    pub displacement: f64,
+    /// Velocity \[m/s\].
+    pub velocity: f64,
+}
+
+impl Motion {
+    fn since(self, below: Self) -> Self {
+        Self {
+            displacement: self.displacement - below.displacement,
+            velocity: self.velocity - below.velocity,
+        }
+    }
+}
+
+impl From<&State> for Motion {
+    fn from(state: &State) -> Self {
+        Self {
+            displacement: state.displacement,
+            velocity: state.velocity,
+        }
+    }
 }
 
 /// What is known of a motion between the ends of its span.
@@ -59,7 +88,8 @@ pub enum Path<'a> {
     Series(Series<'a>),
 }
 
-/// What acts on a structure besides its neighbours, over a step, as the method weighed it.
+/// What acts on a floor besides its neighbours, over a step, as the method weighed it: forces of the storey below it and
+/// of the one above.
 ///
 /// With the impulses of the pounding forces it is the step's own balance of momentum: m·Δu̇ equals the sum of the
 /// impulses, less m times the change of the ground's velocity, to rounding. All are 0 unless a recorder
@@ -85,11 +115,12 @@ pub(crate) struct Load {
 }
 
 impl Load {
-    /// The forces of a state, the damping force c·u̇ \[N\] and the ground acceleration \[m/s²\].
+    /// The pounding forces of a state, restoring and damping force \[N\] of the storeys below and above, and the ground
+    /// acceleration \[m/s²\].
     #[inline]
-    pub(crate) fn at(state: &State, damping: f64, ground: f64) -> Self {
+    pub(crate) fn at(state: &State, (restoring, damping): (f64, f64), ground: f64) -> Self {
         Self {
-            restoring: state.restoring_force,
+            restoring,
             damping,
             ground,
             from_left: state.force_from_left,
@@ -109,6 +140,8 @@ pub struct Series<'a> {
     pub(crate) displacement: &'a [f64],
     pub(crate) velocity: &'a [f64],
     pub(crate) acceleration: &'a [f64],
+    /// Displacement and velocity of the floor below; nothing for a floor that stands on the ground.
+    pub(crate) below: Option<[&'a [f64]; 2]>,
     /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
     pub(crate) restoring_force: (f64, f64),
     /// Magnitude of the pounding force from either side \[N\].
@@ -163,6 +196,11 @@ pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, sum)
 }
 
+/// What a polynomial has risen since x = 0.
+fn rise(coefficients: &[f64], x: f64) -> f64 {
+    x * value(coefficients.get(1..).unwrap_or_default(), x)
+}
+
 impl Series<'_> {
     /// x at an instant \[s\].
     fn x(&self, time: f64) -> f64 {
@@ -171,12 +209,16 @@ impl Series<'_> {
 
     /// State at x.
     fn at(&self, x: f64) -> State {
-        let rise = x * value(self.displacement.get(1..).unwrap_or_default(), x);
+        let rise = rise(self.displacement, x);
+        let drift = match self.below {
+            None => rise,
+            Some([below, _]) => rise - self::rise(below, x),
+        };
         State {
             displacement: self.displacement.first().unwrap_or(&0.0) + rise,
             velocity: value(self.velocity, x),
             acceleration: value(self.acceleration, x),
-            restoring_force: self.restoring_force.0 + self.restoring_force.1 * rise,
+            restoring_force: self.restoring_force.0 + self.restoring_force.1 * drift,
             force_from_left: value(self.force_from_left, x),
             force_from_right: -value(self.force_from_right, x),
         }
@@ -221,7 +263,40 @@ impl Span<'_> {
             end,
             impulse_from_left: weigh(|load| load.from_left),
             impulse_from_right: weigh(|load| load.from_right),
+            below: None,
             path: Path::Cubic(weighed),
+        }
+    }
+
+    /// The same with the motion of the floor below at both ends; nothing on the ground.
+    #[inline]
+    pub(crate) fn over(self, below: Option<[Motion; 2]>) -> Self {
+        Self { below, ..self }
+    }
+
+    /// Drift of the storey below the floor, and its rate, at both ends of the span.
+    pub fn drifts(&self) -> [Motion; 2] {
+        let ends = [Motion::from(&self.start), Motion::from(&self.end)];
+        match self.below {
+            None => ends,
+            Some(below) => [ends[0].since(below[0]), ends[1].since(below[1])],
+        }
+    }
+
+    /// Drift of the storey below the floor, and its rate, at an instant inside the span.
+    pub fn drift(&self, time: f64) -> Motion {
+        let floor = Motion::from(&self.at(time));
+        match (self.below, self.path) {
+            (None, _) => floor,
+            (Some(ends), Path::Cubic(_)) => floor.since(self.cubic_between(ends, time)),
+            (Some(_), Path::Series(series)) => {
+                let x = series.x(time);
+                let [displacement, velocity] = series.below.unwrap_or_default();
+                floor.since(Motion {
+                    displacement: value(displacement, x),
+                    velocity: value(velocity, x),
+                })
+            }
         }
     }
 
@@ -280,17 +355,33 @@ impl Span<'_> {
         let r = 1.0 - s;
         let linear = |a: f64, b: f64| r * a + s * b;
         let (a, b) = (&self.start, &self.end);
-        let rise = b.displacement - a.displacement;
+        let Motion {
+            displacement,
+            velocity,
+        } = self.cubic_between([a.into(), b.into()], time);
         State {
-            displacement: linear(a.displacement, b.displacement)
-                + s * r * (r * (a.velocity * h - rise) - s * (b.velocity * h - rise)),
-            velocity: 6.0 * s * r * rise / h
-                + r * (r - 2.0 * s) * a.velocity
-                + s * (s - 2.0 * r) * b.velocity,
+            displacement,
+            velocity,
             acceleration: linear(a.acceleration, b.acceleration),
             restoring_force: linear(a.restoring_force, b.restoring_force),
             force_from_left: linear(a.force_from_left, b.force_from_left),
             force_from_right: linear(a.force_from_right, b.force_from_right),
+        }
+    }
+
+    /// The cubic through displacements and velocities at both ends.
+    fn cubic_between(&self, [a, b]: [Motion; 2], time: f64) -> Motion {
+        let h = self.duration();
+        let s = (time - self.start_time) / h;
+        let r = 1.0 - s;
+        let rise = b.displacement - a.displacement;
+        Motion {
+            displacement: r * a.displacement
+                + s * b.displacement
+                + s * r * (r * (a.velocity * h - rise) - s * (b.velocity * h - rise)),
+            velocity: 6.0 * s * r * rise / h
+                + r * (r - 2.0 * s) * a.velocity
+                + s * (s - 2.0 * r) * b.velocity,
         }
     }
 }
@@ -308,7 +399,7 @@ mod tests {
             ..State::default()
         };
         let ends = [path(0.5), path(2.5)];
-        let loads = ends.map(|state| Load::at(&state, 0.0, 0.0));
+        let loads = ends.map(|state| Load::at(&state, (0.0, 0.0), 0.0));
         let span = Span::step::<(), _>(0, (0.5, 2.5), ends, (1.0, [1.0, 1.0]), loads);
         for time in [0.5, 0.7, 1.3, 2.2, 2.5] {
             let (found, wanted) = (span.at(time), path(time));
@@ -336,7 +427,7 @@ mod tests {
             (2.0, 2.0625),
             [State::default(); 2],
             (1.0, [1.0]),
-            [Load::at(&State::default(), 0.0, 0.0)],
+            [Load::at(&State::default(), (0.0, 0.0), 0.0)],
         );
         span.path = Path::Series(Series {
             origin: 2.0,
@@ -344,6 +435,7 @@ mod tests {
             displacement: &displacement,
             velocity: &[],
             acceleration: &[],
+            below: None,
             restoring_force: (0.0, 0.0),
             force_from_left: &[],
             force_from_right: &[],
@@ -362,7 +454,7 @@ mod tests {
             ..State::default()
         };
         let ends = [State::default(), end];
-        let loads = ends.map(|state| Load::at(&state, 0.0, 0.0));
+        let loads = ends.map(|state| Load::at(&state, (0.0, 0.0), 0.0));
         let step = Span::step::<(), _>(0, (0.0, 0.5), ends, (0.25, [1.0, 1.0]), loads);
         let [integral] = step.integrate(|_, state| [state.displacement]);
         assert!((integral - 0.25).abs() < 1e-15, "{integral}");

@@ -131,8 +131,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Column::Memory> {
-    let nodes = row.nodes().iter();
-    let (states, memories): (Vec<_>, Vec<_>) = nodes.map(|node| node.initial(ground)).unzip();
+    let (states, memories) = row.initial(ground);
     let body = |memory| Body {
         memory,
         since: 0.0,
@@ -259,8 +258,10 @@ impl<Memory: Copy> Scratch<Memory> {
             body.memory = close(node, body, (start, end), (ground, h));
             work.force_evaluations += 1;
             let (start_ground, start_time) = step.at(body.since);
-            let loads = [(start, start_ground), (&*end, ground)]
-                .map(|(state, ground)| Load::at(state, node.damping * state.velocity, ground));
+            let loads = [(start, start_ground), (&*end, ground)].map(|(state, ground)| {
+                let forces = (state.restoring_force, node.damping * state.velocity);
+                Load::at(state, forces, ground)
+            });
             let (times, ends) = ((start_time, time), [*start, *end]);
             recorder.span(&Span {
                 impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,

@@ -2,7 +2,7 @@
 
 use crate::exact::noise::Terms;
 use crate::exact::roots::CAPACITY;
-use crate::{Node, PiecewiseLinear, State};
+use crate::{Hysteretic, Node, State};
 
 /// The branch of a piecewise-linear restoring force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,7 +37,7 @@ pub(super) struct Member {
 }
 
 impl Member {
-    pub(super) fn new<Column: PiecewiseLinear>(node: &Node<Column>) -> Self {
+    pub(super) fn new<Column: Hysteretic>(node: &Node<Column>) -> Self {
         let response = node
             .column
             .respond(node.initial_displacement, Column::Memory::default());

@@ -24,7 +24,7 @@ mod settle;
 mod watch;
 
 use crate::error::require;
-use crate::{Clock, Excitation, PiecewiseLinear, Recorder, Row, RunError, Touch, Work};
+use crate::{Clock, Excitation, Hysteretic, Recorder, Row, RunError, Touch, Work};
 
 use body::Body;
 use contact::Contact;
@@ -96,7 +96,7 @@ struct Run<'a, R> {
 }
 
 /// Integrates a row; the shared signature of all methods. Of the clock only the end counts.
-pub(crate) fn run<Column: PiecewiseLinear, R: Recorder>(
+pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     settings: Exact,
     row: &Row<Column>,
     excitation: Excitation<'_>,

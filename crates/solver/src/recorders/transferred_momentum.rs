@@ -81,6 +81,7 @@ mod tests {
             end: State::default(),
             impulse_from_left,
             impulse_from_right: 0.0,
+            below: None,
             path: Path::Cubic(Weighed::default()),
         }
     }

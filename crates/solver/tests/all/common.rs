@@ -2,8 +2,8 @@
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Hht, Histories, ImpactRule,
-    Integrator, Ledger, MoreauJean, Newmark, Node, Pair, PiecewiseLinear, Rk4, Row, Start, Verlet,
+    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Hht, Histories, Hysteretic,
+    ImpactRule, Integrator, Ledger, MoreauJean, Newmark, Node, Pair, Rk4, Row, Start, Verlet,
     VerletImpacts, Work,
 };
 
@@ -117,7 +117,7 @@ pub(crate) fn clock(time_step: f64, duration: f64) -> Clock {
 }
 
 /// Histories at every node of the clock.
-pub(crate) fn histories<Column: PiecewiseLinear>(
+pub(crate) fn histories<Column: Hysteretic>(
     row: &Row<Column>,
     method: Integrator,
     ground: &[f64],
@@ -148,7 +148,7 @@ pub(crate) fn slope(steps: &[f64], errors: &[f64]) -> f64 {
 }
 
 /// Ledger of a run.
-pub(crate) fn book<'a, Column: PiecewiseLinear>(
+pub(crate) fn book<'a, Column: Hysteretic>(
     row: &Row<Column>,
     method: Integrator,
     samples: &'a [f64],

@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Clock, Collisions, Elastic, Exact, Excitation, Histories, Integrator, Node, Pair, Peaks,
-    PiecewiseLinear, Row, RunError, SimultaneousImpacts, TransferredMomentum, Work,
+    Clock, Collisions, Elastic, Exact, Excitation, Histories, Hysteretic, Integrator, Node, Pair,
+    Peaks, Row, RunError, SimultaneousImpacts, TransferredMomentum, Work,
 };
 
 use crate::common::{
@@ -24,7 +24,7 @@ struct Outcome {
     work: Work,
 }
 
-fn run<Column: PiecewiseLinear>(
+fn run<Column: Hysteretic>(
     settings: Exact,
     row: &Row<Column>,
     ground: &[f64],

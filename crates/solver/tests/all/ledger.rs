@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, ElastoPlastic, Excitation, Hht, ImpactRule, Integrator, Ledger, LedgerError,
-    Newmark, Node, PiecewiseLinear, Row, Start,
+    CentralDifference, ElastoPlastic, Excitation, Hht, Hysteretic, ImpactRule, Integrator, Ledger,
+    LedgerError, Newmark, Node, Row, Start,
 };
 use proptest::prelude::*;
 
@@ -47,7 +47,7 @@ fn methods() -> impl Iterator<Item = (&'static str, Integrator)> {
 }
 
 /// Rows of one to three structures, in motion from the start, and one beside a wall.
-pub(crate) fn rows<Column: PiecewiseLinear>(
+pub(crate) fn rows<Column: Hysteretic>(
     structure: impl Fn((f64, f64, f64)) -> Node<Column>,
     law: ContactLaw,
 ) -> Vec<Row<Column>> {
@@ -72,7 +72,7 @@ pub(crate) fn rows<Column: PiecewiseLinear>(
     .collect()
 }
 
-fn check_identity<Column: PiecewiseLinear>(row: &Row<Column>, what: &str) {
+fn check_identity<Column: Hysteretic>(row: &Row<Column>, what: &str) {
     let samples: Vec<f64> = ground().iter().map(|sample| sample + 0.7).collect();
     for (name, method) in methods() {
         for time_step in [0.01, 0.002, 0.000_3] {

@@ -23,5 +23,7 @@ mod order;
 mod random_rows;
 mod refusals;
 mod slow_touches;
+mod storeys;
 mod touches;
+mod towers;
 mod very_start;

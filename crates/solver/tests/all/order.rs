@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Elastic, ElastoPlastic, Exact, Excitation, Integrator, Node, PiecewiseLinear, Recorder, Row,
+    Elastic, ElastoPlastic, Exact, Excitation, Hysteretic, Integrator, Node, Recorder, Row,
     TransferredMomentum,
 };
 
@@ -71,7 +71,7 @@ fn order_without_contact_is_the_promised_one() {
 }
 
 /// A quantity of a run at one time step.
-fn measure<Column: PiecewiseLinear>(
+fn measure<Column: Hysteretic>(
     row: &Row<Column>,
     method: Integrator,
     time_step: f64,
@@ -86,7 +86,7 @@ fn measure<Column: PiecewiseLinear>(
 }
 
 /// The transferred momentum, or the last displacement where nothing touches.
-fn quantity(row: &Row<impl PiecewiseLinear>, method: Integrator, time_step: f64) -> f64 {
+fn quantity(row: &Row<impl Hysteretic>, method: Integrator, time_step: f64) -> f64 {
     let mut recorder = (
         TransferredMomentum::new(row.nodes().len()),
         pounding_solver::Histories::new(row.nodes().len(), 0.01, 3.0),
@@ -106,11 +106,7 @@ fn quantity(row: &Row<impl PiecewiseLinear>, method: Integrator, time_step: f64)
 }
 
 /// Order of the quantity, and its errors against a reference.
-fn observed(
-    row: &Row<impl PiecewiseLinear>,
-    method: Integrator,
-    reference: f64,
-) -> (f64, Vec<f64>) {
+fn observed(row: &Row<impl Hysteretic>, method: Integrator, reference: f64) -> (f64, Vec<f64>) {
     let steps: Vec<f64> = (0..8)
         .map(|halvings| 0.002 / f64::from(1 << halvings))
         .collect();
@@ -160,7 +156,7 @@ fn line(what: &str, name: &str, (order, errors): &(f64, Vec<f64>)) -> String {
 #[test]
 fn order_with_yielding_and_contact_is_measured() {
     // Each method against its own result at a far smaller step.
-    fn own(row: &Row<impl PiecewiseLinear>, method: Integrator) -> (f64, Vec<f64>) {
+    fn own(row: &Row<impl Hysteretic>, method: Integrator) -> (f64, Vec<f64>) {
         observed(row, method, quantity(row, method, 0.002 / 4096.0))
     }
     let mut table = String::new();
@@ -179,7 +175,7 @@ fn order_with_yielding_and_contact_is_measured() {
 #[test]
 fn order_of_all_methods_against_one_limit_is_measured() {
     // One limit for all of them: the exact method's.
-    fn measure_all(what: &str, row: &Row<impl PiecewiseLinear>, table: &mut String) {
+    fn measure_all(what: &str, row: &Row<impl Hysteretic>, table: &mut String) {
         let impulsive = row.pairs().iter().any(|pair| pair.law == STEREOMECHANICAL);
         let limit = quantity(row, Integrator::Exact(Exact::default()), 0.01);
         for (name, method) in METHODS.into_iter().chain(FIRST_ORDER) {

@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Integrator, ModelError,
-    MoreauJean, Newmark, Node, Pair, PiecewiseLinear, Rk4, Row, Verlet,
+    CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic, Integrator,
+    ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Verlet,
 };
 
 use crate::{Contact, Method, Scene, Structure};
@@ -84,7 +84,7 @@ fn pairs_out_of_reach(structures: &[Structure]) -> Vec<Pair> {
     structures.windows(2).enumerate().filter_map(pair).collect()
 }
 
-fn row<Column: PiecewiseLinear>(
+fn row<Column: Hysteretic>(
     scene: &Scene,
     column: impl Fn(f64, Option<f64>) -> Column,
     pairs: Vec<Pair>,

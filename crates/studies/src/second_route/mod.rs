@@ -29,7 +29,7 @@ mod scales;
 mod state;
 mod variable;
 
-use pounding_solver::{Excitation, PiecewiseLinear, Row};
+use pounding_solver::{Excitation, Hysteretic, Row};
 
 pub use error::SecondRouteError;
 pub use record::{Collision, Peak, Response, StructureResponse};
@@ -85,7 +85,7 @@ impl Fineness {
 /// # Errors
 /// [`SecondRouteError`] for a setting out of range, a motion that is no longer finite, a tolerance that cannot be met,
 /// or events without end.
-pub fn run<Column: PiecewiseLinear>(
+pub fn run<Column: Hysteretic>(
     row: &Row<Column>,
     excitation: Excitation<'_>,
     duration: f64,

@@ -1,6 +1,6 @@
 //! The row as plain numbers, and where each of them stands in the vector of unknowns.
 
-use pounding_solver::{PiecewiseLinear, Row};
+use pounding_solver::{Hysteretic, Row};
 
 use super::law::Law;
 
@@ -49,7 +49,7 @@ pub(super) struct Neighbours {
 }
 
 impl Model {
-    pub(super) fn new<Column: PiecewiseLinear>(row: &Row<Column>) -> Self {
+    pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Self {
         let structures: Vec<_> = row
             .nodes()
             .iter()

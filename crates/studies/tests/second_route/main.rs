@@ -7,7 +7,7 @@ mod limits;
 mod scenes;
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
-use pounding_solver::{Elastic, Excitation, Node, Pair, PiecewiseLinear, Row};
+use pounding_solver::{Elastic, Excitation, Hysteretic, Node, Pair, Row};
 use pounding_studies::second_route::{self, Fineness, Response};
 
 /// Columns without stiffness: a free mass.
@@ -44,7 +44,7 @@ fn moving<Column>(mass: f64, velocity: f64, column: Column) -> Node<Column> {
 }
 
 /// Runs a row under ground accelerations 0.1 s apart.
-fn run<Column: PiecewiseLinear>(row: &Row<Column>, ground: &[f64], duration: f64) -> Response {
+fn run<Column: Hysteretic>(row: &Row<Column>, ground: &[f64], duration: f64) -> Response {
     let excitation = Excitation::new(0.1, ground).expect("finite samples");
     second_route::run(row, excitation, duration, Fineness::FINE).expect("the run ends")
 }

@@ -1,7 +1,7 @@
 //! The energy and momentum of one structure.
 
 use super::{LedgerError, Terms};
-use crate::{Excitation, Node, Path, PiecewiseLinear, Series, Span, State, Weighed};
+use crate::{Excitation, Hysteretic, Node, Path, Series, Span, State, Weighed};
 
 /// Everything that is booked of one structure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +75,7 @@ impl Acting {
 }
 
 impl Account {
-    pub(super) fn new<Column: PiecewiseLinear>(node: &Node<Column>) -> Self {
+    pub(super) fn new<Column: Hysteretic>(node: &Node<Column>) -> Self {
         Self {
             mass: if node.is_wall() {
                 0.0

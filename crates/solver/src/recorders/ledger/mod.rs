@@ -14,7 +14,7 @@ use account::Account;
 use contact::{Contact, Push};
 use largest::Largest;
 
-use crate::{Excitation, Impact, Path, PiecewiseLinear, Recorder, Row, Span};
+use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span};
 
 /// Books the energy of every structure, and the energy and impulse of every pair.
 ///
@@ -79,7 +79,7 @@ const LOOKED_AT_PER_SPAN: usize = 16;
 
 impl<'a> Ledger<'a> {
     /// For a run of this row under this excitation.
-    pub fn new<Column: PiecewiseLinear>(row: &Row<Column>, excitation: Excitation<'a>) -> Self {
+    pub fn new<Column: Hysteretic>(row: &Row<Column>, excitation: Excitation<'a>) -> Self {
         let mut pairs_of = vec![[None; 2]; row.nodes().len()];
         for (index, pair) in row.pairs().iter().enumerate() {
             pairs_of[pair.left][1] = Some(index);
