@@ -5,7 +5,7 @@ use pounding_solver::{Clock, Elastic, Excitation, Histories, Integrator, Pair, R
 
 use crate::towers::{Rayleigh, row, uniform};
 
-/// Undamped shear building of equal storeys: T_j from ω_j = 2 √(k/m) sin((2j − 1) π / (4n + 2)); Chopra, *Dynamics of
+/// Undamped shear building of equal storeys: ω = 2 √(k/m) sin((2j − 1) π / (4n + 2)) in mode j; Chopra, *Dynamics of
 /// Structures*, 12.8 gives five storeys.
 #[test]
 fn reference_rk4_vibrates_in_the_first_mode_of_five_storeys() {
