@@ -25,22 +25,41 @@ pub struct Levels {
     nodes: Vec<Vec<usize>>,
     /// Of every node building and storey.
     places: Vec<(usize, usize)>,
+    /// Of every node its level.
+    levels: Vec<usize>,
 }
 
 impl Levels {
-    /// Of buildings with so many storeys, from left to right.
+    /// Of buildings with so many storeys, from left to right, whose floors are at equal heights.
     pub fn new(storeys: &[usize]) -> Self {
-        let mut nodes = vec![Vec::new(); storeys.len()];
-        let mut places = Vec::new();
-        for level in 0..storeys.iter().copied().max().unwrap_or(0) {
-            for (building, count) in storeys.iter().enumerate() {
-                if level < *count {
-                    nodes[building].push(places.len());
-                    places.push((building, level));
-                }
-            }
+        let floors: Vec<Vec<usize>> = storeys.iter().map(|count| (0..*count).collect()).collect();
+        Self::at(&floors)
+    }
+
+    /// Of buildings with floors at these levels, each list rising: a hall as high as two storeys of its neighbour has one
+    /// floor, at level 1.
+    pub fn at(floors: &[Vec<usize>]) -> Self {
+        let mut order: Vec<_> = floors
+            .iter()
+            .enumerate()
+            .flat_map(|(building, floors)| {
+                let floors = floors.iter().enumerate();
+                floors.map(move |(storey, level)| (*level, building, storey))
+            })
+            .collect();
+        order.sort_unstable();
+        let mut nodes = vec![Vec::new(); floors.len()];
+        for (node, (_, building, _)) in order.iter().enumerate() {
+            nodes[*building].push(node);
         }
-        Self { nodes, places }
+        Self {
+            nodes,
+            places: order
+                .iter()
+                .map(|(_, building, storey)| (*building, *storey))
+                .collect(),
+            levels: order.iter().map(|(level, ..)| *level).collect(),
+        }
     }
 
     /// Number of floors and walls of all buildings.
@@ -58,10 +77,19 @@ impl Levels {
         self.places[node]
     }
 
-    /// Nodes of a building and of its right neighbour that face each other, from the ground up.
+    /// Level of a node, as it was given.
+    pub fn level(&self, node: usize) -> usize {
+        self.levels[node]
+    }
+
+    /// Nodes of a building and of its right neighbour at one level, from the ground up.
     pub fn facing(&self, left: usize) -> impl Iterator<Item = (usize, usize)> {
-        let pair = |(left, right): (&usize, &usize)| (*left, *right);
-        self.nodes[left].iter().zip(&self.nodes[left + 1]).map(pair)
+        let faces = |node: &usize| {
+            let right = node + 1;
+            let at_one_level = self.levels.get(right) == Some(&self.levels[*node]);
+            (at_one_level && self.places[right].0 == left + 1).then_some((*node, right))
+        };
+        self.nodes[left].iter().filter_map(faces)
     }
 
     /// The floor of a storey, as a node at rest.
@@ -104,5 +132,14 @@ mod tests {
             Levels::new(&[2, 3]).facing(0).collect::<Vec<_>>(),
             [(0, 1), (2, 3)]
         );
+    }
+
+    #[test]
+    fn reference_a_hall_as_high_as_two_storeys() {
+        let levels = Levels::at(&[vec![0, 1, 2], vec![1]]);
+        assert_eq!(levels.of(0), [0, 1, 3]);
+        assert_eq!(levels.of(1), [2]);
+        assert_eq!(levels.facing(0).collect::<Vec<_>>(), [(1, 2)]);
+        assert_eq!((levels.place(2), levels.level(2)), ((1, 0), 1));
     }
 }
