@@ -84,7 +84,7 @@ impl Levels {
 
     /// Nodes of a building and of its right neighbour at one level, from the ground up.
     pub fn facing(&self, left: usize) -> impl Iterator<Item = (usize, usize)> {
-        let faces = |node: &usize| {
+        let faces = move |node: &usize| {
             let right = node + 1;
             let at_one_level = self.levels.get(right) == Some(&self.levels[*node]);
             (at_one_level && self.places[right].0 == left + 1).then_some((*node, right))
