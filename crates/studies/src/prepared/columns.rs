@@ -1,0 +1,48 @@
+//! Columns of rows in which some storeys yield at one point and others smoothly.
+
+use pounding_solver::{
+    Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce,
+};
+
+/// Columns that yield at one point, or never, or smoothly; what they remember is that of either.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Mixed {
+    Sharp(Bilinear),
+    Smooth(BoucWen),
+}
+
+impl RestoringForce for Mixed {
+    /// Of sharp columns the drift is not used, and the elastic part holds the plastic one.
+    type Memory = Bent;
+
+    #[inline]
+    fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
+        match self {
+            Self::Sharp(column) => {
+                let Response {
+                    force,
+                    tangent,
+                    memory: plastic,
+                } = column.respond(displacement, memory.elastic);
+                Response {
+                    force,
+                    tangent,
+                    memory: Bent {
+                        drift: displacement,
+                        elastic: plastic,
+                    },
+                }
+            }
+            Self::Smooth(column) => column.respond(displacement, memory),
+        }
+    }
+}
+
+impl Hysteretic for Mixed {
+    fn hysteresis(&self) -> Hysteresis {
+        match self {
+            Self::Sharp(column) => column.hysteresis(),
+            Self::Smooth(column) => column.hysteresis(),
+        }
+    }
+}
