@@ -156,7 +156,7 @@ impl Columns {
 mod tests {
     use super::*;
     use crate::span::Power;
-    use crate::{Bilinear, BoucWen, Hysteretic, RestoringForce, Smoothness, State, Weighed};
+    use crate::{Bilinear, BoucWen, Hysteretic, Smoothness, State, Weighed};
 
     /// A span without a floor below from one displacement to another, under these forces.
     fn span<'a>(drifts: [f64; 2], forces: [f64; 2], path: Path<'a>) -> Span<'a> {

@@ -362,3 +362,6 @@ impl Recorder for Ledger<'_> {
             ROUNDING * impulse.abs() * speeds.iter().map(|speed| speed.abs()).sum::<f64>();
     }
 }
+
+#[cfg(test)]
+mod tests;
