@@ -37,7 +37,7 @@ const ENOUGH: f64 = 60.0;
 
 impl Smoothness {
     /// dy/ds of y = z k/`f_y` over s = drift k/`f_y`, in a direction of ±1.
-    fn slope(&self, y: f64, direction: f64) -> f64 {
+    pub(crate) fn slope(&self, y: f64, direction: f64) -> f64 {
         let mut power = 1.0;
         for _ in 0..self.exponent {
             power *= y.abs();

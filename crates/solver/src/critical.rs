@@ -1,6 +1,6 @@
 //! The time step from which on a method is unstable.
 
-use crate::{Integrator, Newmark, Rk4};
+use crate::{Integrator, Mode, Newmark, Rk4};
 
 /// A linear oscillation that a step has to follow: of a structure, or of a pair while it touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,13 +12,23 @@ pub struct Oscillation {
 }
 
 impl Integrator {
-    /// Time step \[s\] from which on a structure that moves alone grows without bound; nothing for a method that has no
+    /// Time step \[s\] from which on a structure of one storey that moves alone grows without bound; nothing for a method that has no
     /// such limit.
     ///
     /// 2/ω for the central difference and the Verlet method, whatever the damping; for Newmark's with β < γ/2
     /// (ζ(γ − ½) + √(γ/2 − β + ζ²(γ − ½)²)) / (ω(γ/2 − β)); that of the Runge–Kutta method is [`Rk4::critical_time_step`].
     pub fn critical_time_step(&self, structure: &Oscillation) -> Option<f64> {
         self.limit(structure, (1, 0.0))
+    }
+
+    /// The same for a building with these natural modes: the least of their limits.
+    ///
+    /// That of the fastest mode as a rule; where damping shifts a limit, a slower mode with another ratio may have the
+    /// least. Nothing for a building that nothing holds. Columns that yield or bend only become softer.
+    pub fn critical_time_step_of(&self, building: &[Mode]) -> Option<f64> {
+        let held = building.iter().filter(|mode| mode.angular_frequency > 0.0);
+        held.filter_map(|mode| self.critical_time_step(&mode.oscillation()))
+            .min_by(f64::total_cmp)
     }
 
     /// The same for a pair that stays in touch, with the contact law's tangents there.

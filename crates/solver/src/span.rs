@@ -207,6 +207,17 @@ impl Series<'_> {
         self.power.root((time - self.origin).max(0.0))
     }
 
+    /// Drift of the storey below the floor, whose own motion at x this is.
+    fn drift(&self, floor: Motion, x: f64) -> Motion {
+        match self.below {
+            None => floor,
+            Some([displacement, velocity]) => floor.since(Motion {
+                displacement: value(displacement, x),
+                velocity: value(velocity, x),
+            }),
+        }
+    }
+
     /// State at x.
     fn at(&self, x: f64) -> State {
         let rise = rise(self.displacement, x);
@@ -289,14 +300,7 @@ impl Span<'_> {
         match (self.below, self.path) {
             (None, _) => floor,
             (Some(ends), Path::Cubic(_)) => floor.since(self.cubic_between(ends, time)),
-            (Some(_), Path::Series(series)) => {
-                let x = series.x(time);
-                let [displacement, velocity] = series.below.unwrap_or_default();
-                floor.since(Motion {
-                    displacement: value(displacement, x),
-                    velocity: value(velocity, x),
-                })
-            }
+            (Some(_), Path::Series(series)) => series.drift(floor, series.x(time)),
         }
     }
 
@@ -324,18 +328,24 @@ impl Span<'_> {
         &self,
         integrand: impl Fn(f64, &State) -> [f64; N],
     ) -> [f64; N] {
-        self.integrate_between((self.start_time, self.end_time), integrand)
+        let ends = (self.start_time, self.end_time);
+        self.integrate_between(ends, |time, state, _| integrand(time, state))
     }
 
-    /// The same integrals between two instants of the span.
+    /// The same integrals between two instants of the span, of functions of the drift of the storey below, too.
     pub(crate) fn integrate_between<const N: usize>(
         &self,
         (from, to): (f64, f64),
-        integrand: impl Fn(f64, &State) -> [f64; N],
+        integrand: impl Fn(f64, &State, Motion) -> [f64; N],
     ) -> [f64; N] {
         match self.path {
             Path::Cubic(_) => quadrature::integrate(SIXTEEN, (from, to), |time| {
-                integrand(time, &self.cubic(time))
+                let state = self.cubic(time);
+                let drift = match self.below {
+                    None => Motion::from(&state),
+                    Some(_) => self.drift(time),
+                };
+                integrand(time, &state, drift)
             }),
             Path::Series(series) => {
                 let few = series.displacement.len() <= FEW && series.power == Power::One;
@@ -343,7 +353,9 @@ impl Span<'_> {
                 quadrature::integrate(rule, (series.x(from), series.x(to)), |x| {
                     let time = series.origin + series.power.time(x);
                     let rate = series.power.rate(x);
-                    integrand(time, &series.at(x)).map(|value| rate * value)
+                    let state = series.at(x);
+                    let drift = series.drift((&state).into(), x);
+                    integrand(time, &state, drift).map(|value| rate * value)
                 })
             }
         }

@@ -1,16 +1,17 @@
-//! The energy and momentum of one structure.
+//! The energy and momentum of one floor and of the storey below it.
 
+use super::columns::Columns;
 use super::{LedgerError, Terms};
-use crate::{Excitation, Hysteretic, Node, Path, Series, Span, State, Weighed};
+use crate::{Excitation, Hysteretic, Motion, Path, Row, Span, State, Support, Weighed};
 
-/// Everything that is booked of one structure.
+/// Everything that is booked of one floor and its storey.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Account {
     /// 0 of a wall, of which nothing is booked.
     mass: f64,
     damping: f64,
-    stiffness: f64,
-    yield_force: f64,
+    support: Support,
+    columns: Columns,
     /// Whether its first span or impact has come.
     open: bool,
     /// Strain energy in which it begins \[J\].
@@ -27,10 +28,11 @@ pub(super) struct Account {
     impulses: Acting,
 }
 
-/// Rounding that flow is forgiven, relative to the energies of the columns.
-const ROUNDING: f64 = 1e-12;
-
-/// Works \[J\] or impulses \[N·s\] on a structure, of everything that acts on it.
+/// Works \[J\] or impulses \[N·s\] on a floor, of everything that acts on it.
+///
+/// Of a motion known between its ends, those of the columns and the damping are of the storey below the floor: works on
+/// its drift, and impulses of what the ground gives. Of a step they are what acts on the floor in net. Summed over a
+/// building both are the same.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Acting {
     restoring: f64,
@@ -75,7 +77,14 @@ impl Acting {
 }
 
 impl Account {
-    pub(super) fn new<Column: Hysteretic>(node: &Node<Column>) -> Self {
+    pub(super) fn new<Column: Hysteretic>(row: &Row<Column>, index: usize) -> Self {
+        let node = &row.nodes()[index];
+        let columns = Columns::new(node.column.hysteresis());
+        let drift = match node.support.below() {
+            None => node.initial_displacement,
+            Some(below) => node.initial_displacement - row.nodes()[below].initial_displacement,
+        };
+        let force = node.column.respond(drift, Column::Memory::default()).force;
         Self {
             mass: if node.is_wall() {
                 0.0
@@ -83,14 +92,10 @@ impl Account {
                 1.0 / node.inverse_mass
             },
             damping: node.damping,
-            stiffness: node.column.stiffness(),
-            yield_force: node.column.yield_force(),
+            support: node.support,
+            columns,
             open: false,
-            first_strain: {
-                let memory = Column::Memory::default();
-                let force = node.column.respond(node.initial_displacement, memory).force;
-                strain(force, node.column.stiffness())
-            },
+            first_strain: columns.strain(force, drift),
             terms: Terms::default(),
             first_kinetic: 0.0,
             first_momentum: 0.0,
@@ -100,13 +105,14 @@ impl Account {
         }
     }
 
-    /// Books a span; returns the works done on the structure in it.
+    /// Books a span; returns the works done on the floor in it.
     pub(super) fn span(&mut self, span: &Span<'_>, excitation: &Excitation<'_>) -> Acting {
         if self.mass == 0.0 {
             return Acting::default();
         }
+        let [start, end] = span.drifts();
         if !self.open {
-            self.start(span.start.velocity, self.strain(&span.start));
+            self.start(span.start.velocity, self.strain(&span.start, start));
         }
         let (works, impulses) = match span.path {
             Path::Cubic(weighed) => self.weighed(span, weighed),
@@ -114,8 +120,8 @@ impl Account {
         };
         self.impulses.add(&impulses);
         self.restoring_work += works.restoring;
-        let (flow, kinetic) = (self.flow(span), self.kinetic(&span.end));
-        let strain = self.strain(&span.end);
+        let (flow, kinetic) = (self.columns.flow(span), self.kinetic(&span.end));
+        let strain = self.strain(&span.end, end);
         let terms = &mut self.terms;
         terms.input += works.ground;
         terms.damping -= works.damping;
@@ -126,7 +132,7 @@ impl Account {
         works
     }
 
-    /// Books an impact: the impulse on the structure \[N·s\], its velocities before and after \[m/s\].
+    /// Books an impact: the impulse on the floor \[N·s\], its velocities before and after \[m/s\].
     pub(super) fn impact(&mut self, impulse: f64, (before, after): (f64, f64)) {
         if self.mass > 0.0 {
             if !self.open {
@@ -145,8 +151,7 @@ impl Account {
         if found <= 0.0 {
             return Ok(());
         }
-        let allowed =
-            ROUNDING * (earlier + 0.5 * self.yield_force * self.yield_force / self.stiffness);
+        let allowed = self.columns.forgiven(earlier, span);
         if found <= allowed {
             return Ok(());
         }
@@ -170,8 +175,10 @@ impl Account {
         0.5 * self.mass * (state.velocity * state.velocity)
     }
 
-    fn strain(&self, state: &State) -> f64 {
-        strain(state.restoring_force, self.stiffness)
+    /// Strain energy of the storey, at its drift.
+    fn strain(&self, state: &State, drift: Motion) -> f64 {
+        self.columns
+            .strain(state.restoring_force, drift.displacement)
     }
 
     /// Of a step: each impulse, as the method weighed it, times the mean velocity, so that the sum of works is the
@@ -193,26 +200,35 @@ impl Account {
     }
 
     /// Of a motion known between its ends: integrals over time, between the samples of the ground motion.
+    ///
+    /// Forces are known by storey: those of the storey above act on this floor too, but with what they do to the floor
+    /// that they carry they make works on a drift, and impulses that cancel.
     fn integrated(&self, span: &Span<'_>, excitation: &Excitation<'_>) -> (Acting, Acting) {
+        let to_ground = self.support.ground_damping();
+        let from_ground = match self.support {
+            Support::Ground => 1.0,
+            Support::Floor(_) => 0.0,
+        };
         let (mut works, mut impulses) = (Acting::default(), Acting::default());
         let mut from = span.start_time;
         while from < span.end_time {
             let segment = excitation.segment(from);
             let to = segment.end.min(span.end_time);
             let [force, damping, ground, left, right, works_of @ ..] =
-                span.integrate_between((from, to), |time, state| {
-                    let v = state.velocity;
-                    let (force, damping) = (-state.restoring_force, -self.damping * v);
+                span.integrate_between((from, to), |time, state, drift| {
+                    let (v, rate) = (state.velocity, drift.velocity);
+                    let (force, damping) = (-state.restoring_force, -self.damping * rate);
+                    let outside = -to_ground * v;
                     let ground = -self.mass * (segment.value + segment.slope * (time - from));
                     let (left, right) = (state.force_from_left, state.force_from_right);
                     [
-                        force,
-                        damping,
+                        from_ground * force,
+                        from_ground * damping + outside,
                         ground,
                         left,
                         right,
-                        force * v,
-                        damping * v,
+                        force * rate,
+                        damping * rate + outside * v,
                         ground * v,
                         left * v,
                         right * v,
@@ -227,33 +243,7 @@ impl Account {
         (works, impulses)
     }
 
-    /// Work of the restoring force in yielding, ∫ `f_s` d`u_p`.
-    fn flow(&self, span: &Span<'_>) -> f64 {
-        let (start, end) = (&span.start, &span.end);
-        let moved = end.displacement - start.displacement;
-        match span.path {
-            // A step flows at the yield force, and only where it ends there.
-            Path::Cubic(_) => {
-                if end.restoring_force.abs() < self.yield_force {
-                    return 0.0;
-                }
-                let elastic = (end.restoring_force - start.restoring_force) / self.stiffness;
-                end.restoring_force * (moved - elastic)
-            }
-            Path::Series(Series {
-                restoring_force: (force, tangent),
-                ..
-            }) => {
-                if tangent == 0.0 {
-                    force * moved
-                } else {
-                    0.0
-                }
-            }
-        }
-    }
-
-    /// Change of kinetic energy less the works on the structure \[J\]: the method's own balance.
+    /// Change of kinetic energy less the works \[J\]: the method's own balance, once summed over a building.
     pub(super) fn identity(&self) -> f64 {
         let terms = &self.terms;
         let works =
@@ -261,7 +251,7 @@ impl Account {
         terms.kinetic - self.first_kinetic - works
     }
 
-    /// Change of momentum less the impulses on the structure \[N·s\].
+    /// Change of momentum less the impulses \[N·s\]; summed over a building 0.
     pub(super) fn momentum(&self) -> f64 {
         self.momentum - self.first_momentum - self.impulses.all().iter().sum::<f64>()
     }
@@ -270,15 +260,5 @@ impl Account {
     pub(super) fn momentum_magnitude(&self) -> f64 {
         let sums = self.impulses.all().iter().map(|sum| sum.abs()).sum::<f64>();
         self.first_momentum.abs() + self.momentum.abs() + sums
-    }
-}
-
-/// Strain energy \[J\] of a column under a force.
-fn strain(force: f64, stiffness: f64) -> f64 {
-    // Free masses have no stiffness.
-    if stiffness > 0.0 {
-        0.5 * force * force / stiffness
-    } else {
-        0.0
     }
 }

@@ -1,6 +1,8 @@
 //! The energy and impulse ledger of a run.
 
 mod account;
+mod buildings;
+mod columns;
 mod contact;
 mod error;
 mod largest;
@@ -11,19 +13,25 @@ pub use error::LedgerError;
 pub use terms::Terms;
 
 use account::Account;
+use buildings::Buildings;
 use contact::{Contact, Push};
 use largest::Largest;
 
 use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span};
 
-/// Books the energy of every structure, and the energy and impulse of every pair.
+/// Books the energy of every building, and the energy and impulse of every pair.
 ///
-/// Works on a structure are integrals over the motion where a method knows it between its nodes
+/// Works on a building are integrals over the motion where a method knows it between its nodes
 /// ([`Path::Series`](crate::Path::Series)). In a step they are the impulses, as the method weighed the forces, times
 /// the mean velocity of the step: then the change of kinetic energy equals the sum of the works to rounding, whatever
 /// the step, and [`identity`](Self::identity) finds a method that reports what it did not do. What the step costs in
 /// accuracy shows where works meet energies ([`residual`](Self::residual)), and in the distance from the ledger of a
 /// better run ([`error`](Self::error)).
+///
+/// Kinetic energy, input and contact are booked with a floor, strain and yielding with the storey below it. Damping is
+/// that of the storey and of the floor against the ground where a motion is known between its nodes, and all that acts
+/// on the floor in a step. Energies balance over the floors of a building, and only at instants at which all of them
+/// have been seen; a structure of one storey is a building of one floor.
 ///
 /// Largest values over time are taken after every span, in rows of more than sixteen structures after every n/16th one.
 ///
@@ -31,7 +39,9 @@ use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ledger<'a> {
     excitation: Excitation<'a>,
+    /// One for each node.
     accounts: Vec<Account>,
+    buildings: Buildings,
     contacts: Vec<Contact>,
     /// For each structure, the pairs with its left and with its right neighbour.
     pairs_of: Vec<[Option<usize>; 2]>,
@@ -87,7 +97,10 @@ impl<'a> Ledger<'a> {
         }
         Self {
             excitation,
-            accounts: row.nodes().iter().map(Account::new).collect(),
+            accounts: (0..row.nodes().len())
+                .map(|node| Account::new(row, node))
+                .collect(),
+            buildings: Buildings::new(row),
             contacts: row.pairs().iter().map(Contact::new).collect(),
             pairs_of,
             meeting: None,
@@ -105,9 +118,20 @@ impl<'a> Ledger<'a> {
         Self { laws, ..self }
     }
 
-    /// Terms of one structure at the end of its last span, counted from the left; all 0 for a wall.
+    /// Terms of one floor and its storey at the end of its last span, by its node; all 0 for a wall.
+    ///
+    /// Those of a structure of one storey balance; floors of a building do so together ([`Self::of_building`]).
     pub fn of(&self, structure: usize) -> &Terms {
         &self.accounts[structure].terms
+    }
+
+    /// Terms of the building whose lowest floor is this node: the sum over its floors.
+    pub fn of_building(&self, ground: usize) -> Terms {
+        let mut sum = Terms::default();
+        for floor in self.buildings.floors(ground) {
+            sum += self.accounts[floor].terms;
+        }
+        sum
     }
 
     /// Terms of one pair, by its index in the row.
@@ -115,7 +139,7 @@ impl<'a> Ledger<'a> {
         self.contacts[pair].terms()
     }
 
-    /// Terms of the row: the sum over its structures.
+    /// Terms of the row: the sum over its floors.
     pub fn terms(&self) -> Terms {
         let mut sum = Terms::default();
         for account in &self.accounts {
@@ -130,8 +154,8 @@ impl<'a> Ledger<'a> {
         self.measured().scale
     }
 
-    /// The method's own balance: the largest over time of |change of kinetic energy − works on the structure|, summed
-    /// over structures, relative to the [scale](Self::scale) \[–\].
+    /// The method's own balance: the largest over time of |change of kinetic energy − works| of a building, summed
+    /// over buildings, relative to the [scale](Self::scale) \[–\].
     ///
     /// To rounding (1e-12) 0 for every method and every step; more is a fault of the method.
     pub fn identity(&self) -> f64 {
@@ -139,8 +163,8 @@ impl<'a> Ledger<'a> {
         ratio(largest.identity, largest.scale)
     }
 
-    /// The physical balance: the largest over time of |[`Terms::balance`]|, summed over structures, relative to the
-    /// [scale](Self::scale) \[–\].
+    /// The physical balance: the largest over time of |[`Terms::balance`]| of a building, summed over buildings, relative
+    /// to the [scale](Self::scale) \[–\].
     ///
     /// Tends to 0 with the time step, at the order of the method; for a method that knows its motion between its nodes
     /// it is rounding. Average acceleration balances elastic structures at every step: it is no measure of the error.
@@ -149,8 +173,8 @@ impl<'a> Ledger<'a> {
         ratio(largest.residual, largest.scale)
     }
 
-    /// Balance of momentum: the largest over time of |change of momentum − impulses on the structure|, summed over
-    /// structures, relative to the largest sum of their magnitudes \[–\]; 0 to rounding.
+    /// Balance of momentum: the largest over time of |change of momentum − impulses| of a building, summed over
+    /// buildings, relative to the largest sum of their magnitudes \[–\]; 0 to rounding.
     ///
     /// As the impulses of a pair cancel, the momentum of the row is then its first one plus the external impulses.
     pub fn momentum(&self) -> f64 {
@@ -206,22 +230,30 @@ impl<'a> Ledger<'a> {
     /// The largest values over time, those of this instant among them.
     fn measured(&self) -> Largest {
         let (mut row, mut now) = (Terms::default(), Largest::default());
-        for account in &self.accounts {
-            row += account.terms;
-            now.identity += account.identity().abs();
-            now.residual += account.terms.balance().abs();
-            now.momentum += account.momentum().abs();
-            now.momentum_scale += account.momentum_magnitude();
+        for ground in self.buildings.grounds() {
+            let (mut identity, mut residual, mut momentum) = (0.0, 0.0, 0.0);
+            for floor in self.buildings.floors(ground) {
+                let account = &self.accounts[floor];
+                row += account.terms;
+                identity += account.identity();
+                residual += account.terms.balance();
+                momentum += account.momentum();
+                now.momentum_scale += account.momentum_magnitude();
+            }
+            now.identity += identity.abs();
+            now.residual += residual.abs();
+            now.momentum += momentum.abs();
         }
         now.scale = row.magnitude();
         self.largest.max(now)
     }
 
-    /// Takes the largest values over time: a look at every structure, after so many spans that a span costs the same
-    /// in a row of any length.
+    /// Takes the largest values over time: a look at every floor, after so many spans that a span costs the same in a
+    /// row of any length, and where no building is half way through a step.
     fn measure(&mut self) {
         self.unmeasured += 1;
-        if self.unmeasured * LOOKED_AT_PER_SPAN >= self.accounts.len() {
+        let due = self.unmeasured * LOOKED_AT_PER_SPAN >= self.accounts.len();
+        if due && self.buildings.are_whole() {
             self.largest = self.measured();
             self.unmeasured = 0;
         }
@@ -267,6 +299,7 @@ impl Recorder for Ledger<'_> {
         let works = account.span(span, &self.excitation);
         let outcome = account.flowed(hysteretic, span);
         self.judge(outcome);
+        self.buildings.see(span.structure, span.end_time);
         let pairs = self.pairs_of[span.structure];
         let [left, right] = pairs;
         self.n_meeting -= self.count(pairs);
@@ -329,3 +362,6 @@ impl Recorder for Ledger<'_> {
             ROUNDING * impulse.abs() * speeds.iter().map(|speed| speed.abs()).sum::<f64>();
     }
 }
+
+#[cfg(test)]
+mod tests;

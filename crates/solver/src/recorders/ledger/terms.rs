@@ -1,9 +1,9 @@
 use std::ops::AddAssign;
 
-/// The terms of an energy balance \[J\], of one structure or of a row, at an instant.
+/// The terms of an energy balance \[J\], of one floor and its storey, of a building or of a row, at an instant.
 ///
-/// Kinetic + strain + damping + hysteretic + impact + contact = initial + input. Each is computed on its own from the
-/// motion and its forces; none is what the others leave.
+/// Of a building and of a row: kinetic + strain + damping + hysteretic + impact + contact = initial + input. Each is
+/// computed on its own from the motion and its forces; none is what the others leave.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Terms {
     /// Kinetic and strain energy where the motion began, ≥ 0.
@@ -12,21 +12,22 @@ pub struct Terms {
     pub input: f64,
     /// Kinetic energy ½mu̇², of the velocity relative to the ground, ≥ 0.
     pub kinetic: f64,
-    /// Energy stored in the columns, `f_s`²/2k, ≥ 0.
+    /// Energy stored in the columns, `f_s`²/2k, ≥ 0; ½ a k d² + h²/2(1 − a)k of columns that harden after yielding, with
+    /// `f_s` = a k d + h under a drift d.
     pub strain: f64,
     /// Energy that viscous damping took, ∫ c·u̇² dt.
     pub damping: f64,
-    /// Energy that yielding took, ∫ `f_s` d`u_p`, ≥ 0.
+    /// Energy that yielding took, ∫ h d`u_p` (h is `f_s` without hardening), ≥ 0.
     pub hysteretic: f64,
-    /// Energy that impulsive impacts took. Of a structure: what it gave, negative where it was pushed on.
+    /// Energy that impulsive impacts took. Of a floor: what it gave, negative where it was pushed on.
     pub impact: f64,
     /// Energy that compliant contact took, ∫ F·δ̇ dt; while a pair touches, what is stored there is part of it. Of a
-    /// structure: what it gave, negative where it was pushed on.
+    /// floor: what it gave, negative where it was pushed on.
     pub contact: f64,
 }
 
 impl Terms {
-    /// What the balance leaves over \[J\]: 0 for an exact motion.
+    /// What the balance leaves over \[J\]: 0 for an exact motion of a building or a row.
     pub fn balance(&self) -> f64 {
         let held = self.kinetic + self.strain;
         let spent = self.damping + self.hysteretic + self.impact + self.contact;

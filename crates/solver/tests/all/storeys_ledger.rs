@@ -1,0 +1,372 @@
+//! The ledger, peaks and stability of buildings of several storeys.
+
+use pounding_contact::ContactLaw;
+use pounding_solver::{
+    Bilinear, BoucWen, Elastic, ElastoPlastic, Excitation, Hysteretic, Impact, Ledger, LedgerError,
+    Node, Pair, Path, Recorder, Row, RunError, Smoothness, Span, modes,
+};
+
+use crate::common::{
+    RK4, STEREOMECHANICAL, VISCOELASTIC, book, clock, ground, slope,
+};
+use crate::towers::{Rayleigh, Tower, row};
+
+const DAMPING: Rayleigh = Rayleigh {
+    alpha: 0.4,
+    beta: 1.2e-3,
+};
+
+/// Mass \[kg\], stiffness \[N/m\] and yield force \[N\] of storeys.
+type Storeys = &'static [(f64, f64, f64)];
+
+/// Three storeys, two stiffer ones, four soft ones.
+const TOWERS: [Storeys; 3] = [
+    &[(1e5, 6e7, 4e5), (1e5, 5e7, 3e5), (7e4, 4e7, 2e5)],
+    &[(3e5, 6e8, 2e6), (2e5, 4e8, 1e6)],
+    &[(8e4, 3e7, 2e5), (8e4, 3e7, 2e5), (8e4, 2e7, 1.5e5), (5e4, 2e7, 1e5)],
+];
+
+fn elastic(stiffness: f64, _: f64) -> Elastic {
+    Elastic { stiffness }
+}
+
+fn plastic(stiffness: f64, yield_force: f64) -> ElastoPlastic {
+    ElastoPlastic {
+        stiffness,
+        yield_force,
+    }
+}
+
+fn bilinear(stiffness: f64, yield_force: f64) -> Bilinear {
+    Bilinear {
+        stiffness,
+        yield_force,
+        hardening: 0.05,
+    }
+}
+
+fn smooth(stiffness: f64, yield_force: f64) -> BoucWen {
+    BoucWen {
+        stiffness,
+        yield_force,
+        hardening: 0.05,
+        smoothness: Smoothness {
+            exponent: 2,
+            unloading: 0.5,
+        },
+    }
+}
+
+/// The towers side by side, in motion from the start, touching by a law where there is one.
+fn towers<Column: Hysteretic>(
+    column: impl Fn(f64, f64) -> Column,
+    law: Option<ContactLaw>,
+) -> Row<Column> {
+    let build = |storeys: &Storeys| -> Tower<Column> {
+        let floor = |(mass, stiffness, force): &(f64, f64, f64)| (*mass, column(*stiffness, *force));
+        storeys.iter().map(floor).collect()
+    };
+    let buildings: Vec<_> = TOWERS.iter().map(build).collect();
+    let (row, levels) = row(&buildings, DAMPING, |_, _, [left, right]| {
+        let gap = 0.01;
+        law.map(|law| Pair {
+            left,
+            right,
+            gap,
+            law,
+        })
+    });
+    let moving = |(index, node): (usize, &Node<Column>)| {
+        let (building, storey) = levels.place(index);
+        let away = [-1.0, 0.0, 1.0][building] * (storey as f64 + 1.0);
+        Node {
+            initial_displacement: 1e-3 * away,
+            initial_velocity: -0.05 * away,
+            ..*node
+        }
+    };
+    let nodes = row.nodes().iter().enumerate().map(moving).collect();
+    Row::new(nodes, row.pairs().to_vec()).expect("the row is valid")
+}
+
+const LAWS: [Option<ContactLaw>; 3] = [None, Some(STEREOMECHANICAL), Some(VISCOELASTIC)];
+
+fn check_balances<Column: Hysteretic>(
+    what: &str,
+    column: impl Fn(f64, f64) -> Column,
+    yields: bool,
+) {
+    let samples: Vec<f64> = ground().iter().map(|sample| 1.5 * sample).collect();
+    for law in LAWS {
+        let row = towers(&column, law);
+        for time_step in [0.002, 0.000_5] {
+            let ledger = book(&row, RK4, &samples, clock(time_step, 5.0));
+            let what = format!("{what}, {law:?}, {time_step}");
+            assert!(ledger.identity() < 1e-12, "{what}: {:e}", ledger.identity());
+            assert!(ledger.momentum() < 1e-12, "{what}: {:e}", ledger.momentum());
+            let verdict = ledger.verdict();
+            assert!(verdict.is_ok(), "{what}: {verdict:?}");
+            let touched = |pair| ledger.of_pair(pair).impulse > 0.0;
+            assert!((0..row.pairs().len()).all(touched), "{what}: no contact");
+            let took = ledger.terms().hysteretic > 0.01 * ledger.scale();
+            assert_eq!(took, yields, "{what}: {:?}", ledger.terms());
+        }
+    }
+}
+
+#[test]
+fn limit_every_tower_balances_its_own_energy() {
+    check_balances("elastic", elastic, false);
+    check_balances("plastic", plastic, true);
+    check_balances("bilinear", bilinear, true);
+    check_balances("smooth", smooth, true);
+}
+
+/// Works are impulses times mean velocities, an error of order two in each step whatever the order of the method.
+fn check_order<Column: Hysteretic>(what: &str, column: impl Fn(f64, f64) -> Column) {
+    let row = towers(column, None);
+    let samples = ground();
+    let steps = [0.002, 0.001, 0.000_5, 0.000_25];
+    let residuals = steps.map(|dt| book(&row, RK4, &samples, clock(dt, 5.0)).residual());
+    let found = slope(&steps, &residuals);
+    assert!((found - 2.0).abs() < 0.25, "{what}: {found}, {residuals:?}");
+    assert!(residuals[3] < 1e-5, "{what}: {residuals:?}");
+}
+
+#[test]
+fn order_the_physical_balance_of_towers_tends_to_zero() {
+    check_order("elastic", elastic);
+    check_order("plastic", plastic);
+    check_order("bilinear", bilinear);
+    check_order("smooth", smooth);
+}
+
+#[test]
+fn limit_storeys_that_do_not_yield_book_the_same() {
+    let samples = ground();
+    let run = clock(0.002, 5.0);
+    for law in LAWS {
+        let lean = towers(elastic, law);
+        let lean = book(&lean, RK4, &samples, run);
+        let rich = towers(|k, _| plastic(k, f64::INFINITY), law);
+        let rich = book(&rich, RK4, &samples, run);
+        assert_eq!(lean.terms(), rich.terms(), "plastic");
+        let yields = towers(plastic, law);
+        let yields = book(&yields, RK4, &samples, run);
+        let soft = |k, force| Bilinear {
+            hardening: 0.0,
+            ..bilinear(k, force)
+        };
+        let soft = towers(soft, law);
+        let soft = book(&soft, RK4, &samples, run);
+        assert_eq!(yields.terms(), soft.terms(), "no hardening");
+        // With hardening force and energy are the same, but summed otherwise.
+        for (name, other) in [
+            ("bilinear", book_never(bilinear, law, &samples)),
+            ("smooth", book_never(smooth, law, &samples)),
+        ] {
+            let distance = lean.error(&other);
+            assert!(distance < 1e-10, "{name}: {distance:e}");
+            assert!(other.terms().hysteretic == 0.0, "{name} does not yield");
+        }
+    }
+}
+
+/// Columns with a yield force far out of reach.
+fn book_never<Column: Hysteretic>(
+    column: impl Fn(f64, f64) -> Column,
+    law: Option<ContactLaw>,
+    samples: &[f64],
+) -> Ledger<'_> {
+    let row = towers(|k, _| column(k, f64::INFINITY), law);
+    book(&row, RK4, samples, clock(0.002, 5.0))
+}
+
+/// Undamped towers keep their energy, which begins in the drifts.
+#[test]
+fn limit_free_vibration_of_a_tower_keeps_its_energy() {
+    let floors = vec![(1e5, elastic(6e7, 0.0)), (8e4, elastic(4e7, 0.0))];
+    let damping = Rayleigh {
+        alpha: 0.0,
+        beta: 0.0,
+    };
+    let (still, _) = row(&[floors], damping, |_, _, _| None);
+    let mut nodes = still.nodes().to_vec();
+    (nodes[0].initial_displacement, nodes[1].initial_displacement) = (0.01, -0.02);
+    nodes[1].initial_velocity = 0.4;
+    let row = Row::new(nodes, vec![]).unwrap();
+    let ledger = book(&row, RK4, &[0.0], clock(0.000_5, 5.0));
+    let terms = ledger.terms();
+    let energy = 0.5 * (6e7 * 0.01 * 0.01 + 4e7 * 0.03 * 0.03 + 8e4 * 0.4 * 0.4);
+    assert!((terms.initial / energy - 1.0).abs() < 1e-14, "{terms:?}");
+    let held = terms.kinetic + terms.strain;
+    assert!((held / energy - 1.0).abs() < 1e-6, "{terms:?}");
+    assert_eq!(ledger.of_building(0), terms);
+    // Floors alone do not balance: what one gives the other gets.
+    assert!(ledger.of(0).balance().abs() > 1e-3 * energy, "{:?}", ledger.of(0));
+    assert!(terms.balance().abs() < 1e-6 * energy, "{terms:?}");
+}
+
+/// Passes a run of a tower of two storeys on to a ledger, both spans of a step with a fault put in.
+struct Faulty<'a, F> {
+    ledger: Ledger<'a>,
+    lower: Option<Span<'static>>,
+    fault: F,
+}
+
+/// A step without its borrow.
+fn step(span: &Span<'_>) -> Span<'static> {
+    let Path::Cubic(weighed) = span.path else {
+        panic!("a step: {span:?}");
+    };
+    Span {
+        structure: span.structure,
+        start_time: span.start_time,
+        end_time: span.end_time,
+        start: span.start,
+        end: span.end,
+        impulse_from_left: span.impulse_from_left,
+        impulse_from_right: span.impulse_from_right,
+        below: span.below,
+        path: Path::Cubic(weighed),
+    }
+}
+
+impl<F: Fn(&mut [Span<'static>; 2])> Recorder for Faulty<'_, F> {
+    const READS_WEIGHED: bool = true;
+
+    fn span(&mut self, span: &Span<'_>) {
+        let Some(lower) = self.lower.take() else {
+            self.lower = Some(step(span));
+            return;
+        };
+        let mut spans = [lower, step(span)];
+        (self.fault)(&mut spans);
+        for span in &spans {
+            self.ledger.span(span);
+        }
+    }
+
+    fn impact(&mut self, _: &Impact) {}
+}
+
+/// What the ledger says of a tower with a fault: own balances and physical one, and its verdict.
+fn found<Column: Hysteretic>(
+    column: impl Fn(f64, f64) -> Column,
+    fault: impl Fn(&mut [Span<'static>; 2]),
+) -> ([f64; 3], Result<(), LedgerError>) {
+    let samples = ground();
+    let storeys = TOWERS[1].iter();
+    let floors = storeys.map(|(mass, k, force)| (*mass, column(*k, 0.3 * force)));
+    let (row, _) = row(&[floors.collect()], DAMPING, |_, _, _| None);
+    let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
+    let mut faulty = Faulty {
+        ledger: Ledger::new(&row, excitation),
+        lower: None,
+        fault,
+    };
+    RK4.run(&row, excitation, clock(0.001, 5.0), &mut faulty)
+        .expect("the run ends");
+    let ledger = faulty.ledger;
+    (
+        [ledger.identity(), ledger.momentum(), ledger.residual()],
+        ledger.verdict().map(|_| ()),
+    )
+}
+
+#[test]
+fn limit_a_good_tower_shows_nothing() {
+    let good = |([identity, momentum, residual], verdict): ([f64; 3], Result<(), LedgerError>)| {
+        let balanced = identity < 1e-12 && momentum < 1e-12 && residual < 1e-4;
+        assert!(balanced, "{identity:e}, {momentum:e}, {residual:e}");
+        assert!(verdict.is_ok(), "{verdict:?}");
+    };
+    good(found(elastic, |_| ()));
+    good(found(plastic, |_| ()));
+    good(found(bilinear, |_| ()));
+    good(found(smooth, |_| ()));
+}
+
+/// The upper storey pulls its floor, but its reaction is not in what the method reports of the floor below.
+#[test]
+fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
+    let forgets = |spans: &mut [Span<'static>; 2]| {
+        if let [Path::Cubic(lower), Path::Cubic(upper)] = [spans[0].path, spans[1].path] {
+            let mut lower = lower;
+            lower.restoring += upper.restoring;
+            spans[0].path = Path::Cubic(lower);
+        }
+    };
+    let ([identity, momentum, residual], _) = found(elastic, forgets);
+    assert!(identity > 1e-2 && momentum > 1e-2, "{identity:e}, {momentum:e}");
+    assert!(residual > 1e-2, "{residual:e}");
+    let slightly = |spans: &mut [Span<'static>; 2]| {
+        if let Path::Cubic(lower) = &mut spans[0].path {
+            lower.damping *= 1.000_1;
+        }
+    };
+    let ([identity, momentum, _], _) = found(elastic, slightly);
+    assert!(identity > 1e-8 && momentum > 1e-8, "{identity:e}, {momentum:e}");
+}
+
+/// The method's equation itself is without the reaction: floors that are structures of their own, of which one is told to
+/// stand on the other.
+#[test]
+fn limit_a_method_without_reaction_shows_in_the_physical_balance() {
+    let stands_on_nothing = |spans: &mut [Span<'static>; 2]| spans[1].below = None;
+    let ([identity, _, residual], _) = found(bilinear, stands_on_nothing);
+    assert!(identity < 1e-12, "the impulses are right: {identity:e}");
+    assert!(residual > 1e-3, "the energies are not: {residual:e}");
+    let late = |spans: &mut [Span<'static>; 2]| {
+        let [start, _] = spans[1].below.expect("a floor below");
+        spans[1].below = Some([start, start]);
+    };
+    let ([identity, _, residual], _) = found(smooth, late);
+    assert!(identity < 1e-12, "the impulses are right: {identity:e}");
+    assert!(residual > 1e-3, "the drifts are not: {residual:e}");
+}
+
+#[test]
+fn limit_columns_that_give_energy_in_yielding_are_named() {
+    // Flow at a force that did not change, against it.
+    let backwards = |spans: &mut [Span<'static>; 2]| {
+        let upper = &mut spans[1];
+        let [start, end] = upper.drifts();
+        if end.displacement - start.displacement > 1e-6 {
+            upper.end.restoring_force = -1.2 * 3e5;
+            upper.start.restoring_force = upper.end.restoring_force;
+        }
+    };
+    for verdict in [
+        found(plastic, backwards).1,
+        found(bilinear, backwards).1,
+        found(smooth, backwards).1,
+    ] {
+        let named = matches!(verdict, Err(LedgerError::GainInYielding { structure: 1, .. }));
+        assert!(named, "{verdict:?}");
+    }
+}
+
+/// The Runge–Kutta method is stable up to the limit of the fastest mode, and no further.
+#[test]
+fn reference_the_critical_time_step_of_a_tower() {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).unwrap();
+    let row = towers(elastic, None);
+    let limits = row.buildings().map(|building| {
+        let modes = row.modes(building).expect("a building");
+        RK4.critical_time_step_of(&modes).expect("a limit")
+    });
+    let least = limits.fold(f64::INFINITY, f64::min);
+    let run = |part: f64| {
+        let clock = pounding_solver::Clock {
+            time_step: part * least,
+            n_steps: 20_000,
+        };
+        RK4.run(&row, excitation, clock, &mut ())
+    };
+    assert!(run(0.999).is_ok(), "below {least}: {:?}", run(0.999));
+    let above = run(1.01);
+    assert!(matches!(above, Err(RunError::Diverged { .. })), "{above:?}");
+    assert_eq!(RK4.critical_time_step_of(&modes::<Elastic>(&[]).unwrap()), None);
+}
