@@ -9,6 +9,8 @@ use pounding_motion::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::choice::{self, Choice};
+
 /// A ground motion from a formula.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -57,6 +59,7 @@ pub enum Generated {
 #[serde(deny_unknown_fields)]
 pub struct Stochastic {
     /// The ground.
+    #[serde(deserialize_with = "choice::one")]
     pub ground: Ground,
     /// Peak ground acceleration \[m/s²\], ≥ 0.
     pub pga_m_per_s2: f64,
@@ -104,6 +107,21 @@ pub enum Ground {
         /// Damping ratio of the high-pass filter \[–\], > 0.
         high_pass_damping_ratio: f64,
     },
+}
+
+impl Choice for Ground {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"filters": {"angular_frequency_rad_per_s": 15.0, "damping_ratio": 0.6, "high_pass_angular_frequency_rad_per_s": 1.5, "high_pass_damping_ratio": 0.6}}"#,
+    ];
+}
+
+impl Choice for Generated {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"harmonic": {"amplitude_m_per_s2": 2.0, "frequency_hz": 1.0, "duration_s": 10.0, "time_step_s": 0.01}}"#,
+        r#"{"ricker": {"amplitude_m_per_s2": 2.0, "frequency_hz": 1.0, "time_step_s": 0.01}}"#,
+        r#"{"half_sine": {"amplitude_m_per_s2": 2.0, "duration_s": 0.5, "time_step_s": 0.01}}"#,
+        r#"{"stochastic": {"ground": "firm", "pga_m_per_s2": 3.0, "strong_from_s": 2.0, "strong_until_s": 10.0, "decay_per_s": 0.4, "duration_s": 20.0, "time_step_s": 0.01, "seed": 1}}"#,
+    ];
 }
 
 impl Ground {
