@@ -17,12 +17,14 @@ mod geonet;
 mod knet;
 mod miniseed;
 mod plain;
+mod renadic;
 mod sac;
 mod smc;
 mod table;
 mod time_column;
 mod title;
 mod unam;
+mod usc;
 
 use crate::line::{Line, lines};
 use crate::{Accelerogram, Declared, Place, ReadError};
@@ -158,11 +160,11 @@ const READERS: [Reader; 20] = [
     miniseed::READER,
     cosmos::READER,
     csmip_v3::READER,
-    csmip_v2::USC,
+    usc::READER,
     csmip_v2::READER,
     smc::READER,
     geonet::READER,
-    csmip_v1::RENADIC,
+    renadic::READER,
     csmip_v1::READER,
     knet::READER,
     esm::READER,

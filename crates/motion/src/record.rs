@@ -9,8 +9,8 @@ use crate::RecordError;
 /// measured.
 const COINCIDENCE: f64 = 1e-9;
 
-/// Largest number of samples that resampling makes: 0.8 GB of them.
-const MAX_SAMPLES: u32 = 100_000_000;
+/// Largest number of samples that resampling and formulas make: 80 MB of them, of which a run keeps some copies.
+const MAX_SAMPLES: u32 = 10_000_000;
 
 /// A `Record` is a uniformly sampled ground acceleration \[m/s²\] together with where it came from.
 ///
@@ -102,7 +102,7 @@ impl Record {
     /// remains after the last grid point inside the record, less than one new step, is dropped.
     ///
     /// # Errors
-    /// Refuses a time step that is not finite and above zero, or that needs more than 10⁸ samples.
+    /// Refuses a time step that is not finite and above zero, or that needs more than 10⁷ samples.
     pub fn resampled(&self, time_step: f64) -> Result<Self, RecordError> {
         let samples = (0..=steps(self.duration(), time_step)?)
             .map(|step| self.at(step as f64 * time_step))

@@ -16,16 +16,6 @@ const STREAM: u128 = 0x0123_4567_89ab_cdef_0011_2233_4455_6677;
 /// Largest number of terms × samples: some half a minute of work.
 const MOST_PRODUCTS: f64 = 1e10;
 
-/// How strong a stochastic motion is.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Strength {
-    /// Every motion is scaled to this peak \[m/s²\], ≥ 0.
-    Peak(f64),
-    /// Two-sided spectral density S₀ of the white noise over circular frequency \[m²/s³\], ≥ 0; the peak then differs
-    /// from seed to seed.
-    WhiteNoise(f64),
-}
-
 /// A ground motion of random phases: noise that the ground has filtered, under an envelope.
 ///
 /// a(t) = e(t) Σ √(4 S(nΔω) Δω) cos(nΔω t + φₙ) for n ≥ 1 up to the cutoff, with Δω = 2π/duration and φₙ uniform over a
@@ -37,15 +27,15 @@ pub enum Strength {
 /// The high-pass filter alone does not bring the ground to rest at the end: an envelope that comes and goes within few
 /// of its periods leaves a tenth of the peak velocity and more. A straight line times the envelope is therefore taken
 /// away such that velocity and displacement end at zero. That weakens the motion at periods above the
-/// strong shaking's duration. The constant envelope is left as it is.
+/// strong shaking's duration.
 ///
 /// Time grows with samples times terms: 0.03 s for 40 s at 0.005 s up to 25 Hz.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StochasticMotion {
     /// The ground.
     pub ground: GroundFilter,
-    /// How strong the motion is.
-    pub strength: Strength,
+    /// Largest magnitude \[m/s²\], ≥ 0, to which every motion is scaled.
+    pub peak: f64,
     /// How it comes and goes.
     pub envelope: Envelope,
     /// Highest frequency \[Hz\], below half of one over the time step and at least one over the duration; 25 is usual.
@@ -66,8 +56,8 @@ impl StochasticMotion {
     pub fn check(&self) -> Result<(), RecordError> {
         self.ground.check()?;
         self.envelope.check()?;
-        let (Strength::Peak(found) | Strength::WhiteNoise(found)) = self.strength;
-        within("strength", found, found >= 0.0, "a finite number >= 0")?;
+        let peak = self.peak;
+        within("peak", peak, peak >= 0.0, "a finite number >= 0 m/s²")?;
         let (cutoff, duration) = (self.cutoff, self.duration);
         within("duration", duration, duration > 0.0, "a number > 0 s")?;
         let whole = steps(duration, self.time_step)? as f64 * self.time_step;
@@ -85,10 +75,13 @@ impl StochasticMotion {
     /// Those of [`StochasticMotion::check`], and samples that are not finite.
     pub fn record(&self) -> Result<Record, RecordError> {
         self.check()?;
-        let density = match self.strength {
-            Strength::Peak(_) => 1.0,
-            Strength::WhiteNoise(density) => density,
-        };
+        // Any density will do: the peak is scaled.
+        self.shaped(1.0)?.scaled_to_peak(self.peak)
+    }
+
+    /// The motion under its envelope, at rest at the end, of white noise of a two-sided spectral density S₀ over circular
+    /// frequency \[m²/s³\]; its peak differs from seed to seed.
+    fn shaped(&self, density: f64) -> Result<Record, RecordError> {
         let mut samples = self.stationary(density)?;
         let factor = |step: usize| self.envelope.at(step as f64 * self.time_step);
         let factors: Vec<f64> = (0..samples.len()).map(factor).collect();
@@ -96,17 +89,10 @@ impl StochasticMotion {
             *sample *= factor;
         }
         let record = Record::new(self.time_step, samples, self.describe())?;
-        let record = match self.envelope {
-            Envelope::Constant => record,
-            Envelope::Jennings { .. } => brought_to_rest(&record, &factors)?,
-        };
-        match self.strength {
-            Strength::Peak(peak) => record.scaled_to_peak(peak),
-            Strength::WhiteNoise(_) => Ok(record),
-        }
+        brought_to_rest(&record, &factors)
     }
 
-    /// One period of the stationary motion and its first sample once more.
+    /// One period of the stationary motion \[m/s²\] and its first sample once more.
     fn stationary(&self, density: f64) -> Result<Vec<f64>, RecordError> {
         let n_steps = steps(self.duration, self.time_step)?;
         let period = n_steps as f64 * self.time_step;
@@ -140,27 +126,20 @@ impl StochasticMotion {
 
     fn describe(&self) -> String {
         let ground = &self.ground;
-        let strength = match self.strength {
-            Strength::Peak(peak) => format!("peak {peak} m/s²"),
-            Strength::WhiteNoise(density) => format!("white noise of {density} m²/s³"),
-        };
-        let envelope = match self.envelope {
-            Envelope::Constant => "stationary".to_string(),
-            Envelope::Jennings {
-                strong_from,
-                strong_until,
-                decay,
-            } => format!(
-                "strong from {strong_from} s to {strong_until} s, then decaying at {decay} 1/s"
-            ),
-        };
+        let Envelope {
+            strong_from,
+            strong_until,
+            decay,
+        } = self.envelope;
         format!(
-            "stochastic motion, seed {}: ground {} rad/s and {}, high-pass {} rad/s and {}, {strength}, {envelope}, up to {} Hz",
+            "stochastic motion, seed {}: ground {} rad/s and {}, high-pass {} rad/s and {}, peak {} m/s², strong from \
+             {strong_from} s to {strong_until} s, then decaying at {decay} 1/s, up to {} Hz",
             self.seed,
             ground.angular_frequency,
             ground.damping_ratio,
             ground.high_pass_angular_frequency,
             ground.high_pass_damping_ratio,
+            self.peak,
             self.cutoff,
         )
     }
@@ -170,3 +149,6 @@ impl StochasticMotion {
 fn uniform(random: &mut Pcg64) -> f64 {
     (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
+
+#[cfg(test)]
+mod tests;

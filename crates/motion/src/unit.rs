@@ -52,11 +52,6 @@ impl AccelerationUnit {
         }
     }
 
-    /// Returns the unit of that [`name`](Self::name), if there is one.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|unit| unit.name() == name)
-    }
-
     /// Turns a value in this unit into m/s², with one g worth `gravity` \[m/s²\].
     ///
     /// Powers of ten divide: 12.3 cm/s² become the f64 that is written 0.123.

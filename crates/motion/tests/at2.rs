@@ -1,7 +1,7 @@
 //! PEER AT2 and its relatives: every header and layout that is read, and what each refusal says.
 
 use insta::assert_snapshot;
-use pounding_motion::{AccelerationUnit, Accelerogram, Declared, read, read_declared};
+use pounding_motion::{AccelerationUnit, Accelerogram, Declared, components, read, read_declared};
 
 const TITLES: &str = "A DATABASE RECORD\nSOMEWHERE 01/02/03 0405, A STATION\n\
                       ACCELERATION TIME SERIES IN UNITS OF G\n";
@@ -203,4 +203,56 @@ fn extreme_values() {
     assert_snapshot!(refusal(&with_values(4, "0.12-0.345\n0.1 0.2\n")), @r#"line 5, field 1: "0.12-0.345" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(4, "-12.3\u{b2}5-34.500\n")), @r#"line 5, field 1: "-12.3²" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(18_446_744_073_709_551_615, "0.1\n")), @"the values end at line 5 after 1 of them, but the header declares 18446744073709551615; fetch the file again, or correct the header if the values are complete");
+}
+
+/// The names of the components of a file with such a line of earthquake and station.
+fn names(line: &str) -> Vec<String> {
+    let text = format!("A DATABASE RECORD\n{line}\nACCELERATION TIME SERIES IN UNITS OF G\n");
+    let text = format!("{text}NPTS= 1, DT= .01 SEC\n 0.1\n");
+    let names = components(text.as_bytes()).expect("an AT2 file");
+    // What has a name is taken without being asked for.
+    let found = accelerogram(&text);
+    assert_eq!(found.values(), [0.1], "{line}");
+    names
+}
+
+#[test]
+fn reference_the_direction_behind_the_last_comma_is_the_component() {
+    for (line, name) in [
+        (
+            "SOMEWHERE 01/02/03 0405, A STATION #9, 180 (AGENCY STATION 117)",
+            "180",
+        ),
+        ("Somewhere-02, 2/3/1940, A Station #9, 000", "000"),
+        ("Somewhere_ Japan, 6/13/2008, IWTH25, UD", "UD"),
+        ("SOMEWHERE, 1/2/03, STATION, UP", "UP"),
+        ("SOMEWHERE, 1/2/03, STATION,DWN  ", "DWN"),
+        ("SOMEWHERE, 1/2/03, STATION, V", "V"),
+        ("SOMEWHERE, 1/2/03, STATION, NS", "NS"),
+    ] {
+        assert_eq!(names(line), [name], "{line}");
+    }
+}
+
+#[test]
+fn extreme_titles_without_a_direction() {
+    for line in [
+        "SOMEWHERE 01/02/03 0405, A STATION",
+        "UP",
+        "SOMEWHERE, STATION,",
+        "9 points, i.e., 8 points across in a row with 5 decimals",
+        "SOMEWHERE, LOOK UP",
+        "SOMEWHERE, 361",
+        ",",
+    ] {
+        assert!(names(line).is_empty(), "{line}");
+    }
+    let rotated = "Orig PEER filename = X, Scale factor = 2.4\n  H1 for rotation: X 10/15/79, A TOWN, 000 (STATION 5155)\n  \
+                   H2 for rotation: X, 270\n  rotation angle - clockwise   -37.0\n  FN component, azimuth =   233.0\n  \
+                   Acceleration in g\n1 0.0050 NPTS, DT \n0.008941\n";
+    assert!(
+        components(rotated.as_bytes())
+            .expect("an AT2 file")
+            .is_empty()
+    );
 }

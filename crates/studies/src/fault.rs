@@ -24,7 +24,7 @@ pub enum Fault {
     /// A field that is not known.
     #[error(
         "found the field `{found}`, allowed are {}{}",
-        listed(allowed),
+        if allowed.is_empty() { "none; delete it".into() } else { listed(allowed) },
         meant(found, allowed)
     )]
     UnknownField {
@@ -134,6 +134,7 @@ fn is_choice(message: &str) -> bool {
         || message.starts_with("wanted exactly 1 element")
         || message.starts_with("wanted string or table")
         || message.starts_with("wanted string or inline table")
+        || message == "invalid type: map, expected enum"
         || (message.starts_with("invalid type: ") && message.ends_with("expected string or map"))
 }
 
@@ -165,6 +166,7 @@ fn in_words(text: &str) -> String {
         "a string" => "a text".into(),
         "a sequence" | "sequence" => "a list".into(),
         "map" | "a map" => "a table".into(),
+        "unit" => "the word alone".into(),
         "null" | "unit value" => "nothing (null)".into(),
         "an array of length 2" => "a list of two".into(),
         "0" | "1" | "3" => format!("a list of {text}"),

@@ -3,13 +3,13 @@
 mod header;
 mod values;
 
-use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
+use super::{Component, Draft, File, Format, Reader, Scale, Stated};
 use crate::{AccelerationUnit, Place, ReadError};
 
 pub(super) const READER: Reader = Reader {
     format: Format::PeerAt2,
     recognises: |file| header::is_at2(&file.lines),
-    components: one_component,
+    components: |file| Ok(header::component(&file.lines).into_iter().collect()),
     read: |file, _| read(file),
 };
 
@@ -20,6 +20,7 @@ pub(super) const READER: Reader = Reader {
 /// is a whole number and a time step. A title line says that the values are acceleration in g, or none names
 /// a unit, which must then be declared.
 /// Values stand in any number of columns of any width, as C or Fortran writes them, and may touch.
+/// The component is the direction behind the last comma of PEER's line of earthquake and station, where there is one.
 /// They end at the end of the file or at a line that does not begin with a number; blank lines are
 /// skipped. The first value is at t = 0, since the format has no times: a file that leaves out the
 /// state of rest is early by one step. The title lines become the provenance.

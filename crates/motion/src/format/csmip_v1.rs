@@ -1,12 +1,10 @@
-//! CSMIP (CDMG) volume 1 and RENADIC volume 1: uncorrected accelerograms, per channel 13 titles and
-//! 14 lines of numbers, then the values.
+//! CSMIP (CDMG) volume 1: uncorrected accelerograms, per channel 13 titles and 14 lines of numbers, then the values.
 //!
 //! Newer files have a line such as `13200 Accelerogram points at 200 pts/sec in units of g.
 //! Format:(8f9.6)` above values alone. Older ones have pairs of time and value, five to a line of
-//! 10F7, and a title such as `UNITS ARE SEC AND G/10`.
+//! 10F7, and most a title such as `UNITS ARE SEC AND G/10`; without it their unit must be declared.
 //!
-//! No file of either network was at hand: this follows descriptions of the format and programs
-//! that read it.
+//! No file was at hand: this follows descriptions of the format and programs that read it.
 
 use super::columns::{Columns, Largest, decimal, leading_data};
 use super::csmip_v2::component;
@@ -26,22 +24,17 @@ const PAIRS: Columns = Columns::new(10, 7);
 pub(super) const READER: Reader = Reader {
     format: Format::CsmipV1,
     recognises,
-    components: |file| Ok(components(file)),
+    components,
     read,
 };
 
-pub(super) const RENADIC: Reader = Reader {
-    format: Format::RenadicV1,
-    recognises: |file| {
-        let titles = &file.lines[..file.lines.len().min(TITLES)];
-        recognises(file) && title::line_with(titles, "RENADIC").is_some()
-    },
-    components: |file| Ok(components(file)),
-    read,
-};
-
-fn recognises(file: &File<'_>) -> bool {
+pub(super) fn recognises(file: &File<'_>) -> bool {
     file.lines.first().is_some_and(|line| starts(*line))
+}
+
+/// The titles of the first channel.
+pub(super) fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
+    &file.lines[..file.lines.len().min(TITLES)]
 }
 
 fn starts(line: Line<'_>) -> bool {
@@ -52,15 +45,16 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
     super::blocks(&file.lines, |index| starts(file.lines[index]))
 }
 
-fn components(file: &File<'_>) -> Vec<Component> {
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
+pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let channels = channels(file);
-    channels
+    Ok(channels
         .into_iter()
         .map(|channel| component(&channel[..channel.len().min(TITLES)]))
-        .collect()
+        .collect())
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let next = needed(channel.get(HEADER), channel.last().copied(), "the values")?;
@@ -151,11 +145,6 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
             allowed: count.value,
         });
     }
-    let unit = needed(
-        title::line_with(titles, "UNITS"),
-        header.last().copied(),
-        "its unit",
-    )?;
     let (time_step, rest) = times.into_step(&mut values)?;
     // A state of rest may have come before the pairs that were counted above.
     let count = Stated {
@@ -173,14 +162,21 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
         digit: largest.digit(),
         count: Some(count),
         time_step: Some(time_step),
-        scale: Scale::Unit(title::stated_unit(
-            unit,
-            title::after(&unit.text(), "UNITS").unwrap_or_default(),
-        )?),
+        scale: scale(titles)?,
         peak: peak(titles),
         provenance: title::provenance(titles),
         remarks: rest.into_iter().chain([remark]).collect(),
     })
+}
+
+/// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown where no title names units.
+fn scale(titles: &[Line<'_>]) -> Result<Scale, ReadError> {
+    let Some(line) = title::line_with(titles, "UNITS") else {
+        return Ok(Scale::Unknown);
+    };
+    let text = line.text();
+    let units = title::after(&text, "UNITS").unwrap_or_default();
+    Ok(Scale::Unit(title::stated_unit(line, units)?))
 }
 
 /// The number of pairs: of a title such as `NO. OF POINTS =   8820`, else the 28th of the whole

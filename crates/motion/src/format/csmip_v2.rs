@@ -1,5 +1,5 @@
-//! CSMIP (CDMG) volume 2 and USC volume 2: per channel titles and numbers, then blocks of
-//! acceleration, velocity and displacement, of which the first is read.
+//! CSMIP (CDMG) volume 2: per channel titles and numbers, then blocks of acceleration, velocity and displacement, of which
+//! the first is read.
 //!
 //! The line above each block tells how many values there are, their step, their unit and, in newer
 //! files, their Fortran format; older ones have 8F10.3.
@@ -19,25 +19,17 @@ const SEARCHED: usize = 80;
 pub(super) const READER: Reader = Reader {
     format: Format::CsmipV2,
     recognises,
-    components: |file| Ok(components(file)),
+    components,
     read,
 };
 
-/// Volume 2 of the University of Southern California, which other networks took up.
-pub(super) const USC: Reader = Reader {
-    format: Format::UscV2,
-    recognises: |file| recognises(file) && is_usc(file),
-    components: |file| Ok(components(file)),
-    read,
-};
-
-fn recognises(file: &File<'_>) -> bool {
+pub(super) fn recognises(file: &File<'_>) -> bool {
     starts(&file.lines, 0)
 }
 
-fn is_usc(file: &File<'_>) -> bool {
-    let titles = &file.lines[..file.lines.len().min(TITLES)];
-    title::line_with(titles, "STATION USC").is_some()
+/// The titles of the first channel.
+pub(super) fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
+    &file.lines[..file.lines.len().min(TITLES)]
 }
 
 /// Whether a channel begins here: `CORRECTED ACCELEROGRAM`, and on the next line the uncorrected
@@ -56,8 +48,9 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
     super::blocks(&file.lines, |index| starts(&file.lines, index))
 }
 
-fn components(file: &File<'_>) -> Vec<Component> {
-    channels(file).into_iter().map(component).collect()
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
+pub(super) fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    Ok(channels(file).into_iter().map(component).collect())
 }
 
 /// The channel as the titles name it: `CHAN  1:  90 DEG` or `COMP N08W`.
@@ -84,7 +77,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
     }
 }
 
-fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let channels = channels(file);
     let channel = needed(channels.get(index), file.lines.last().copied(), "a channel")?;
     let titles = &channel[..channel.len().min(TITLES)];

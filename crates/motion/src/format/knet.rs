@@ -2,7 +2,7 @@
 //!
 //! The scale factor of the header, such as `3920(gal)/6182761`, turns counts into gal. The counts
 //! have an offset, so their mean is removed, as it is for the peak in the header. Directions are
-//! compass points, or on KiK-net 1 to 3 in the borehole and 4 to 6 at the surface.
+//! compass points, or on KiK-net 1 to 3 in the borehole and 4 to 6 at the surface, each north-south, east-west and up.
 //!
 //! The network does not let its files be passed on, and none was at hand: this follows its
 //! description and programs that read it.
@@ -27,11 +27,21 @@ pub(super) const READER: Reader = Reader {
 };
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
-    let (line, name) = value(file, "Dir.")?;
+    let (line, stated) = value(file, "Dir.")?;
     Ok(vec![Component {
-        name,
+        name: direction(stated),
         place: Place::Line(line.number),
     }])
+}
+
+/// The direction as stated, and in words where it is a number of KiK-net: `6: UP`.
+fn direction(stated: String) -> String {
+    match stated.as_str() {
+        "1" | "4" => format!("{stated}: N-S"),
+        "2" | "5" => format!("{stated}: E-W"),
+        "3" | "6" => format!("{stated}: UP"),
+        _ => stated,
+    }
 }
 
 fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), ReadError> {

@@ -6,8 +6,8 @@
 
 use super::columns::{Columns, is_mark, leading_data};
 use super::title::{self, needed};
-use super::{Draft, File, Format, Peak, Reader, Scale, Stated, one_component};
-use crate::line::Line;
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated};
+use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
 /// Lines of titles, of whole numbers, and of numbers with a point.
@@ -18,9 +18,41 @@ const REAL: usize = 10;
 pub(super) const READER: Reader = Reader {
     format: Format::UsgsSmc,
     recognises,
-    components: one_component,
+    components,
     read: |file, _| read(file),
 };
+
+/// The component of the title, such as `component=  360`, where there is one; `UP` where the header says that the sensor
+/// stands upright.
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
+fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
+    let titles = &file.lines[..file.lines.len().min(TITLES)];
+    let whole = file.lines.get(TITLES..TITLES + WHOLE);
+    let numbers = whole.map(|lines| Columns::new(8, 10).header(lines));
+    // The 13th number is the angle from upright, in degrees.
+    let angle = numbers.and_then(|numbers| number_of(&numbers, 13));
+    let upright = angle.is_some_and(|angle| [0.0, 180.0].iter().any(|up| is_mark(angle, *up)));
+    let line = title::line_with(titles, "COMPONENT=");
+    let stated = line.and_then(|line| {
+        let text = line.text();
+        let word = title::after(&text, "COMPONENT=")?
+            .split_whitespace()
+            .next()?;
+        Some(word.to_owned())
+    });
+    let component = |name: String, line: usize| Component {
+        name,
+        place: Place::Line(line),
+    };
+    // A number would be the azimuth of an upright sensor.
+    let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
+    let line = line.map_or(TITLES, |line| line.number);
+    Ok(match stated {
+        Some(name) => vec![component(name, line)],
+        None if upright => vec![component("UP".to_owned(), TITLES + 2)],
+        None => Vec::new(),
+    })
+}
 
 /// A stage from 1 to 9 and its name, then a line with a star.
 fn recognises(file: &File<'_>) -> bool {

@@ -96,6 +96,25 @@ fn reference_volume_1_of_pairs() {
 }
 
 #[test]
+fn issue_pairs_without_a_title_of_their_unit() {
+    // They were refused as if the file ended too early.
+    let text = with("csmip-old.v1", "Units are sec and g/10", "");
+    assert_snapshot!(refusal(&text, &NOTHING), @"the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
+    let declared = Declared {
+        unit: Some(AccelerationUnit::TenthG),
+        ..NOTHING
+    };
+    let found = accelerogram(&text, &declared);
+    assert_eq!(found.values()[..3], [-2.807, -8.174, -6.988]);
+    // The peak of the header still tells a wrong unit.
+    let wrong = Declared {
+        unit: Some(AccelerationUnit::StandardGravity),
+        ..NOTHING
+    };
+    assert_snapshot!(refusal(&text, &wrong), @r#"line 13 states a peak of "Uncor Max = -0.8174 g, at .010 sec.   RMS accel = .010 g.", but the largest value read is 8.174 g; one of them is damaged or in another unit: fetch the file again"#);
+}
+
+#[test]
 fn extreme_volume_1() {
     let refused = |from, to| refusal(with("csmip-old.v1", from, to), &NOTHING);
     assert_snapshot!(refused("points =     12", "points =     13"), @"the values end at line 30 after 12 of them, but the header declares 13; fetch the file again, or correct the header if the values are complete");

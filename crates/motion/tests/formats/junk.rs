@@ -30,11 +30,18 @@ fn declared(per_count: Option<f64>) -> Declared {
     }
 }
 
-fn is_sound(bytes: &[u8], declared: &Declared) -> bool {
-    let _ = components(bytes);
-    read_declared(bytes, declared).is_ok_and(|found| {
-        found.values().iter().all(|value| value.is_finite()) && found.time_step() > 0.0
-    })
+/// Refused, or read as numbers that can be used.
+fn check(bytes: &[u8], declared: &Declared) {
+    let names = components(bytes);
+    let Ok(found) = read_declared(bytes, declared) else {
+        return;
+    };
+    assert!(names.is_ok(), "read, but {names:?}");
+    let step = found.time_step();
+    assert!(step.is_finite() && step > 0.0, "time step {step}");
+    assert!(!found.values().is_empty(), "no values");
+    let finite = found.values().iter().all(|value| value.is_finite());
+    assert!(finite, "a value that is not finite");
 }
 
 #[test]
@@ -75,8 +82,8 @@ proptest! {
             let place = place.index(bytes.len());
             bytes[place] = byte;
         }
-        let _ = is_sound(&bytes, &declared(counts.then_some(2.0)));
-        let _ = is_sound(&bytes, &Declared::default());
+        check(&bytes, &declared(counts.then_some(2.0)));
+        check(&bytes, &Declared::default());
     }
 
     #[test]
@@ -87,6 +94,6 @@ proptest! {
         let mut changed = lines[..at].to_vec();
         changed.extend(std::iter::repeat_n(lines[at], repeat));
         changed.extend(&lines[at + 1..]);
-        let _ = is_sound(changed.join("\n").as_bytes(), &declared(None));
+        check(changed.join("\n").as_bytes(), &declared(None));
     }
 }

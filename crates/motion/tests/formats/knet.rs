@@ -51,3 +51,17 @@ fn extreme_header_and_values() {
     };
     assert_snapshot!(refusal(file("knet.ns"), &declared), @"line 14 says that the values are in cm_per_s2, but `per_count` is declared as 2; leave it away, there are no counts to scale");
 }
+
+#[test]
+fn reference_directions_of_kik_net_are_numbers() {
+    for (stated, name) in [
+        ("1", "1: N-S"),
+        ("5", "5: E-W"),
+        ("3", "3: UP"),
+        ("6", "6: UP"),
+        ("U-D", "U-D"),
+    ] {
+        let text = with("knet.ns", "N-S", stated);
+        assert_eq!(components(text.as_bytes()).unwrap(), [name]);
+    }
+}

@@ -1,7 +1,7 @@
 //! USGS SMC.
 
 use insta::assert_snapshot;
-use pounding_motion::{AccelerationUnit, Declared, Format};
+use pounding_motion::{AccelerationUnit, Declared, Format, components};
 
 use super::{accelerogram, file, readings, refusal, with};
 
@@ -23,6 +23,7 @@ fn reference_numbers_that_touch() {
     assert_eq!(found.values()[20..=20], [8.8053]);
     assert_snapshot!(readings(&found), @r"
     format: USGS SMC
+    component (line 6): 27
     number of samples (line 14): 21
     time step (line 18): 0.01 s
     unit (line 1): cm/s² (as the format has it)
@@ -51,4 +52,15 @@ fn extreme_values() {
     assert_snapshot!(refused(" 8.8053E+0", "        88"), @r#"line 32, field 5: "88" is not a number; write it like -0.00640 or -.6403182E-02"#);
     // A byte lost in the line moves every field behind it.
     assert_snapshot!(refused("-4.1299E+1-3.4734E+1", "-4.129E+1-3.4734E+1"), @r#"line 31, field 1: "-4.129E+1-" is not a number; write it like -0.00640 or -.6403182E-02"#);
+}
+
+#[test]
+fn reference_component_by_its_title_or_by_the_angle_of_the_sensor() {
+    let names = |from: &str, to: &str| components(with("usgs.smc", from, to).as_bytes()).unwrap();
+    assert_eq!(names("component=     27", "component=     27"), ["27"]);
+    assert_eq!(names("component=     27", "component=     Up"), ["Up"]);
+    assert!(names("component=     27", "component=").is_empty());
+    let angle = "3    -32768        90        27";
+    assert_eq!(names(angle, "3    -32768         0        27"), ["UP"]);
+    assert_eq!(names(angle, "3    -32768    -32768        27"), ["27"]);
 }

@@ -5,6 +5,8 @@ use schemars::JsonSchema;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::choice::Choice;
+
 /// How the viscous damping of a structure is given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -27,6 +29,14 @@ pub enum Damping {
         #[serde(deserialize_with = "two")]
         ratios: [f64; 2],
     },
+}
+
+impl Choice for Damping {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"ratio": 0.05}"#,
+        r#"{"rayleigh": {"alpha_per_s": 0.57, "beta_s": 0.0014}}"#,
+        r#"{"two_frequencies": {"frequencies_hz": [1.0, 10.0], "ratios": [0.05, 0.05]}}"#,
+    ];
 }
 
 /// Two numbers: TOML would give the first two of more.

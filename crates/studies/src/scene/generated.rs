@@ -4,10 +4,12 @@ use std::fmt;
 
 use pounding_motion::{
     Envelope, GroundFilter, HalfSinePulse, Harmonic, Record, RecordError, RickerPulse,
-    StochasticMotion, Strength,
+    StochasticMotion,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use super::choice::{self, Choice};
 
 /// A ground motion from a formula.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -57,6 +59,7 @@ pub enum Generated {
 #[serde(deny_unknown_fields)]
 pub struct Stochastic {
     /// The ground.
+    #[serde(deserialize_with = "choice::one")]
     pub ground: Ground,
     /// Peak ground acceleration \[m/s²\], ≥ 0.
     pub pga_m_per_s2: f64,
@@ -66,9 +69,10 @@ pub struct Stochastic {
     pub strong_until_s: f64,
     /// Rate at which it dies away \[1/s\], > 0.
     pub decay_per_s: f64,
-    /// Highest frequency \[Hz\]; without it 25.
-    #[serde(default = "usual_cutoff")]
-    pub cutoff_hz: f64,
+    /// Highest frequency \[Hz\], below half of one over the time step; without it 25, or 0.8 times that half where it is
+    /// less.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cutoff_hz: Option<f64>,
     /// Duration \[s\], > 0.
     pub duration_s: f64,
     /// Time between samples \[s\], > 0.
@@ -77,9 +81,10 @@ pub struct Stochastic {
     pub seed: u64,
 }
 
-fn usual_cutoff() -> f64 {
-    25.0
-}
+/// Highest frequency \[Hz\] where a scene gives none: what structures notice, and its part of the highest that samples
+/// hold.
+const USUAL_CUTOFF: f64 = 25.0;
+const PART_HELD: f64 = 0.8;
 
 /// What the ground makes of white noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -102,6 +107,21 @@ pub enum Ground {
         /// Damping ratio of the high-pass filter \[–\], > 0.
         high_pass_damping_ratio: f64,
     },
+}
+
+impl Choice for Ground {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"filters": {"angular_frequency_rad_per_s": 15.0, "damping_ratio": 0.6, "high_pass_angular_frequency_rad_per_s": 1.5, "high_pass_damping_ratio": 0.6}}"#,
+    ];
+}
+
+impl Choice for Generated {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"harmonic": {"amplitude_m_per_s2": 2.0, "frequency_hz": 1.0, "duration_s": 10.0, "time_step_s": 0.01}}"#,
+        r#"{"ricker": {"amplitude_m_per_s2": 2.0, "frequency_hz": 1.0, "time_step_s": 0.01}}"#,
+        r#"{"half_sine": {"amplitude_m_per_s2": 2.0, "duration_s": 0.5, "time_step_s": 0.01}}"#,
+        r#"{"stochastic": {"ground": "firm", "pga_m_per_s2": 3.0, "strong_from_s": 2.0, "strong_until_s": 10.0, "decay_per_s": 0.4, "duration_s": 20.0, "time_step_s": 0.01, "seed": 1}}"#,
+    ];
 }
 
 impl Ground {
@@ -190,13 +210,16 @@ impl Stochastic {
     fn to_motion(&self) -> StochasticMotion {
         StochasticMotion {
             ground: self.ground.to_motion(),
-            strength: Strength::Peak(self.pga_m_per_s2),
-            envelope: Envelope::Jennings {
+            peak: self.pga_m_per_s2,
+            envelope: Envelope {
                 strong_from: self.strong_from_s,
                 strong_until: self.strong_until_s,
                 decay: self.decay_per_s,
             },
-            cutoff: self.cutoff_hz,
+            cutoff: self.cutoff_hz.unwrap_or_else(|| {
+                let held = 0.5 / self.time_step_s;
+                USUAL_CUTOFF.min(PART_HELD * held)
+            }),
             duration: self.duration_s,
             time_step: self.time_step_s,
             seed: self.seed,

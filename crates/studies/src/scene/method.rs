@@ -3,10 +3,14 @@
 use pounding_solver::{Exact, ImpactRule, SimultaneousImpacts, Start, VerletImpacts};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::json;
+
+use super::choice::{Choice, also};
 
 /// A method of time integration with its settings.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[schemars(transform = or_exact)]
 pub enum Method {
     /// Central difference method.
     CentralDifference {
@@ -69,6 +73,25 @@ pub enum Method {
     /// The cheapest method that is no further than this from the exact one in anything printed \[–\], > 0 and < 1,
     /// found when the scene is [prepared](crate::Prepared::new).
     Accuracy(f64),
+}
+
+/// The exact method needs no settings.
+fn or_exact(schema: &mut schemars::Schema) {
+    let description = "The exact method with its usual settings.";
+    let word = json!({"description": description, "type": "string", "const": "exact"});
+    also(schema, word);
+}
+
+impl Choice for Method {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"central_difference": {"time_step_s": 0.001, "start": "consistent"}}"#,
+        r#"{"newmark": {"time_step_s": 0.001, "beta": 0.25, "gamma": 0.5}}"#,
+        r#"{"hht": {"time_step_s": 0.001, "alpha": -0.1}}"#,
+        r#"{"velocity_verlet": {"time_step_s": 0.001}}"#,
+        r#"{"rk4": {"time_step_s": 0.001}}"#,
+        r#"{"moreau_jean": {"time_step_s": 0.001, "theta": 0.5}}"#,
+        r#"{"accuracy": 0.01}"#,
+    ];
 }
 
 fn finest() -> f64 {

@@ -1,5 +1,6 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
+mod choice;
 mod damping;
 mod generated;
 mod method;
@@ -38,7 +39,7 @@ pub struct Scene {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
     /// The method of time integration; without it the exact one.
-    #[serde(default = "exact")]
+    #[serde(default = "exact", deserialize_with = "choice::one")]
     pub method: Method,
 }
 
@@ -97,5 +98,6 @@ pub struct Contact {
     /// Gap at rest \[m\], ≥ 0.
     pub gap_m: f64,
     /// The contact law.
+    #[serde(deserialize_with = "choice::one")]
     pub law: ContactLaw,
 }

@@ -4,6 +4,8 @@ use pounding_motion::{BandPass, Passes, Trend};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::choice::Choice;
+
 /// Straight line that is taken away from a ground motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -74,6 +76,13 @@ pub enum ScaleTo {
         /// Pseudo-spectral acceleration ω²·Sd \[g\], > 0.
         sa_g: f64,
     },
+}
+
+impl Choice for ScaleTo {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"pga_g": 0.4}"#,
+        r#"{"sa": {"period_s": 1.0, "damping_ratio": 0.05, "sa_g": 0.35}}"#,
+    ];
 }
 
 fn five_per_cent() -> f64 {

@@ -4,6 +4,7 @@ use pounding_motion::AccelerationUnit;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::choice;
 use super::generated::Generated;
 use super::processing::{Detrend, FilterBand, ScaleTo};
 
@@ -131,7 +132,11 @@ struct Words {
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<String>,
     /// Motion without a file; or `file`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "choice::maybe"
+    )]
     generated: Option<Generated>,
     /// Unit of the file's values, where the file does not say.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -158,7 +163,11 @@ struct Words {
     #[serde(skip_serializing_if = "Option::is_none")]
     resample_s: Option<f64>,
     /// What the motion is scaled to.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "choice::maybe"
+    )]
     scale_to: Option<ScaleTo>,
     /// Factor on the ground acceleration \[–\], after `scale_to`.
     #[serde(default = "one")]

@@ -4,18 +4,57 @@ use std::f64::consts::PI;
 
 use pounding_solver::Oscillation;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::json;
 
+use super::choice::{self, Choice, also};
 use crate::Damping;
 
 /// A structure or a wall of a row.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(transform = or_empty_wall)]
 pub enum Structure {
     /// A structure of one storey (single degree of freedom).
     Sdof(Sdof),
     /// A fixed wall; it moves with the ground.
     Wall,
+}
+
+/// A wall is a word, or a table of nothing: in TOML a list has tables.
+fn or_empty_wall(schema: &mut schemars::Schema) {
+    let nothing = json!({"type": "object", "additionalProperties": false});
+    let table = json!({
+        "description": "A fixed wall; it moves with the ground.",
+        "type": "object",
+        "properties": {"wall": nothing},
+        "additionalProperties": false,
+        "required": ["wall"],
+    });
+    also(schema, table);
+}
+
+/// A structure or a wall in the words of a file.
+#[derive(Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub(super) enum Named {
+    Sdof(Sdof),
+    Wall {},
+}
+
+impl Choice for Named {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}}"#,
+    ];
+}
+
+impl<'de> Deserialize<'de> for Structure {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        choice::one(from).map(|named| match named {
+            Named::Sdof(sdof) => Self::Sdof(sdof),
+            Named::Wall {} => Self::Wall,
+        })
+    }
 }
 
 impl Structure {
@@ -88,6 +127,7 @@ struct Words {
     /// Natural period \[s\], > 0; or `stiffness_n_per_m`.
     period_s: Option<f64>,
     /// Viscous damping.
+    #[serde(deserialize_with = "choice::one")]
     damping: Damping,
     /// Yield force \[N\], > 0; without it, and without a yield displacement or drift ratio, the columns stay elastic.
     yield_force_n: Option<f64>,

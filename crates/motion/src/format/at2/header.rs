@@ -1,7 +1,8 @@
 //! The header: what the values are, how many there are, and how far apart.
 
+use super::Component;
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Direction, Place, ReadError};
 
 /// Lines in which NPTS and DT are looked for. PEER has them on line 4, rotated and matched records
 /// on line 7.
@@ -29,6 +30,21 @@ pub(super) fn split<'l, 't>(
         searched: HEADER_LINES.min(lines.len()),
     })?;
     Ok((&lines[..index], lines[index], &lines[index + 1..]))
+}
+
+/// The direction that PEER writes behind the last comma of the line of earthquake and station, which is the second above
+/// the numbers: `EL CENTRO ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
+pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
+    let (titles, _, _) = split(lines).ok()?;
+    let line = titles.get(titles.len().checked_sub(2)?)?;
+    let text = line.text();
+    let (_, behind) = text.rsplit_once(',')?;
+    let word = behind.split('(').next().unwrap_or_default().trim();
+    Direction::of_component(word).filter(|_| !word.contains(' '))?;
+    Some(Component {
+        name: word.to_owned(),
+        place: Place::Line(line.number),
+    })
 }
 
 /// Index of the line with NPTS and DT.

@@ -1,0 +1,14 @@
+//! RENADIC (Chile) volume 1: the layout of CSMIP volume 1, always with pairs of time and value.
+//!
+//! No file was at hand: this follows descriptions of the format.
+
+use super::csmip_v1::{components, read, recognises, titles};
+use super::title;
+use super::{Format, Reader};
+
+pub(super) const READER: Reader = Reader {
+    format: Format::RenadicV1,
+    recognises: |file| recognises(file) && title::line_with(titles(file), "RENADIC").is_some(),
+    components,
+    read,
+};

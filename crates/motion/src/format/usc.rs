@@ -1,0 +1,12 @@
+//! USC volume 2, of the University of Southern California and networks that took it up: the layout of CSMIP volume 2.
+
+use super::csmip_v2::{components, read, recognises, titles};
+use super::title;
+use super::{Format, Reader};
+
+pub(super) const READER: Reader = Reader {
+    format: Format::UscV2,
+    recognises: |file| recognises(file) && title::line_with(titles(file), "STATION USC").is_some(),
+    components,
+    read,
+};
