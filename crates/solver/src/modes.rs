@@ -99,7 +99,9 @@ fn scaled_stiffness<Column: Hysteretic>(storeys: &[Storey<Column>]) -> DMatrix<f
 
 /// The shape with 1 as its largest magnitude, and a positive roof, or highest floor that moves.
 fn normal(shape: Vec<f64>) -> Vec<f64> {
-    let largest = shape.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+    let largest = shape
+        .iter()
+        .fold(0.0, |most: f64, part| most.max(part.abs()));
     let highest = shape.iter().rev().find(|part| **part != 0.0);
     let scale = highest.map_or(1.0, |part| part.signum()) * largest;
     shape.into_iter().map(|part| part / scale).collect()
@@ -149,7 +151,12 @@ fn check<Column: Hysteretic>(index: usize, storey: &Storey<Column>) -> Result<()
     require(stiffness >= 0.0, "stiffness", stiffness, NOT_NEGATIVE)?;
     let held = (stiffness / mass).is_finite();
     require(held, "stiffness", stiffness, "a finite number of masses")?;
-    require(storey.damping >= 0.0, "damping", storey.damping, NOT_NEGATIVE)?;
+    require(
+        storey.damping >= 0.0,
+        "damping",
+        storey.damping,
+        NOT_NEGATIVE,
+    )?;
     let ground = storey.ground_damping;
     require(ground >= 0.0, "ground_damping", ground, NOT_NEGATIVE)
 }

@@ -145,7 +145,8 @@ fn trial(
     let prepared = prepared.with_method(method).ok()?;
     let (error, worst, cost) = match prepared.run(None) {
         Ok(outcome) => {
-            let errors = RunErrors::between(&outcome, exact, &prepared.walls());
+            let errors =
+                RunErrors::between(&outcome, exact, (&prepared.walls(), prepared.pairs().len()));
             let (error, worst) = errors.largest(quantity);
             (error, worst, price(outcome.work))
         }

@@ -2,7 +2,7 @@
 
 mod structure;
 
-use crate::{Method, Scene, SceneError, Structure};
+use crate::{Method, Scene, SceneError};
 
 /// Refuses a value that is not `valid`.
 fn require(
@@ -41,9 +41,7 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
         return Err(SceneError::NoStructures);
     }
     for (index, structure) in scene.structures.iter().enumerate() {
-        if let Structure::Sdof(structure) = structure {
-            structure::check(index, structure)?;
-        }
+        structure::check(index, structure)?;
     }
     check_method(scene)?;
     check_contacts(scene)

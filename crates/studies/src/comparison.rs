@@ -129,8 +129,8 @@ impl Number {
 impl RunErrors {
     /// Compares a run with the exact one.
     ///
-    /// `walls` says of every structure whether it is a wall, which has no peaks of its own.
-    pub fn between(run: &Outcome, exact: &Outcome, walls: &[bool]) -> Self {
+    /// `walls` says of every floor whether it is a wall, which has no peaks of its own; with it comes the number of pairs.
+    pub fn between(run: &Outcome, exact: &Outcome, (walls, n_pairs): (&[bool], usize)) -> Self {
         let momenta = (0..walls.len()).map(|index| exact.momentum.of(index));
         let largest = momenta.fold(0.0, f64::max);
         let structure = |(index, &wall): (usize, &bool)| {
@@ -157,7 +157,7 @@ impl RunErrors {
         let pair = |index| PairErrors::between(&of_pair(run, index), &of_pair(exact, index));
         Self {
             structures: walls.iter().enumerate().map(structure).collect(),
-            pairs: (0..walls.len().saturating_sub(1)).map(pair).collect(),
+            pairs: (0..n_pairs).map(pair).collect(),
         }
     }
 

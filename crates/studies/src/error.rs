@@ -4,6 +4,7 @@ use pounding_motion::{ReadError, RecordError};
 use pounding_solver::{LedgerError, ModelError, RunError};
 use thiserror::Error;
 
+use crate::floors::Floors;
 use crate::plot::PlotError;
 use crate::{Fault, Scene, SpectrumError};
 
@@ -179,6 +180,26 @@ pub enum SceneError {
         /// Its name.
         name: String,
     },
+    /// A floor that would hit the columns of a neighbour.
+    #[error(
+        "contacts[{contact}]: found a floor of \"{floor}\" at {} m, beside the columns of \"{neighbour}\", whose floors are at {} m; \
+         allowed are floors that face floors, up to the lower roof: change height_m of a storey, or leave out all height_m, and \
+         storeys of one number count as level",
+        crate::digits(*height),
+        heights(others)
+    )]
+    LevelsDiffer {
+        /// Index of the contact.
+        contact: usize,
+        /// Name of the structure whose floor it is.
+        floor: String,
+        /// Height of the floor above the ground \[m\].
+        height: f64,
+        /// Name of the neighbour.
+        neighbour: String,
+        /// Heights of its floors \[m\].
+        others: Vec<f64>,
+    },
     /// A scene without structures.
     #[error("structures: found none, allowed one or more")]
     NoStructures,
@@ -221,21 +242,34 @@ pub enum SceneError {
 
 impl SceneError {
     /// Says in the words of the scene why the solver refuses its row.
-    pub(crate) fn of_model(error: ModelError, scene: &Scene) -> Self {
+    pub(crate) fn of_model(error: ModelError, (scene, floors): (&Scene, &Floors)) -> Self {
+        let contact = |pair: usize| floors.facing().get(pair).map_or(0, |one| one.contact);
         if let ModelError::OverlapsAtStart { pair, overlap } = error {
-            let contact = scene.contacts.iter().flatten().nth(pair);
+            let index = contact(pair);
+            let contact = scene.contacts.iter().flatten().nth(index);
             Self::OverlapsAtStart {
-                contact: pair,
+                contact: index,
                 gap: contact.map_or(0.0, |contact| contact.gap_m),
                 overlap,
             }
         } else if let ModelError::NotNeighbours { pair, .. } = error {
             // Contacts join neighbours in order: what remains is a wall on either side.
-            Self::BetweenWalls { contact: pair }
+            Self::BetweenWalls {
+                contact: contact(pair),
+            }
         } else {
             Self::Model(error)
         }
     }
+}
+
+/// Heights in a list.
+fn heights(heights: &[f64]) -> String {
+    let heights: Vec<_> = heights
+        .iter()
+        .map(|height| crate::digits(*height))
+        .collect();
+    heights.join(", ")
 }
 
 /// A position, after the name of a file.

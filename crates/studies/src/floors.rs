@@ -2,8 +2,7 @@
 
 use pounding_solver::Levels;
 
-use crate::scene::Columns;
-use crate::{Scene, SceneError, Structure};
+use crate::{Columns, Scene, SceneError, Structure};
 
 /// Heights of floors that differ by no more are equal \[m\].
 const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -12,6 +11,7 @@ const EQUAL_HEIGHTS: f64 = 1e-3;
 /// the next, and so on. In a row of structures of one storey they are the structures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floors {
+    n_structures: usize,
     levels: Levels,
     floors: Vec<Floor>,
     facing: Vec<Facing>,
@@ -91,19 +91,25 @@ impl Floors {
             let (structure, storey) = levels.place(node);
             floor(&scene.structures[structure], (structure, storey))
         };
-        let n_contacts = scene.contacts.as_ref().map_or(0, Vec::len);
-        let mut facing: Vec<Facing> = (0..n_contacts)
-            .flat_map(|contact| {
-                let facing = levels.facing(contact);
-                facing.map(move |(left, right)| Facing {
-                    contact,
-                    left,
-                    right,
-                })
-            })
-            .collect();
-        facing.sort_by_key(|one| one.left);
+        let contacts = scene.contacts.iter().flatten().enumerate();
+        let mut facing = Vec::new();
+        for (contact, one) in contacts {
+            let chosen = |node: &(usize, usize)| {
+                let level = levels.level(node.0) + 1;
+                one.levels
+                    .as_ref()
+                    .is_none_or(|levels| levels.contains(&level))
+            };
+            let at_levels = levels.facing(contact).filter(chosen);
+            facing.extend(at_levels.map(|(left, right)| Facing {
+                contact,
+                left,
+                right,
+            }));
+        }
+        facing.sort_by_key(|one: &Facing| one.left);
         Ok(Self {
+            n_structures: scene.structures.len(),
             floors: (0..levels.n_nodes()).map(floor).collect(),
             facing,
             levels,
@@ -129,6 +135,11 @@ impl Floors {
     pub fn names(&self, pair: usize) -> [String; 2] {
         let Facing { left, right, .. } = self.facing[pair];
         [left, right].map(|floor| self.floors[floor].name.clone())
+    }
+
+    /// Number of structures and walls.
+    pub(crate) fn n_structures(&self) -> usize {
+        self.n_structures
     }
 
     /// How floors stand in the row.
@@ -188,7 +199,9 @@ fn check_levels(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Result<(), Sc
         let lower = roof(left).min(roof(right)) + EQUAL_HEIGHTS;
         for (structure, own, others) in [(contact, left, right), (contact + 1, right, left)] {
             let faces = |height: &f64| {
-                others.iter().any(|other| (height - other).abs() <= EQUAL_HEIGHTS)
+                others
+                    .iter()
+                    .any(|other| (height - other).abs() <= EQUAL_HEIGHTS)
             };
             let below = own.iter().filter(|height| **height <= lower);
             if let Some(height) = below.clone().find(|height| !faces(height)) {
@@ -206,11 +219,7 @@ fn check_levels(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Result<(), Sc
 }
 
 /// Levels of the floors of every structure.
-fn levels_of(
-    scene: &Scene,
-    elevations: &[Option<Vec<f64>>],
-    heights: Heights,
-) -> Vec<Vec<usize>> {
+fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -> Vec<Vec<usize>> {
     let mut all: Vec<f64> = elevations.iter().flatten().flatten().copied().collect();
     all.sort_by(f64::total_cmp);
     all.dedup_by(|higher, lower| *higher - *lower <= EQUAL_HEIGHTS);

@@ -21,6 +21,7 @@ mod extremes;
 mod fault;
 mod figures;
 mod file;
+mod floors;
 mod free_collision;
 mod ground_motion;
 mod ladder;
@@ -60,6 +61,7 @@ pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use fault::Fault;
 pub use figures::figure_png;
 pub use file::{parse, read_file};
+pub use floors::{Facing, Floor, Floors, Made};
 pub use free_collision::{CollisionError, Delivered, FreeCollision};
 pub use ground_motion::{GroundMotion, Origin};
 pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
@@ -75,8 +77,9 @@ pub use reproduce::{Reproduction, Studies};
 pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
 pub use savings::{Burden, Burdened};
 pub use scene::{
-    Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground, Method, RecordUse,
-    STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Structure, Unit,
+    BoucWen, Building, Columns, Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground,
+    Method, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Storey,
+    Structure, Unit,
 };
 pub use schema::scene_schema;
 pub use separation::{Rule, Separation};

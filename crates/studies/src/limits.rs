@@ -3,7 +3,7 @@
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, Overlap};
 use pounding_solver::{Collision, Oscillation, Pair};
 
-use crate::{Delivered, FreeCollision, Method, Outcome, Prepared, Structure};
+use crate::{Delivered, FreeCollision, Method, Outcome, Prepared};
 
 /// Steps per contact below which a run is warned of.
 ///
@@ -120,18 +120,16 @@ impl Prepared {
 
     /// Masses of a pair \[kg\]; that of a wall is infinite.
     fn masses(&self, pair: &Pair) -> [f64; 2] {
-        [pair.left, pair.right].map(|index| match &self.scene().structures[index] {
-            Structure::Sdof(sdof) => sdof.mass_kg,
-            Structure::Wall => f64::INFINITY,
+        [pair.left, pair.right].map(|index| {
+            let made = self.floors().all()[index].made_of;
+            made.map_or(f64::INFINITY, |made| made.mass_kg)
         })
     }
 
-    /// Circular frequency of a structure \[rad/s\]; 0 of a wall.
+    /// Circular frequency of a floor \[rad/s\], that of the fastest mode of its building; 0 of a wall.
     fn angular_frequency(&self, index: usize) -> f64 {
-        match &self.scene().structures[index] {
-            Structure::Sdof(sdof) => sdof.oscillation().angular_frequency,
-            Structure::Wall => 0.0,
-        }
+        let fastest = self.scene().structures[self.floors().all()[index].structure].fastest();
+        fastest.map_or(0.0, |fastest| fastest.angular_frequency)
     }
 }
 

@@ -111,7 +111,7 @@ impl Prepared {
 
     /// Errors of a run of the scene against the exact one, and what it has to be warned of.
     pub(crate) fn warnings(&self, run: &Outcome, exact: &Outcome) -> (RunErrors, Vec<Warning>) {
-        let errors = RunErrors::between(run, exact, &self.walls());
+        let errors = RunErrors::between(run, exact, (&self.walls(), self.pairs().len()));
         let mut warnings = self.warnings_before(exact);
         let pairs = errors.pairs.iter().enumerate();
         let rests = pairs.filter(|(_, pair)| pair.rests);
@@ -136,14 +136,11 @@ impl Prepared {
     }
 
     fn few_steps(&self, index: usize, structure: &Structure) -> Option<Warning> {
-        let Structure::Sdof(sdof) = structure else {
-            return None;
-        };
         let time_step = self.method().time_step()?;
-        let steps = sdof.period() / time_step;
+        let steps = structure.period()? / time_step;
         (steps < SLACK * STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
             structure: index,
-            name: sdof.name.clone(),
+            name: structure.name().into(),
             steps,
             time_step: self.knob(time_step),
         })
@@ -216,7 +213,7 @@ impl Prepared {
     /// Names of the structures of a pair.
     fn names(&self, pair: usize) -> [String; 2] {
         let pair = &self.pairs()[pair];
-        [pair.left, pair.right].map(|index| self.scene().structures[index].name().to_string())
+        [pair.left, pair.right].map(|index| self.floors().all()[index].name.clone())
     }
 }
 

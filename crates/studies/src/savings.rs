@@ -91,7 +91,16 @@ impl Burdened {
             })),
             duration_s: Some(DURATION),
             structures: (0..n).map(structure).collect(),
-            contacts: contacts.map(|gap_m| vec![Contact { gap_m, law }; n - 1]),
+            contacts: contacts.map(|gap_m| {
+                vec![
+                    Contact {
+                        gap_m,
+                        law,
+                        levels: None
+                    };
+                    n - 1
+                ]
+            }),
             method,
         };
         let prepared = Prepared::new(&scene, Path::new(""))?;
@@ -122,6 +131,8 @@ fn structure(index: usize, remembers: bool) -> Structure {
         mass_kg: 1e5,
         stiffness_n_per_m: 1e5 * omega * omega,
         damping: Damping::Ratio(0.05),
+        hardening_ratio: None,
+        bouc_wen: None,
         yield_force_n: remembers.then_some(1e12),
         height_m: None,
         initial_displacement_m: 0.0,

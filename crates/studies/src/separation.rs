@@ -154,7 +154,7 @@ impl Prepared {
 fn level(pair: &[Structure]) -> bool {
     let height = |structure: &Structure| match structure {
         Structure::Sdof(sdof) => sdof.height_m,
-        Structure::Wall => None,
+        Structure::Building(_) | Structure::Wall => None,
     };
     let heights = (height(&pair[0]), height(&pair[1]));
     matches!(heights, (Some(left), Some(right)) if left.total_cmp(&right).is_eq())
@@ -163,7 +163,7 @@ fn level(pair: &[Structure]) -> bool {
 fn oscillation(structure: &Structure) -> Option<(f64, f64)> {
     match structure {
         Structure::Sdof(sdof) => Some((sdof.period(), sdof.damping_ratio())),
-        Structure::Wall => None,
+        Structure::Building(_) | Structure::Wall => None,
     }
 }
 

@@ -6,9 +6,7 @@ use pounding_solver::{
     Node, Pair, Path, Recorder, Row, RunError, Smoothness, Span, modes,
 };
 
-use crate::common::{
-    RK4, STEREOMECHANICAL, VISCOELASTIC, book, clock, ground, slope,
-};
+use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, book, clock, ground, slope};
 use crate::towers::{Rayleigh, Tower, row};
 
 const DAMPING: Rayleigh = Rayleigh {
@@ -23,7 +21,12 @@ type Storeys = &'static [(f64, f64, f64)];
 const TOWERS: [Storeys; 3] = [
     &[(1e5, 6e7, 4e5), (1e5, 5e7, 3e5), (7e4, 4e7, 2e5)],
     &[(3e5, 6e8, 2e6), (2e5, 4e8, 1e6)],
-    &[(8e4, 3e7, 2e5), (8e4, 3e7, 2e5), (8e4, 2e7, 1.5e5), (5e4, 2e7, 1e5)],
+    &[
+        (8e4, 3e7, 2e5),
+        (8e4, 3e7, 2e5),
+        (8e4, 2e7, 1.5e5),
+        (5e4, 2e7, 1e5),
+    ],
 ];
 
 fn elastic(stiffness: f64, _: f64) -> Elastic {
@@ -63,7 +66,8 @@ fn towers<Column: Hysteretic>(
     law: Option<ContactLaw>,
 ) -> Row<Column> {
     let build = |storeys: &Storeys| -> Tower<Column> {
-        let floor = |(mass, stiffness, force): &(f64, f64, f64)| (*mass, column(*stiffness, *force));
+        let floor =
+            |(mass, stiffness, force): &(f64, f64, f64)| (*mass, column(*stiffness, *force));
         storeys.iter().map(floor).collect()
     };
     let buildings: Vec<_> = TOWERS.iter().map(build).collect();
@@ -203,7 +207,11 @@ fn limit_free_vibration_of_a_tower_keeps_its_energy() {
     assert!((held / energy - 1.0).abs() < 1e-6, "{terms:?}");
     assert_eq!(ledger.of_building(0), terms);
     // Floors alone do not balance: what one gives the other gets.
-    assert!(ledger.of(0).balance().abs() > 1e-3 * energy, "{:?}", ledger.of(0));
+    assert!(
+        ledger.of(0).balance().abs() > 1e-3 * energy,
+        "{:?}",
+        ledger.of(0)
+    );
     assert!(terms.balance().abs() < 1e-6 * energy, "{terms:?}");
 }
 
@@ -298,7 +306,10 @@ fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
         }
     };
     let ([identity, momentum, residual], _) = found(elastic, forgets);
-    assert!(identity > 1e-2 && momentum > 1e-2, "{identity:e}, {momentum:e}");
+    assert!(
+        identity > 1e-2 && momentum > 1e-2,
+        "{identity:e}, {momentum:e}"
+    );
     assert!(residual > 1e-2, "{residual:e}");
     let slightly = |spans: &mut [Span<'static>; 2]| {
         if let Path::Cubic(lower) = &mut spans[0].path {
@@ -306,7 +317,10 @@ fn limit_a_storey_that_does_not_push_back_shows_in_the_methods_own_balance() {
         }
     };
     let ([identity, momentum, _], _) = found(elastic, slightly);
-    assert!(identity > 1e-8 && momentum > 1e-8, "{identity:e}, {momentum:e}");
+    assert!(
+        identity > 1e-8 && momentum > 1e-8,
+        "{identity:e}, {momentum:e}"
+    );
 }
 
 /// The method's equation itself is without the reaction: floors that are structures of their own, of which one is told to
@@ -342,7 +356,10 @@ fn limit_columns_that_give_energy_in_yielding_are_named() {
         found(bilinear, backwards).1,
         found(smooth, backwards).1,
     ] {
-        let named = matches!(verdict, Err(LedgerError::GainInYielding { structure: 1, .. }));
+        let named = matches!(
+            verdict,
+            Err(LedgerError::GainInYielding { structure: 1, .. })
+        );
         assert!(named, "{verdict:?}");
     }
 }
@@ -368,5 +385,8 @@ fn reference_the_critical_time_step_of_a_tower() {
     assert!(run(0.999).is_ok(), "below {least}: {:?}", run(0.999));
     let above = run(1.01);
     assert!(matches!(above, Err(RunError::Diverged { .. })), "{above:?}");
-    assert_eq!(RK4.critical_time_step_of(&modes::<Elastic>(&[]).unwrap()), None);
+    assert_eq!(
+        RK4.critical_time_step_of(&modes::<Elastic>(&[]).unwrap()),
+        None
+    );
 }

@@ -1,60 +1,161 @@
 //! Checks a structure, field by field.
 
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, require};
-use crate::{Damping, SceneError, Sdof};
+use crate::{Building, Columns, Damping, SceneError, Sdof, Structure};
+
+/// Names a field of a structure.
+type Place<'a> = &'a dyn Fn(&str) -> String;
 
 /// Refuses the first field of a structure that cannot be modelled.
-pub(super) fn check(index: usize, structure: &Sdof) -> Result<(), SceneError> {
-    let place = |field: &str| format!("structures[{index}].sdof.{field}");
-    let Sdof {
-        mass_kg: m,
-        stiffness_n_per_m: k,
-        ..
-    } = *structure;
+pub(super) fn check(index: usize, structure: &Structure) -> Result<(), SceneError> {
+    match structure {
+        Structure::Sdof(sdof) => {
+            check_sdof(sdof, &|field| format!("structures[{index}].sdof.{field}"))
+        }
+        Structure::Building(building) => check_building(building, &|field| {
+            format!("structures[{index}].building.{field}")
+        }),
+        Structure::Wall => Ok(()),
+    }
+}
+
+fn check_sdof(structure: &Sdof, place: Place<'_>) -> Result<(), SceneError> {
+    let (m, columns) = (structure.mass_kg, structure.columns());
     require(m > 0.0, place("mass_kg"), m, POSITIVE)?;
-    require(k > 0.0, place("stiffness_n_per_m"), k, POSITIVE)?;
-    check_damping(structure, &place)?;
-    if let Some(height) = structure.height_m {
-        require(height > 0.0, place("height_m"), height, POSITIVE)?;
+    check_stiffness(&columns, place)?;
+    if let Damping::Modes { modes, .. } = structure.damping {
+        let allowed = "damping of a structure of one storey: a ratio, rayleigh or two_frequencies";
+        return require(false, place("damping.modes"), number(modes[0]), allowed);
     }
-    if let Some(force) = structure.yield_force_n {
-        require(force > 0.0, place("yield_force_n"), force, POSITIVE)?;
-    }
+    check_damping(&structure.damping, place)?;
+    let found = structure.damping_ratio();
+    let allowed = "a damping ratio >= 0 at the structure's own frequency; closer ratios, or frequencies on either \
+                   side of it, give one";
     require(
-        true,
-        place("initial_displacement_m"),
-        structure.initial_displacement_m,
-        FINITE,
+        found >= 0.0,
+        place("damping.two_frequencies"),
+        found,
+        allowed,
     )?;
-    require(
-        true,
-        place("initial_velocity_m_per_s"),
+    check_height(structure.height_m, place)?;
+    check_yielding(&columns, place)?;
+    let start = (
+        structure.initial_displacement_m,
         structure.initial_velocity_m_per_s,
-        FINITE,
+    );
+    check_start(start, place)
+}
+
+fn check_building(building: &Building, place: Place<'_>) -> Result<(), SceneError> {
+    for (index, storey) in building.storeys.iter().enumerate() {
+        let place: Place<'_> = &|field| place(&format!("storeys[{index}].{field}"));
+        require(
+            storey.mass_kg > 0.0,
+            place("mass_kg"),
+            storey.mass_kg,
+            POSITIVE,
+        )?;
+        check_stiffness(&storey.columns, place)?;
+        check_height(storey.height_m, place)?;
+        check_yielding(&storey.columns, place)?;
+        let start = (
+            storey.initial_displacement_m,
+            storey.initial_velocity_m_per_s,
+        );
+        check_start(start, place)?;
+    }
+    check_damping(&building.damping, place)?;
+    check_modes(building, place)?;
+    let least = |least: f64, (damping, ground): (f64, f64)| least.min(damping).min(ground);
+    let found = building.dampings().into_iter().fold(0.0, least);
+    let allowed = "damping that takes energy in every storey and floor; closer ratios, or modes or frequencies further apart, \
+                   give some";
+    require(found >= 0.0, place("damping"), found, allowed)
+}
+
+/// Refuses modes that the building does not have.
+fn check_modes(building: &Building, place: Place<'_>) -> Result<(), SceneError> {
+    let Damping::Modes { modes, .. } = building.damping else {
+        return Ok(());
+    };
+    let [first, second] = modes;
+    let most = building.storeys.len();
+    let allowed = "a mode of the building, counted from 1; it has as many as storeys";
+    let valid = (1..=most).contains(&first);
+    require(
+        valid,
+        place("damping.modes.modes[0]"),
+        number(first),
+        allowed,
+    )?;
+    let allowed = "a mode above the first of the two; a building has as many modes as storeys";
+    let valid = (first + 1..=most).contains(&second);
+    require(
+        valid,
+        place("damping.modes.modes[1]"),
+        number(second),
+        allowed,
     )
 }
 
-fn check_damping(structure: &Sdof, place: &impl Fn(&str) -> String) -> Result<(), SceneError> {
-    match structure.damping {
-        Damping::Ratio(ratio) => {
-            require(ratio >= 0.0, place("damping.ratio"), ratio, NOT_NEGATIVE)?;
+/// A count as messages take it.
+fn number(count: usize) -> f64 {
+    count as f64
+}
+
+fn check_stiffness(columns: &Columns, place: Place<'_>) -> Result<(), SceneError> {
+    let k = columns.stiffness_n_per_m;
+    require(k > 0.0, place("stiffness_n_per_m"), k, POSITIVE)
+}
+
+fn check_height(height: Option<f64>, place: Place<'_>) -> Result<(), SceneError> {
+    let Some(height) = height else { return Ok(()) };
+    require(height > 0.0, place("height_m"), height, POSITIVE)
+}
+
+fn check_yielding(columns: &Columns, place: Place<'_>) -> Result<(), SceneError> {
+    if let Some(force) = columns.yield_force_n {
+        require(force > 0.0, place("yield_force_n"), force, POSITIVE)?;
+    }
+    if let Some(ratio) = columns.hardening_ratio {
+        let allowed = "a number >= 0 and < 1";
+        let valid = (0.0..1.0).contains(&ratio);
+        require(valid, place("hardening_ratio"), ratio, allowed)?;
+    }
+    if let Some(smooth) = columns.bouc_wen {
+        let valid = (1..=20).contains(&smooth.exponent);
+        let found = f64::from(smooth.exponent);
+        require(valid, place("bouc_wen.exponent"), found, "1 to 20")?;
+        let valid = (0.0..=1.0).contains(&smooth.beta);
+        require(valid, place("bouc_wen.beta"), smooth.beta, "0 to 1")?;
+    }
+    Ok(())
+}
+
+fn check_start((displacement, velocity): (f64, f64), place: Place<'_>) -> Result<(), SceneError> {
+    require(true, place("initial_displacement_m"), displacement, FINITE)?;
+    require(true, place("initial_velocity_m_per_s"), velocity, FINITE)
+}
+
+fn check_damping(damping: &Damping, place: Place<'_>) -> Result<(), SceneError> {
+    let check_ratios = |of: &str, ratios: [f64; 2]| {
+        for (index, ratio) in ratios.into_iter().enumerate() {
+            let place = place(&format!("damping.{of}.ratios[{index}]"));
+            require(ratio >= 0.0, place, ratio, NOT_NEGATIVE)?;
         }
+        Ok(())
+    };
+    match *damping {
+        Damping::Ratio(ratio) => require(ratio >= 0.0, place("damping.ratio"), ratio, NOT_NEGATIVE),
         Damping::Rayleigh {
             alpha_per_s,
             beta_s,
         } => {
-            require(
-                alpha_per_s >= 0.0,
-                place("damping.rayleigh.alpha_per_s"),
-                alpha_per_s,
-                NOT_NEGATIVE,
-            )?;
-            require(
-                beta_s >= 0.0,
-                place("damping.rayleigh.beta_s"),
-                beta_s,
-                NOT_NEGATIVE,
-            )?;
+            for (field, found) in [("alpha_per_s", alpha_per_s), ("beta_s", beta_s)] {
+                let place = place(&format!("damping.rayleigh.{field}"));
+                require(found >= 0.0, place, found, NOT_NEGATIVE)?;
+            }
+            Ok(())
         }
         Damping::TwoFrequencies {
             frequencies_hz: [first, second],
@@ -65,20 +166,8 @@ fn check_damping(structure: &Sdof, place: &impl Fn(&str) -> String) -> Result<()
             require(first > 0.0, frequency(0), first, POSITIVE)?;
             let allowed = "a finite number above the first frequency";
             require(second > first, frequency(1), second, allowed)?;
-            for (index, ratio) in ratios.into_iter().enumerate() {
-                let place = place(&format!("damping.two_frequencies.ratios[{index}]"));
-                require(ratio >= 0.0, place, ratio, NOT_NEGATIVE)?;
-            }
-            let found = structure.damping_ratio();
-            let allowed = "a damping ratio >= 0 at the structure's own frequency; closer ratios, or frequencies on either \
-                           side of it, give one";
-            require(
-                found >= 0.0,
-                place("damping.two_frequencies"),
-                found,
-                allowed,
-            )?;
+            check_ratios("two_frequencies", ratios)
         }
+        Damping::Modes { ratios, .. } => check_ratios("modes", ratios),
     }
-    Ok(())
 }

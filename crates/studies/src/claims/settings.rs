@@ -11,10 +11,7 @@ pub(super) fn stability(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let shortest = scene
         .structures
         .iter()
-        .filter_map(|structure| match structure {
-            Structure::Sdof(structure) => Some(structure.period()),
-            Structure::Wall => None,
-        })
+        .filter_map(Structure::period)
         .fold(f64::INFINITY, f64::min);
     let critical = shortest / std::f64::consts::PI;
     let dt = scene.method.step();
@@ -58,10 +55,7 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         .0
         .structures
         .iter()
-        .filter_map(|structure| match structure {
-            Structure::Sdof(structure) => Some(100.0 * structure.damping_ratio()),
-            Structure::Wall => None,
-        })
+        .filter_map(|structure| Some(100.0 * structure.damping_ratio()?))
         .collect();
     let second = |run: super::Run<'_>| {
         run.1

@@ -145,10 +145,12 @@ impl Axis {
                 pushed.scale(0.0)?;
             }
             Self::TimeStep => {
-                let critical = pushed.scene.structures.iter().filter_map(|one| match one {
-                    Structure::Sdof(sdof) => Some(2.0 / sdof.oscillation().angular_frequency),
-                    Structure::Wall => None,
-                });
+                let fastest = pushed
+                    .scene
+                    .structures
+                    .iter()
+                    .filter_map(Structure::fastest);
+                let critical = fastest.map(|one| 2.0 / one.angular_frequency);
                 pushed.time_step = value * critical.fold(f64::INFINITY, f64::min);
             }
             Self::MassRatio
@@ -253,7 +255,7 @@ fn right(scene: &Scene) -> Option<&Sdof> {
 fn sdof(scene: &Scene, index: usize) -> Option<&Sdof> {
     match scene.structures.get(index) {
         Some(Structure::Sdof(sdof)) => Some(sdof),
-        Some(Structure::Wall) | None => None,
+        Some(Structure::Building(_) | Structure::Wall) | None => None,
     }
 }
 
@@ -288,7 +290,7 @@ fn row(scene: &mut Scene, n: f64, which: impl Fn(usize) -> usize) {
     let two = scene.structures.clone();
     scene.structures = (0..n).map(|index| two[which(index)].clone()).collect();
     if let Some(contacts) = &mut scene.contacts {
-        *contacts = vec![contacts[0]; n - 1];
+        *contacts = vec![contacts[0].clone(); n - 1];
     }
 }
 

@@ -49,7 +49,7 @@ fn layout(scene: &Scene, middle: f64, shapes: &mut Vec<Shape>) {
         .iter()
         .map(|structure| match structure {
             Structure::Sdof(sdof) => size(sdof).0,
-            Structure::Wall => 2.0,
+            Structure::Building(_) | Structure::Wall => 2.0,
         })
         .collect();
     let width = 2.0 * halves.iter().sum::<f64>() + GAP * (halves.len() - 1) as f64;

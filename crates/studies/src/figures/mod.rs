@@ -60,7 +60,10 @@ pub(crate) fn shade(index: usize) -> Shade {
 /// Name of a structure with its period, for a legend.
 fn label(structure: &Structure) -> String {
     match structure {
-        Structure::Sdof(sdof) => format!("{} (T = {:.1} s)", capital(&sdof.name), sdof.period()),
+        Structure::Sdof(_) | Structure::Building(_) => {
+            let period = structure.period().unwrap_or(0.0);
+            format!("{} (T = {period:.1} s)", capital(structure.name()))
+        }
         Structure::Wall => "Wall".into(),
     }
 }

@@ -79,7 +79,7 @@ fn run(
 fn inverse_mass(structure: &Structure) -> f64 {
     match structure {
         Structure::Sdof(structure) => 1.0 / structure.mass_kg,
-        Structure::Wall => 0.0,
+        Structure::Building(_) | Structure::Wall => 0.0,
     }
 }
 

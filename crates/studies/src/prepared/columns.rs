@@ -1,8 +1,6 @@
 //! Columns of rows in which some storeys yield at one point and others smoothly.
 
-use pounding_solver::{
-    Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce,
-};
+use pounding_solver::{Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce};
 
 /// Columns that yield at one point, or never, or smoothly; what they remember is that of either.
 #[derive(Debug, Clone, Copy, PartialEq)]

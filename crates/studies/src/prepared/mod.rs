@@ -1,5 +1,6 @@
 //! From a checked scene to the leanest model, and its run.
 
+mod columns;
 mod model;
 mod run;
 
@@ -10,9 +11,8 @@ use pounding_motion::{Accelerogram, Record, RecordError};
 use pounding_solver::{Clock, Integrator};
 
 use crate::advice::{Advice, Goal, advise};
-use crate::{
-    GroundMotion, Method, Origin, Quantity, Scene, SceneError, Structure, StudyError, check,
-};
+use crate::floors::{Floor, Floors};
+use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
 pub(crate) use run::{Audited, Recorders};
 pub use run::{Balance, Outcome};
@@ -28,6 +28,7 @@ pub struct Prepared {
     forced: bool,
     /// Why its time step is refused.
     unstable: Option<SceneError>,
+    floors: Floors,
     model: Model,
     record: Record,
     /// The file that the record came from; nothing for one from a formula.
@@ -109,8 +110,7 @@ impl Prepared {
             ..scene.clone()
         };
         check::check_method(scene).map_err(in_scene)?;
-        let model =
-            Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
+        let (floors, model) = modelled(scene).map_err(in_scene)?;
         let quantity = Quantity::All;
         let (goal, method) = if let Method::Accuracy(error) = scene.method {
             (Some(Goal { error, quantity }), Method::EXACT)
@@ -122,6 +122,7 @@ impl Prepared {
             advice: None,
             forced: true,
             unstable: check::free_limit(scene).err(),
+            floors,
             model,
             record,
             origin: origin.map(Arc::new),
@@ -145,9 +146,9 @@ impl Prepared {
     /// # Errors
     /// Those of the lean model, which were found before.
     pub fn full(self) -> Result<Self, StudyError> {
-        let scene = &self.scene;
-        let model = Model::full(scene)
-            .map_err(|error| in_scene(scene, SceneError::of_model(error, scene)))?;
+        let (scene, floors) = (&self.scene, &self.floors);
+        let model = Model::full(scene, floors)
+            .map_err(|error| in_scene(scene, SceneError::of_model(error, (scene, floors))))?;
         Ok(Self { model, ..self })
     }
 
@@ -167,10 +168,10 @@ impl Prepared {
     pub(crate) fn variant(&self, scene: &Scene, record: Record) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
         check::scene(scene).map_err(in_scene)?;
-        let model =
-            Model::new(scene).map_err(|error| in_scene(SceneError::of_model(error, scene)))?;
+        let (floors, model) = modelled(scene).map_err(in_scene)?;
         let varied = Self {
             scene: scene.clone(),
+            floors,
             model,
             record,
             ..self.clone()
@@ -203,6 +204,7 @@ impl Prepared {
             forced: self.forced,
             scene,
             advice: None,
+            floors: self.floors.clone(),
             model: self.model.clone(),
             record: self.record.clone(),
             origin: self.origin.clone(),
@@ -253,12 +255,14 @@ impl Prepared {
         self.scene.method
     }
 
-    /// Of every structure, from the left, whether it is a wall.
+    /// The floors and walls of its structures, in the order in which a run counts them.
+    pub fn floors(&self) -> &Floors {
+        &self.floors
+    }
+
+    /// Of every floor, whether it is a wall.
     pub fn walls(&self) -> Vec<bool> {
-        let structures = self.scene.structures.iter();
-        structures
-            .map(|structure| matches!(structure, Structure::Wall))
-            .collect()
+        self.floors.all().iter().map(Floor::is_wall).collect()
     }
 
     /// The record as the scene uses it: in m/s², scaled, reversed.
@@ -285,6 +289,14 @@ impl Prepared {
             ..self.clone()
         })
     }
+}
+
+/// The floors of a checked scene, and the leanest row of them.
+fn modelled(scene: &Scene) -> Result<(Floors, Model), SceneError> {
+    let floors = Floors::of(scene)?;
+    let model = Model::new(scene, &floors)
+        .map_err(|error| SceneError::of_model(error, (scene, &floors)))?;
+    Ok((floors, model))
 }
 
 fn in_scene(scene: &Scene, source: SceneError) -> StudyError {

@@ -2,106 +2,201 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic, Integrator,
-    ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Verlet,
+    Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic,
+    Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
 };
 
-use crate::{Contact, Method, Scene, Structure};
+use super::columns::Mixed;
+use crate::floors::{Facing, Floor, Floors};
+use crate::{Columns, Method, Scene, Structure};
 
 /// The row with the columns it needs: decided once per run.
 #[derive(Debug, Clone)]
 pub(super) enum Model {
     Elastic(Row<Elastic>),
-    /// Elastic structures among yielding ones get an infinite yield force.
+    /// Elastic storeys among yielding ones get an infinite yield force.
     ElastoPlastic(Row<ElastoPlastic>),
+    /// Some harden; others among them have a hardening of 0.
+    Bilinear(Row<Bilinear>),
+    /// Some yield smoothly.
+    Mixed(Row<Mixed>),
 }
+
+/// Does the same with the row of any model.
+macro_rules! with_row {
+    ($model:expr, $row:ident => $done:expr) => {
+        match $model {
+            Model::Elastic($row) => $done,
+            Model::ElastoPlastic($row) => $done,
+            Model::Bilinear($row) => $done,
+            Model::Mixed($row) => $done,
+        }
+    };
+}
+pub(super) use with_row;
 
 /// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
 const OUT_OF_REACH: f64 = 1e9;
 
+/// The most that some storey of a scene asks of its columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Asked {
+    Nothing,
+    Yielding,
+    Hardening,
+    Bending,
+}
+
+impl Asked {
+    fn of(columns: &Columns) -> Self {
+        match (
+            columns.yield_force_n,
+            columns.hardening_ratio,
+            columns.bouc_wen,
+        ) {
+            (None, ..) => Self::Nothing,
+            (Some(_), _, Some(_)) => Self::Bending,
+            (Some(_), Some(_), None) => Self::Hardening,
+            (Some(_), None, None) => Self::Yielding,
+        }
+    }
+}
+
 impl Model {
     /// The leanest row of a checked scene.
-    pub(super) fn new(scene: &Scene) -> Result<Self, ModelError> {
-        let yields = scene.structures.iter().any(|structure| match structure {
-            Structure::Sdof(structure) => structure.yield_force_n.is_some(),
-            Structure::Wall => false,
-        });
-        let contacts = scene.contacts.as_deref().unwrap_or_default();
-        if yields {
-            row(scene, elasto_plastic, pairs(contacts)).map(Self::ElastoPlastic)
-        } else {
-            let elastic = |stiffness, _| Elastic { stiffness };
-            row(scene, elastic, pairs(contacts)).map(Self::Elastic)
+    pub(super) fn new(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
+        let made = floors.all().iter().filter_map(|floor| floor.made_of);
+        let most = made.map(|made| Asked::of(&made.columns)).max();
+        let pairs = pairs(scene, floors);
+        match most.unwrap_or(Asked::Nothing) {
+            Asked::Nothing => row(scene, floors, elastic, pairs).map(Self::Elastic),
+            Asked::Yielding => row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic),
+            Asked::Hardening => row(scene, floors, bilinear, pairs).map(Self::Bilinear),
+            Asked::Bending => row(scene, floors, mixed, pairs).map(Self::Mixed),
         }
     }
 
-    /// The same with everything that a scene can ask for: columns that remember their yielding, and all neighbours as
-    /// pairs.
-    pub(super) fn full(scene: &Scene) -> Result<Self, ModelError> {
+    /// The same with what a scene can ask for and this one does not: columns that remember their yielding, and all floors
+    /// that face each other as pairs.
+    pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
+        let lean = Self::new(scene, floors)?;
         let pairs = match &scene.contacts {
-            Some(contacts) => pairs(contacts),
-            None => pairs_out_of_reach(&scene.structures),
+            Some(_) => pairs(scene, floors),
+            None => pairs_out_of_reach(floors),
         };
-        row(scene, elasto_plastic, pairs).map(Self::ElastoPlastic)
-    }
-
-    /// The pairs that can touch, from left to right.
-    pub(super) fn pairs(&self) -> &[Pair] {
-        match self {
-            Self::Elastic(row) => row.pairs(),
-            Self::ElastoPlastic(row) => row.pairs(),
+        match lean {
+            Self::Elastic(_) | Self::ElastoPlastic(_) => {
+                row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic)
+            }
+            Self::Bilinear(_) => row(scene, floors, bilinear, pairs).map(Self::Bilinear),
+            Self::Mixed(_) => row(scene, floors, mixed, pairs).map(Self::Mixed),
         }
     }
-}
 
-fn elasto_plastic(stiffness: f64, yield_force: Option<f64>) -> ElastoPlastic {
-    ElastoPlastic {
-        stiffness,
-        yield_force: yield_force.unwrap_or(f64::INFINITY),
+    /// The pairs that can touch, level by level from left to right.
+    pub(super) fn pairs(&self) -> &[Pair] {
+        with_row!(self, row => row.pairs())
     }
 }
 
-fn pairs(contacts: &[Contact]) -> Vec<Pair> {
-    let pair = |(left, contact): (usize, &Contact)| Pair {
-        left,
-        right: left + 1,
-        gap: contact.gap_m,
-        law: contact.law,
-    };
-    contacts.iter().enumerate().map(pair).collect()
+fn elastic(columns: &Columns) -> Elastic {
+    Elastic {
+        stiffness: columns.stiffness_n_per_m,
+    }
 }
 
-fn pairs_out_of_reach(structures: &[Structure]) -> Vec<Pair> {
-    let pair = |(left, pair): (usize, &[Structure])| {
-        let walls = matches!(pair, [Structure::Wall, Structure::Wall]);
-        (!walls).then_some(Pair {
+fn elasto_plastic(columns: &Columns) -> ElastoPlastic {
+    ElastoPlastic {
+        stiffness: columns.stiffness_n_per_m,
+        yield_force: columns.yield_force_n.unwrap_or(f64::INFINITY),
+    }
+}
+
+fn bilinear(columns: &Columns) -> Bilinear {
+    let ElastoPlastic {
+        stiffness,
+        yield_force,
+    } = elasto_plastic(columns);
+    Bilinear {
+        stiffness,
+        yield_force,
+        hardening: columns.hardening_ratio.unwrap_or(0.0),
+    }
+}
+
+fn mixed(columns: &Columns) -> Mixed {
+    let sharp = bilinear(columns);
+    match columns.bouc_wen {
+        None => Mixed::Sharp(sharp),
+        Some(smooth) => Mixed::Smooth(BoucWen {
+            stiffness: sharp.stiffness,
+            yield_force: sharp.yield_force,
+            hardening: sharp.hardening,
+            smoothness: Smoothness {
+                exponent: smooth.exponent,
+                unloading: smooth.beta,
+            },
+        }),
+    }
+}
+
+fn pairs(scene: &Scene, floors: &Floors) -> Vec<Pair> {
+    let contacts = scene.contacts.as_deref().unwrap_or_default();
+    let pair = |facing: &Facing| {
+        let contact = &contacts[facing.contact];
+        Pair {
+            left: facing.left,
+            right: facing.right,
+            gap: contact.gap_m,
+            law: contact.law,
+        }
+    };
+    floors.facing().iter().map(pair).collect()
+}
+
+fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
+    let levels = floors.levels();
+    let walls = |node: usize| floors.all()[node].is_wall();
+    let mut pairs: Vec<Pair> = (1..floors.n_structures())
+        .flat_map(|right| levels.facing(right - 1))
+        .filter(|(left, right)| !(walls(*left) && walls(*right)))
+        .map(|(left, right)| Pair {
             left,
-            right: left + 1,
+            right,
             gap: OUT_OF_REACH,
             law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 }),
         })
-    };
-    structures.windows(2).enumerate().filter_map(pair).collect()
+        .collect();
+    pairs.sort_by_key(|pair| pair.left);
+    pairs
 }
 
 fn row<Column: Hysteretic>(
     scene: &Scene,
-    column: impl Fn(f64, Option<f64>) -> Column,
+    floors: &Floors,
+    column: impl Fn(&Columns) -> Column,
     pairs: Vec<Pair>,
 ) -> Result<Row<Column>, ModelError> {
-    let node = |structure: &Structure| match structure {
-        Structure::Sdof(sdof) => Node {
-            initial_displacement: sdof.initial_displacement_m,
-            initial_velocity: sdof.initial_velocity_m_per_s,
-            ..Node::structure(
-                sdof.mass_kg,
-                sdof.damping_coefficient(),
-                column(sdof.stiffness_n_per_m, sdof.yield_force_n),
-            )
-        },
-        Structure::Wall => Node::wall(column(1.0, None)),
+    let dampings: Vec<_> = scene.structures.iter().map(Structure::dampings).collect();
+    let node = |(index, floor): (usize, &Floor)| {
+        let Some(made) = floor.made_of else {
+            return Node::wall(column(&Columns::elastic(1.0)));
+        };
+        let (_, storey) = floors.levels().place(index);
+        let (damping, ground_damping) = dampings[floor.structure][storey];
+        let storey = Storey {
+            mass: made.mass_kg,
+            damping,
+            ground_damping,
+            column: column(&made.columns),
+        };
+        Node {
+            initial_displacement: made.initial.0,
+            initial_velocity: made.initial.1,
+            ..floors.levels().floor(index, storey)
+        }
     };
-    Row::new(scene.structures.iter().map(node).collect(), pairs)
+    Row::new(floors.all().iter().enumerate().map(node).collect(), pairs)
 }
 
 impl Method {

@@ -8,7 +8,7 @@ use pounding_solver::{
 };
 
 use super::Prepared;
-use super::model::Model;
+use super::model::{Model, with_row};
 use crate::second_route::{self, Fineness, Response, SecondRouteError};
 use crate::{SceneError, StudyError};
 
@@ -95,7 +95,7 @@ impl Prepared {
         interval: Option<f64>,
         ledger: L,
     ) -> Result<(Outcome, L), StudyError> {
-        let n = self.scene.structures.len();
+        let n = self.floors.all().len();
         let duration = self.clock.time(self.clock.n_steps);
         let mut recorder = self.recorders(ledger);
         let (histories, work) = match interval {
@@ -120,7 +120,7 @@ impl Prepared {
 
     /// Empty recorders of everything but histories.
     pub(crate) fn recorders<L>(&self, ledger: L) -> Recorders<L> {
-        let n = self.scene.structures.len();
+        let n = self.floors.all().len();
         (
             Peaks::new(n),
             Collisions::new(n, self.pairs()),
@@ -137,10 +137,7 @@ impl Prepared {
     /// An empty ledger for a run of the scene, held to all laws.
     pub(crate) fn ledger(&self) -> Ledger<'_> {
         let excitation = self.excitation();
-        match &self.model {
-            Model::Elastic(row) => Ledger::new(row, excitation),
-            Model::ElastoPlastic(row) => Ledger::new(row, excitation),
-        }
+        with_row!(&self.model, row => Ledger::new(row, excitation))
     }
 
     /// Runs the scene, whatever its method, by the second route.
@@ -150,10 +147,7 @@ impl Prepared {
     pub fn second_route(&self, fineness: Fineness) -> Result<Response, SecondRouteError> {
         let excitation = self.excitation();
         let duration = self.clock.time(self.clock.n_steps);
-        match &self.model {
-            Model::Elastic(row) => second_route::run(row, excitation, duration, fineness),
-            Model::ElastoPlastic(row) => second_route::run(row, excitation, duration, fineness),
-        }
+        with_row!(&self.model, row => second_route::run(row, excitation, duration, fineness))
     }
 
     /// Runs the scene by any method, whatever its own is.
@@ -164,10 +158,7 @@ impl Prepared {
         recorder: &mut R,
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
-        match &self.model {
-            Model::Elastic(row) => integrator.run(row, excitation, clock, recorder),
-            Model::ElastoPlastic(row) => integrator.run(row, excitation, clock, recorder),
-        }
+        with_row!(&self.model, row => integrator.run(row, excitation, clock, recorder))
     }
 
     /// Runs the scene with any recorder.
@@ -189,7 +180,9 @@ impl Prepared {
             | LedgerError::PullingImpact { pair, .. }
             | LedgerError::GainAtImpact { pair, .. }
             | LedgerError::GainInContact { pair, .. }
-            | LedgerError::Imbalance { pair, .. } => pair..pair + 2,
+            | LedgerError::Imbalance { pair, .. } => {
+                self.pairs()[pair].left..self.pairs()[pair].right + 1
+            }
             _ => 0..0,
         };
         StudyError::Broken {
@@ -201,7 +194,7 @@ impl Prepared {
 
     /// Index and name of some structures.
     fn named(&self, indices: Range<usize>) -> Vec<(usize, String)> {
-        let name = |index: usize| (index, self.scene.structures[index].name().to_string());
+        let name = |index: usize| (index, self.floors.all()[index].name.clone());
         indices.map(name).collect()
     }
 

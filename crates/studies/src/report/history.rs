@@ -58,7 +58,7 @@ impl<'a> Motion<'a> {
     fn force(&self, pair: usize, row: usize) -> f64 {
         // A wall does not move, whatever pushes it: its neighbour tells the force.
         match self.scene.structures[pair] {
-            Structure::Sdof(_) => -self.states(pair)[row].force_from_right,
+            Structure::Sdof(_) | Structure::Building(_) => -self.states(pair)[row].force_from_right,
             Structure::Wall => self.states(pair + 1)[row].force_from_left,
         }
     }

@@ -1,8 +1,10 @@
 //! Buildings of several storeys, as files give them.
 
+use pounding_solver::{Damping as SolverDamping, Elastic, Mode, Storey as SolverStorey, modes};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::choice;
 use super::columns::{BoucWen, ColumnWords, ColumnWordsError, Columns, positive};
 use crate::Damping;
 
@@ -49,6 +51,7 @@ struct Words {
     /// Name for tables and figures.
     name: String,
     /// Viscous damping: a `ratio` holds in the first two modes.
+    #[serde(deserialize_with = "choice::one")]
     damping: Damping,
     /// First natural period of the building \[s\], > 0: storeys then need no stiffness; with `stiffness_n_per_m` in all of
     /// them, only their proportions count.
@@ -109,6 +112,10 @@ enum WordsError {
         "storeys: found `stiffness_n_per_m` in some of them, allowed is in all or, with `period_s`, in none"
     )]
     SomeStiffnesses,
+    #[error(
+        "storeys: found masses and stiffnesses so unlike that their modes cannot be told; give like ones"
+    )]
+    NoPeriod,
     #[error("{field}: found {found}, allowed a finite number > 0")]
     OutOfRange { field: String, found: f64 },
     #[error("storeys[{storey}]: {source}")]
@@ -151,9 +158,8 @@ impl Words {
     fn stiffnesses(&self) -> Result<Vec<f64>, WordsError> {
         let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
         let Some(period) = self.period_s else {
-            let stiffness = |(index, given): (usize, Option<f64>)| {
-                given.ok_or(WordsError::NoStiffness(index))
-            };
+            let stiffness =
+                |(index, given): (usize, Option<f64>)| given.ok_or(WordsError::NoStiffness(index));
             return given.enumerate().map(stiffness).collect();
         };
         let n_given = given.clone().flatten().count();
@@ -162,17 +168,18 @@ impl Words {
         }
         let period = check("period_s".into(), period)?;
         let proportions: Vec<f64> = given.map(|given| given.unwrap_or(1.0)).collect();
-        let (mut masses, mut stiffnesses) = (Vec::new(), Vec::new());
+        let mut storeys = Vec::new();
         for (index, (storey, proportion)) in self.storeys.iter().zip(&proportions).enumerate() {
             let mass = check(format!("storeys[{index}].mass_kg"), storey.mass_kg)?;
             let field = format!("storeys[{index}].stiffness_n_per_m");
-            let proportion = check(field, *proportion)?;
-            masses.extend(std::iter::repeat_n(mass, storey.repeat));
-            stiffnesses.extend(std::iter::repeat_n(proportion, storey.repeat));
+            let stiffness = check(field, *proportion)?;
+            let one = undamped(mass, stiffness);
+            storeys.extend(std::iter::repeat_n(one, storey.repeat));
         }
-        let omega = pounding_solver::Modes::new(&masses, &stiffnesses).angular_frequency(0);
-        let wanted = 2.0 * std::f64::consts::PI / period;
-        let factor = (wanted / omega) * (wanted / omega);
+        let found = modes(&storeys).ok();
+        let found = found.and_then(|modes| modes.first().map(Mode::period));
+        let found = found.ok_or(WordsError::NoPeriod)?;
+        let factor = (found / period) * (found / period);
         Ok(proportions.iter().map(|one| factor * one).collect())
     }
 }
@@ -199,5 +206,72 @@ impl StoreyWords {
             initial_displacement_m: self.initial_displacement_m,
             initial_velocity_m_per_s: self.initial_velocity_m_per_s,
         })
+    }
+}
+
+/// A storey without damping, for modes.
+fn undamped(mass: f64, stiffness: f64) -> SolverStorey<Elastic> {
+    SolverStorey {
+        mass,
+        damping: 0.0,
+        ground_damping: 0.0,
+        column: Elastic { stiffness },
+    }
+}
+
+impl Building {
+    /// Natural modes of the elastic building, the slowest first; none of values that its check refuses.
+    pub fn modes(&self) -> Vec<Mode> {
+        modes(&self.elastic()).unwrap_or_default()
+    }
+
+    /// The elastic storeys with their damping, from the ground up.
+    fn elastic(&self) -> Vec<SolverStorey<Elastic>> {
+        let storeys = self.storeys.iter().zip(self.dampings());
+        let storey = |(storey, (damping, ground_damping)): (&Storey, (f64, f64))| SolverStorey {
+            damping,
+            ground_damping,
+            ..undamped(storey.mass_kg, storey.columns.stiffness_n_per_m)
+        };
+        storeys.map(storey).collect()
+    }
+
+    /// Damping coefficients of every storey \[N·s/m\]: between its floor and what it stands on, and of its floor against the
+    /// ground.
+    pub(crate) fn dampings(&self) -> Vec<(f64, f64)> {
+        let of = |storey: &Storey| match self.rayleigh() {
+            SolverDamping::Rayleigh { alpha, beta } => (
+                beta * storey.columns.stiffness_n_per_m,
+                alpha * storey.mass_kg,
+            ),
+            // Of one storey.
+            damping @ SolverDamping::Ratio(_) => (
+                damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m),
+                0.0,
+            ),
+        };
+        self.storeys.iter().map(of).collect()
+    }
+
+    /// Rayleigh damping of all storeys; a ratio for a building of one.
+    fn rayleigh(&self) -> SolverDamping {
+        let (of_modes, ratios) = match self.damping {
+            Damping::Ratio(ratio) if self.storeys.len() > 1 => ([1, 2], [ratio, ratio]),
+            Damping::Modes { modes, ratios } => (modes, ratios),
+            Damping::Ratio(_) | Damping::Rayleigh { .. } | Damping::TwoFrequencies { .. } => {
+                return self.damping.to_solver();
+            }
+        };
+        let storeys = self.storeys.iter();
+        let storeys = storeys
+            .map(|storey| undamped(storey.mass_kg, storey.columns.stiffness_n_per_m))
+            .collect::<Vec<_>>();
+        let all = modes(&storeys).unwrap_or_default();
+        let mode = |number: usize| all.get(number.wrapping_sub(1));
+        let found = mode(of_modes[0])
+            .zip(mode(of_modes[1]))
+            .and_then(|(one, other)| SolverDamping::rayleigh_from_modes([one, other], ratios).ok());
+        // Modes that are not there are refused by the check of a scene.
+        found.unwrap_or(SolverDamping::Ratio(0.0))
     }
 }

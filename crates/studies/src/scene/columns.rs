@@ -19,6 +19,18 @@ pub struct Columns {
     pub bouc_wen: Option<BoucWen>,
 }
 
+impl Columns {
+    /// Columns that never yield, of a stiffness \[N/m\].
+    pub fn elastic(stiffness_n_per_m: f64) -> Self {
+        Self {
+            stiffness_n_per_m,
+            yield_force_n: None,
+            hardening_ratio: None,
+            bouc_wen: None,
+        }
+    }
+}
+
 /// Shape of smooth yielding: dz/dd = 1 − |z/`u_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -29,18 +29,28 @@ pub enum Damping {
         #[serde(deserialize_with = "two")]
         ratios: [f64; 2],
     },
+    /// Rayleigh damping that has these ratios in two modes of a building.
+    Modes {
+        /// Numbers of the modes, counted from 1 for the slowest; 0 < first < second.
+        #[serde(deserialize_with = "two")]
+        modes: [usize; 2],
+        /// The damping ratio in each \[–\], ≥ 0.
+        #[serde(deserialize_with = "two")]
+        ratios: [f64; 2],
+    },
 }
 
 impl Choice for Damping {
     const EXAMPLES: &'static [&'static str] = &[
         r#"{"ratio": 0.05}"#,
         r#"{"rayleigh": {"alpha_per_s": 0.57, "beta_s": 0.0014}}"#,
+        r#"{"modes": {"modes": [1, 3], "ratios": [0.05, 0.05]}}"#,
         r#"{"two_frequencies": {"frequencies_hz": [1.0, 10.0], "ratios": [0.05, 0.05]}}"#,
     ];
 }
 
 /// Two numbers: TOML would give the first two of more.
-fn two<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Error> {
+fn two<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<[T; 2], D::Error> {
     let numbers = Vec::deserialize(from)?;
     let found = numbers.len();
     let refused =
@@ -66,6 +76,8 @@ impl Damping {
                 ratios,
             } => SolverDamping::rayleigh_from_ratios(frequencies_hz, ratios)
                 .unwrap_or(SolverDamping::Ratio(0.0)),
+            // Of a structure of one storey, which the check of a scene refuses; a building finds its own.
+            Self::Modes { .. } => SolverDamping::Ratio(0.0),
         }
     }
 }

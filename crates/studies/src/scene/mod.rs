@@ -1,6 +1,8 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
+mod building;
 mod choice;
+mod columns;
 mod damping;
 mod generated;
 mod method;
@@ -12,6 +14,8 @@ use pounding_contact::ContactLaw;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use building::{Building, Storey};
+pub use columns::{BoucWen, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
 pub use method::Method;
@@ -41,6 +45,14 @@ pub struct Scene {
     /// The method of time integration; without it the exact one.
     #[serde(default = "exact", deserialize_with = "choice::one")]
     pub method: Method,
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 fn exact() -> Method {
@@ -78,6 +90,9 @@ impl Scene {
             .iter()
             .map(move |structure| match structure {
                 Structure::Sdof(sdof) => integrator?.critical_time_step(&sdof.oscillation()),
+                Structure::Building(building) => {
+                    integrator?.critical_time_step_of(&building.modes())
+                }
                 Structure::Wall => None,
             })
     }
@@ -92,12 +107,15 @@ impl Scene {
 }
 
 /// What lies between two neighbours.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
-    /// Gap at rest \[m\], ≥ 0.
+    /// Gap at rest \[m\], ≥ 0; at every level.
     pub gap_m: f64,
     /// The contact law.
     #[serde(deserialize_with = "choice::one")]
     pub law: ContactLaw,
+    /// Levels at which floors can touch, counted from 1 for the lowest; absent where all that face each other can.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub levels: Option<Vec<usize>>,
 }

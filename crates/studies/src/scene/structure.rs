@@ -2,12 +2,14 @@
 
 use std::f64::consts::PI;
 
-use pounding_solver::Oscillation;
+use pounding_solver::{Mode, Oscillation};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::json;
 
+use super::Building;
 use super::choice::{self, Choice, also};
+use super::columns::{BoucWen, ColumnWords, ColumnWordsError, Columns, positive};
 use crate::Damping;
 
 /// A structure or a wall of a row.
@@ -17,7 +19,9 @@ use crate::Damping;
 pub enum Structure {
     /// A structure of one storey (single degree of freedom).
     Sdof(Sdof),
-    /// A fixed wall; it moves with the ground.
+    /// A building of one or more storeys.
+    Building(Building),
+    /// A fixed wall; it moves with the ground. Beside a building it faces every floor.
     Wall,
 }
 
@@ -39,12 +43,14 @@ fn or_empty_wall(schema: &mut schemars::Schema) {
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub(super) enum Named {
     Sdof(Sdof),
+    Building(Building),
     Wall {},
 }
 
 impl Choice for Named {
     const EXAMPLES: &'static [&'static str] = &[
         r#"{"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}}"#,
+        r#"{"building": {"name": "tower", "damping": {"ratio": 0.05}, "period_s": 0.8, "storeys": [{"mass_kg": 1e5, "repeat": 3}]}}"#,
     ];
 }
 
@@ -52,6 +58,7 @@ impl<'de> Deserialize<'de> for Structure {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         choice::one(from).map(|named| match named {
             Named::Sdof(sdof) => Self::Sdof(sdof),
+            Named::Building(building) => Self::Building(building),
             Named::Wall {} => Self::Wall,
         })
     }
@@ -62,14 +69,44 @@ impl Structure {
     pub fn name(&self) -> &str {
         match self {
             Self::Sdof(structure) => &structure.name,
+            Self::Building(building) => &building.name,
             Self::Wall => "wall",
         }
     }
 
-    /// Natural period \[s\]; nothing for a wall.
+    /// Damping coefficients of every storey \[N·s/m\]: between its floor and what it stands on, and of its floor against the
+    /// ground besides that.
+    pub(crate) fn dampings(&self) -> Vec<(f64, f64)> {
+        match self {
+            Self::Sdof(structure) => vec![(structure.damping_coefficient(), 0.0)],
+            Self::Building(building) => building.dampings(),
+            Self::Wall => Vec::new(),
+        }
+    }
+
+    /// Its fastest free oscillation, which a time step has to follow; nothing for a wall.
+    pub fn fastest(&self) -> Option<Oscillation> {
+        match self {
+            Self::Sdof(structure) => Some(structure.oscillation()),
+            Self::Building(building) => building.modes().last().map(Mode::oscillation),
+            Self::Wall => None,
+        }
+    }
+
+    /// Damping ratio ζ \[–\] of the elastic structure, of a building in the first mode; nothing for a wall.
+    pub fn damping_ratio(&self) -> Option<f64> {
+        match self {
+            Self::Sdof(structure) => Some(structure.damping_ratio()),
+            Self::Building(building) => building.modes().first().map(|mode| mode.damping_ratio),
+            Self::Wall => None,
+        }
+    }
+
+    /// Natural period \[s\], of a building the first; nothing for a wall.
     pub fn period(&self) -> Option<f64> {
         match self {
             Self::Sdof(structure) => Some(structure.period()),
+            Self::Building(building) => building.modes().first().map(Mode::period),
             Self::Wall => None,
         }
     }
@@ -94,23 +131,21 @@ pub struct Sdof {
     /// Yield force \[N\], > 0; absent for elastic columns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub yield_force_n: Option<f64>,
-    /// Height of the mass over the ground \[m\], > 0; for drift ratios.
+    /// Stiffness after yielding over that before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardening_ratio: Option<f64>,
+    /// How columns yield smoothly; absent where they yield at one point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bouc_wen: Option<BoucWen>,
+    /// Height of the mass over the ground \[m\], > 0; for drift ratios and for which floors face each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "super::is_zero")]
     pub initial_displacement_m: f64,
     /// Velocity at t = 0 \[m/s\].
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "super::is_zero")]
     pub initial_velocity_m_per_s: f64,
-}
-
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes a reference"
-)]
-fn is_zero(value: &f64) -> bool {
-    *value == 0.0
 }
 
 /// A structure of one storey in the words of a file.
@@ -135,7 +170,12 @@ struct Words {
     yield_displacement_m: Option<f64>,
     /// The same divided by `height_m` \[–\], > 0.
     yield_drift_ratio: Option<f64>,
-    /// Height of the mass over the ground \[m\], > 0; for drift ratios.
+    /// Stiffness after yielding over that before \[–\], 0 to less than 1; 0 if left out.
+    hardening_ratio: Option<f64>,
+    /// Smooth yielding; if left out, columns yield at one point.
+    bouc_wen: Option<BoucWen>,
+    /// Height of the mass over the ground \[m\], > 0; for drift ratios, and beside a building for which floors face each
+    /// other.
     height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]
@@ -156,17 +196,8 @@ enum WordsError {
         "found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other"
     )]
     TwoStiffnesses,
-    #[error(
-        "found several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`, allowed is at most one; delete \
-         the others"
-    )]
-    SeveralYieldPoints,
-    #[error(
-        "found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`"
-    )]
-    DriftWithoutHeight,
-    #[error("{field}: found {found}, allowed a finite number > 0")]
-    OutOfRange { field: &'static str, found: f64 },
+    #[error(transparent)]
+    Columns(#[from] ColumnWordsError),
 }
 
 impl TryFrom<Words> for Sdof {
@@ -174,9 +205,20 @@ impl TryFrom<Words> for Sdof {
 
     fn try_from(words: Words) -> Result<Self, WordsError> {
         let stiffness = words.stiffness()?;
+        let columns = ColumnWords {
+            yield_force_n: words.yield_force_n,
+            yield_displacement_m: words.yield_displacement_m,
+            yield_drift_ratio: words.yield_drift_ratio,
+            hardening_ratio: words.hardening_ratio,
+            bouc_wen: words.bouc_wen,
+            height_m: words.height_m,
+        };
+        let columns = columns.columns(stiffness)?;
         Ok(Self {
             stiffness_n_per_m: stiffness,
-            yield_force_n: words.yield_force(stiffness)?,
+            yield_force_n: columns.yield_force_n,
+            hardening_ratio: columns.hardening_ratio,
+            bouc_wen: columns.bouc_wen,
             name: words.name,
             mass_kg: words.mass_kg,
             damping: words.damping,
@@ -184,15 +226,6 @@ impl TryFrom<Words> for Sdof {
             initial_displacement_m: words.initial_displacement_m,
             initial_velocity_m_per_s: words.initial_velocity_m_per_s,
         })
-    }
-}
-
-/// What is converted must be in range here: what comes of it would not tell which field is wrong.
-fn positive(field: &'static str, found: f64) -> Result<f64, WordsError> {
-    if found > 0.0 && found.is_finite() {
-        Ok(found)
-    } else {
-        Err(WordsError::OutOfRange { field, found })
     }
 }
 
@@ -208,29 +241,19 @@ impl Words {
             }
         }
     }
-
-    fn yield_force(&self, stiffness: f64) -> Result<Option<f64>, WordsError> {
-        match (
-            self.yield_force_n,
-            self.yield_displacement_m,
-            self.yield_drift_ratio,
-        ) {
-            (force, None, None) => Ok(force),
-            (None, Some(displacement), None) => Ok(Some(
-                stiffness * positive("yield_displacement_m", displacement)?,
-            )),
-            (None, None, Some(ratio)) => {
-                let height = self.height_m.ok_or(WordsError::DriftWithoutHeight)?;
-                let height = positive("height_m", height)?;
-                let displacement = positive("yield_drift_ratio", ratio)? * height;
-                Ok(Some(stiffness * displacement))
-            }
-            _ => Err(WordsError::SeveralYieldPoints),
-        }
-    }
 }
 
 impl Sdof {
+    /// Its columns.
+    pub fn columns(&self) -> Columns {
+        Columns {
+            stiffness_n_per_m: self.stiffness_n_per_m,
+            yield_force_n: self.yield_force_n,
+            hardening_ratio: self.hardening_ratio,
+            bouc_wen: self.bouc_wen,
+        }
+    }
+
     /// Damping coefficient c \[N·s/m\].
     pub fn damping_coefficient(&self) -> f64 {
         self.damping

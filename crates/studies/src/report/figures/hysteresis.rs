@@ -45,7 +45,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
 fn ductility(seen: &Seen<'_>, index: usize, structure: &Structure) -> Option<f64> {
     match structure {
         Structure::Sdof(sdof) => sdof.ductility(seen.outcome.peaks.of(index).displacement.value),
-        Structure::Wall => None,
+        Structure::Building(_) | Structure::Wall => None,
     }
 }
 
