@@ -36,7 +36,10 @@ fn uneven(n: u32) -> Vec<Storey<Elastic>> {
 
 fn assert_close(found: f64, wanted: f64, what: &str) {
     let allowed = 1e-12 * wanted.abs().max(1.0);
-    assert!((found - wanted).abs() <= allowed, "{what}: {found} {wanted}");
+    assert!(
+        (found - wanted).abs() <= allowed,
+        "{what}: {found} {wanted}"
+    );
 }
 
 /// Three storeys with masses m, m, m/2 and equal columns, by hand: ω² = (2 − √3), 2, (2 + √3) k/m.
@@ -83,9 +86,7 @@ fn reference_uniform_buildings_in_closed_form() {
             let angle = f64::from(2 * j - 1) * PI / f64::from(2 * n + 1);
             let omega = 2.0 * (k / m).sqrt() * libm::sin(0.5 * angle);
             assert_close(mode.angular_frequency / omega, 1.0, "frequency");
-            let wanted: Vec<_> = (1..=n)
-                .map(|i| libm::sin(f64::from(i) * angle))
-                .collect();
+            let wanted: Vec<_> = (1..=n).map(|i| libm::sin(f64::from(i) * angle)).collect();
             for (part, wanted) in mode.shape.iter().zip(normal(wanted)) {
                 // nalgebra's vectors of 40 floors are known to 1e-13 or so of each other's distance.
                 assert!((part - wanted).abs() < 1e-11, "{n}, {j}: {part} {wanted}");
@@ -205,16 +206,28 @@ fn limit_rigid_upper_storeys_move_as_one() {
         let slow = (2.0 * ratio / 3.0) / (sum + root);
         let wanted = (slow * k / m).sqrt();
         let omega = found[0].angular_frequency;
-        assert!((omega / wanted - 1.0).abs() < 1e-14, "{ratio:e}: {omega} {wanted}");
+        assert!(
+            (omega / wanted - 1.0).abs() < 1e-14,
+            "{ratio:e}: {omega} {wanted}"
+        );
         let rigid = (k / (4.0 * m)).sqrt();
-        assert!((omega / rigid - 1.0).abs() < 1.0 / ratio, "{ratio:e}: {omega}");
+        assert!(
+            (omega / rigid - 1.0).abs() < 1.0 / ratio,
+            "{ratio:e}: {omega}"
+        );
     }
     // Five storeys over nine decades each.
     let tower = [1.0, 1e3, 1e5, 1e7, 1e9].map(|ratio| storey(m, ratio * k));
     let first = &modes(&tower).unwrap()[0];
     let rigid = (k / (5.0 * m)).sqrt();
-    assert!((first.angular_frequency / rigid - 1.0).abs() < 1e-3, "{first:?}");
-    assert!((first.effective_mass() / (5.0 * m) - 1.0).abs() < 1e-6, "{first:?}");
+    assert!(
+        (first.angular_frequency / rigid - 1.0).abs() < 1e-3,
+        "{first:?}"
+    );
+    assert!(
+        (first.effective_mass() / (5.0 * m) - 1.0).abs() < 1e-6,
+        "{first:?}"
+    );
 }
 
 #[test]
@@ -225,7 +238,10 @@ fn extreme_buildings_that_nothing_holds() {
     assert_eq!(found[0].damping_ratio.to_bits(), 0.0_f64.to_bits());
     assert!(found[0].period().is_infinite(), "{found:?}");
     assert_close(found[1].angular_frequency, 10.0, "the first");
-    assert!(modes::<Elastic>(&[]).unwrap().is_empty(), "no storey, no mode");
+    assert!(
+        modes::<Elastic>(&[]).unwrap().is_empty(),
+        "no storey, no mode"
+    );
 }
 
 #[test]

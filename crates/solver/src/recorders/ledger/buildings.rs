@@ -11,7 +11,7 @@ pub(super) struct Buildings {
     above: Vec<Option<usize>>,
     /// For every node its building.
     of: Vec<usize>,
-    buildings: Vec<Building>,
+    all: Vec<Building>,
     /// Buildings whose floors were last seen at different instants.
     n_apart: usize,
 }
@@ -31,17 +31,17 @@ impl Buildings {
         let nodes = 0..row.nodes().len();
         let above: Vec<_> = nodes.map(|node| row.above(node)).collect();
         let mut of = vec![0; above.len()];
-        let mut buildings = Vec::new();
+        let mut all = Vec::new();
         for (ground, node) in row.nodes().iter().enumerate() {
             if node.support.below().is_some() {
                 continue;
             }
             let mut n_floors = 0;
             for floor in successors(Some(ground), |floor| above[*floor]) {
-                of[floor] = buildings.len();
+                of[floor] = all.len();
                 n_floors += 1;
             }
-            buildings.push(Building {
+            all.push(Building {
                 ground,
                 n_floors,
                 time: 0.0,
@@ -51,7 +51,7 @@ impl Buildings {
         Self {
             above,
             of,
-            buildings,
+            all,
             n_apart: 0,
         }
     }
@@ -63,12 +63,12 @@ impl Buildings {
 
     /// Nodes on the ground, one of each building.
     pub(super) fn grounds(&self) -> impl Iterator<Item = usize> {
-        self.buildings.iter().map(|building| building.ground)
+        self.all.iter().map(|building| building.ground)
     }
 
     /// Sees a floor at the end of a span.
     pub(super) fn see(&mut self, node: usize, time: f64) {
-        let building = &mut self.buildings[self.of[node]];
+        let building = &mut self.all[self.of[node]];
         if building.n_floors == 1 || time < building.time {
             return;
         }

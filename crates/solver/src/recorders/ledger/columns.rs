@@ -72,7 +72,7 @@ impl Columns {
         let slip = || moved - (last - first) / self.yielding;
         match (self.knee, span.path) {
             // A step flows at the limit, and only where it ends there.
-            (Knee::Sharp, Path::Cubic(_)) if last.abs() < self.limit - self.blur(span) => 0.0,
+            (Knee::Sharp, Path::Cubic(_)) if last.abs() + self.blur(span) < self.limit => 0.0,
             (Knee::Sharp, Path::Cubic(_)) => last * slip(),
             (
                 Knee::Sharp,
@@ -110,11 +110,12 @@ impl Columns {
         taken
     }
 
-    /// Distance from the limit that is rounding at the end of a span \[N\]: none where f is h.
+    /// What rounding leaves open of h at the end of a span \[N\]: nothing where f is h.
     fn blur(&self, span: &Span<'_>) -> f64 {
         if self.lasting > 0.0 {
             let [_, end] = span.drifts();
-            OPERATIONS * f64::EPSILON * (self.limit + (self.lasting * end.displacement).abs())
+            let lasting = (self.lasting * end.displacement).abs();
+            OPERATIONS * f64::EPSILON * (span.end.restoring_force.abs() + lasting)
         } else {
             0.0
         }
@@ -159,7 +160,7 @@ mod tests {
     use crate::{Bilinear, BoucWen, Hysteretic, Smoothness, State, Weighed};
 
     /// A span without a floor below from one displacement to another, under these forces.
-    fn span<'a>(drifts: [f64; 2], forces: [f64; 2], path: Path<'a>) -> Span<'a> {
+    fn span(drifts: [f64; 2], forces: [f64; 2], path: Path<'_>) -> Span<'_> {
         let state = |index: usize| State {
             displacement: drifts[index],
             restoring_force: forces[index],
