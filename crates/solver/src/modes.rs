@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::{Damping, Hysteretic, ModelError, Oscillation, Row, Storey};
+use crate::{Damping, Hysteretic, ModelError, Oscillation, RestoringForce, Row, Storey};
 
 /// A natural mode of a building with elastic columns.
 ///
@@ -181,7 +181,7 @@ impl Damping {
     }
 }
 
-impl<Column: Hysteretic> Row<Column> {
+impl<Column: RestoringForce> Row<Column> {
     /// Lowest nodes of the buildings, walls left out; a structure of one storey is a building.
     pub fn buildings(&self) -> impl Iterator<Item = usize> {
         let nodes = self.nodes().iter().enumerate();
@@ -194,7 +194,9 @@ impl<Column: Hysteretic> Row<Column> {
     pub fn floors(&self, ground: usize) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(ground), |floor| self.above(*floor))
     }
+}
 
+impl<Column: Hysteretic> Row<Column> {
     /// Natural modes of the building that stands on the ground at a node, the slowest first.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-use crate::{Impact, Motion, Recorder, Span, State};
+use crate::{Impact, Path, Recorder, Span, State};
 
 /// Value of largest magnitude and when it occurred.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -37,14 +37,18 @@ impl StructurePeaks {
         self.storey_drift.unwrap_or(self.displacement)
     }
 
-    fn take(&mut self, state: &State, drift: Option<Motion>, time: f64) {
+    fn take(&mut self, state: &State, time: f64) {
         self.displacement.take(state.displacement, time);
         self.restoring_force.take(state.restoring_force, time);
         self.pounding_force.take(state.pounding_force(), time);
-        if let Some(drift) = drift {
-            let peak = self.storey_drift.get_or_insert_default();
-            peak.take(drift.displacement, time);
-        }
+    }
+
+    /// Takes the drifts of a storey on another floor.
+    fn take_drifts(&mut self, span: &Span<'_>) {
+        let [start, end] = span.drifts().map(|drift| drift.displacement);
+        let peak = self.storey_drift.get_or_insert_default();
+        peak.take(start, span.start_time);
+        peak.take(end, span.end_time);
     }
 
     /// Takes what a motion known between its ends has inside them: where the floor turns, and where the storey does.
@@ -64,8 +68,8 @@ impl StructurePeaks {
             }
             if beyond(drift, [start, end]) {
                 self.restoring_force.take(state.restoring_force, time);
-                if let Some(peak) = &mut self.storey_drift {
-                    peak.take(drift, time);
+                if span.below.is_some() {
+                    self.storey_drift.get_or_insert_default().take(drift, time);
                 }
             }
         }
@@ -103,15 +107,16 @@ impl Recorder for Peaks {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let peaks = &mut self.structures[span.structure];
-        let [start, end] = match span.below {
-            None => [None, None],
-            Some(_) => span.drifts().map(Some),
-        };
         if span.start_time == 0.0 {
-            peaks.take(&span.start, start, 0.0);
+            peaks.take(&span.start, 0.0);
         }
-        peaks.take_inside(span);
-        peaks.take(&span.end, end, span.end_time);
+        if let Path::Series(_) = span.path {
+            peaks.take_inside(span);
+        }
+        peaks.take(&span.end, span.end_time);
+        if span.below.is_some() {
+            peaks.take_drifts(span);
+        }
     }
 
     fn impact(&mut self, _: &Impact) {}
@@ -120,7 +125,7 @@ impl Recorder for Peaks {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Path;
+    use crate::Motion;
     use crate::span::{Power, Series};
 
     /// A floor at t² − t on one that moves evenly at −0.5 m/s, for 2 s from `start` on: the floor turns at 0.5 s with
