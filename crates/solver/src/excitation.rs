@@ -99,6 +99,11 @@ impl<'a> Excitation<'a> {
             .collect()
     }
 
+    /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\].
+    pub(crate) fn at(&self, time: f64) -> f64 {
+        self.at_position(time / self.time_step)
+    }
+
     /// Ground acceleration at a `position` counted in samples.
     fn at_position(&self, position: f64) -> f64 {
         let sample = |index: f64| {

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::{Damping, Hysteretic, ModelError, Oscillation, Row, Storey};
+use crate::{Damping, Hysteretic, ModelError, Oscillation, RestoringForce, Row, Storey};
 
 /// A natural mode of a building with elastic columns.
 ///
@@ -56,6 +56,9 @@ const ITERATIONS_PER_FLOOR: usize = 1000;
 /// # Errors
 /// [`ModelError::OutOfRange`] for a mass that is not positive, a stiffness or damping that is negative, and what is not
 /// finite, or too large beside a mass.
+///
+/// # Panics
+/// If the QR iteration does not end, which it does for every finite symmetric matrix.
 pub fn modes<Column: Hysteretic>(storeys: &[Storey<Column>]) -> Result<Vec<Mode>, ModelError> {
     for (index, storey) in storeys.iter().enumerate() {
         check(index, storey)?;
@@ -64,6 +67,14 @@ pub fn modes<Column: Hysteretic>(storeys: &[Storey<Column>]) -> Result<Vec<Mode>
         return Ok(Vec::new());
     }
     let matrix = scaled_stiffness(storeys);
+    if let Some(index) = matrix.iter().position(|entry| !entry.is_finite()) {
+        let index = index % storeys.len();
+        return Err(ModelError::OutOfRange {
+            place: format!("storeys[{index}].stiffness"),
+            found: storeys[index].column.stiffness(),
+            allowed: "stiffnesses that are finite beside the masses",
+        });
+    }
     let most = ITERATIONS_PER_FLOOR * storeys.len();
     let eigen = SymmetricEigen::try_new(matrix, f64::EPSILON, most)
         .expect("shifted QR iteration of a finite symmetric matrix converges");
@@ -135,6 +146,7 @@ fn mode<Column: Hysteretic>(storeys: &[Storey<Column>], shape: Vec<f64>) -> Mode
 }
 
 fn check<Column: Hysteretic>(index: usize, storey: &Storey<Column>) -> Result<(), ModelError> {
+    const NOT_NEGATIVE: &str = "a finite number >= 0";
     let require = |valid: bool, field: &str, found: f64, allowed: &'static str| {
         if valid && found.is_finite() {
             return Ok(());
@@ -145,12 +157,9 @@ fn check<Column: Hysteretic>(index: usize, storey: &Storey<Column>) -> Result<()
             allowed,
         })
     };
-    const NOT_NEGATIVE: &str = "a finite number >= 0";
     let (mass, stiffness) = (storey.mass, storey.column.stiffness());
     require(mass > 0.0, "mass", mass, "a finite number > 0")?;
     require(stiffness >= 0.0, "stiffness", stiffness, NOT_NEGATIVE)?;
-    let held = (stiffness / mass).is_finite();
-    require(held, "stiffness", stiffness, "a finite number of masses")?;
     require(
         storey.damping >= 0.0,
         "damping",
@@ -172,7 +181,7 @@ impl Damping {
     }
 }
 
-impl<Column: Hysteretic> Row<Column> {
+impl<Column: RestoringForce> Row<Column> {
     /// Lowest nodes of the buildings, walls left out; a structure of one storey is a building.
     pub fn buildings(&self) -> impl Iterator<Item = usize> {
         let nodes = self.nodes().iter().enumerate();
@@ -185,7 +194,9 @@ impl<Column: Hysteretic> Row<Column> {
     pub fn floors(&self, ground: usize) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(ground), |floor| self.above(*floor))
     }
+}
 
+impl<Column: Hysteretic> Row<Column> {
     /// Natural modes of the building that stands on the ground at a node, the slowest first.
     ///
     /// # Errors

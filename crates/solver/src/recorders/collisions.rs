@@ -27,9 +27,9 @@ pub struct Collision {
 /// Records the collisions of every pair, in the order in which they begin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Collisions {
-    /// For each structure, the pair it is the left neighbour of.
+    /// For each node, the pair it is the left neighbour of.
     pair_of_left: Vec<Option<usize>>,
-    /// For each structure, when and where it was last seen.
+    /// For each node, when and where it was last seen.
     seen: Vec<(f64, f64)>,
     /// Gap of every pair.
     gaps: Vec<f64>,
@@ -41,7 +41,7 @@ pub struct Collisions {
 }
 
 impl Collisions {
-    /// For a row of `n_structures` (walls included) with these pairs.
+    /// For a row of `n_structures`, that is nodes, walls included, with these pairs, of any level.
     pub fn new(n_structures: usize, pairs: &[Pair]) -> Self {
         let mut pair_of_left = vec![None; n_structures];
         for (index, pair) in pairs.iter().enumerate() {

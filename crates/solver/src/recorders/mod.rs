@@ -1,12 +1,14 @@
 //! Recorders: each keeps one kind of result and sees only spans and impacts.
 
 mod collisions;
+mod floor_accelerations;
 mod histories;
 mod ledger;
 mod peaks;
 mod transferred_momentum;
 
 pub use collisions::{Collision, Collisions};
+pub use floor_accelerations::FloorAccelerations;
 pub use histories::{Histories, History};
 pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
 pub use peaks::{Peak, Peaks, StructurePeaks};

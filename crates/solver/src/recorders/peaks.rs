@@ -1,4 +1,4 @@
-use crate::{Impact, Recorder, Span, State};
+use crate::{Impact, Path, Recorder, Span, State};
 
 /// Value of largest magnitude and when it occurred.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -10,39 +10,94 @@ pub struct Peak {
 }
 
 impl Peak {
-    fn take(&mut self, value: f64, time: f64) {
+    pub(super) fn take(&mut self, value: f64, time: f64) {
         if value.abs() > self.value.abs() {
             *self = Self { value, time };
         }
     }
 }
 
-/// Peaks of one structure.
+/// Peaks of one floor and its storey.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StructurePeaks {
     /// Displacement \[m\].
     pub displacement: Peak,
-    /// Restoring force (shear force of the structure) \[N\].
+    /// Drift of the storey below the floor \[m\]; nothing where that stands on the ground, and its drift is the
+    /// displacement.
+    pub storey_drift: Option<Peak>,
+    /// Restoring force (shear force of the storey) \[N\].
     pub restoring_force: Peak,
     /// Net pounding force \[N\]; stays 0 where contact is impulsive.
     pub pounding_force: Peak,
 }
 
-/// Records the peaks of every structure at the ends of spans.
+impl StructurePeaks {
+    /// Drift of the storey below the floor \[m\], on the ground or on another floor.
+    pub fn drift(&self) -> Peak {
+        self.storey_drift.unwrap_or(self.displacement)
+    }
+
+    fn take(&mut self, state: &State, time: f64) {
+        self.displacement.take(state.displacement, time);
+        self.restoring_force.take(state.restoring_force, time);
+        self.pounding_force.take(state.pounding_force(), time);
+    }
+
+    /// Takes the drifts of a storey on another floor.
+    fn take_drifts(&mut self, span: &Span<'_>) {
+        let [start, end] = span.drifts().map(|drift| drift.displacement);
+        let peak = self.storey_drift.get_or_insert_default();
+        peak.take(start, span.start_time);
+        peak.take(end, span.end_time);
+    }
+
+    /// Takes what a motion known between its ends has inside them: where the floor turns, and where the storey does.
+    fn take_inside(&mut self, span: &Span<'_>) {
+        let rates = [span.start.velocity, span.end.velocity];
+        let floor = span.crossing(rates, |time| span.at(time).velocity);
+        let storey = span.below.and_then(|_| {
+            let rates = span.drifts().map(|drift| drift.velocity);
+            span.crossing(rates, |time| span.drift(time).velocity)
+        });
+        for time in floor.into_iter().chain(storey) {
+            let (state, drift) = (span.at(time), span.drift(time).displacement);
+            let [start, end] = span.drifts().map(|drift| drift.displacement);
+            let ends = [span.start.displacement, span.end.displacement];
+            if beyond(state.displacement, ends) {
+                self.displacement.take(state.displacement, time);
+            }
+            if beyond(drift, [start, end]) {
+                self.restoring_force.take(state.restoring_force, time);
+                if span.below.is_some() {
+                    self.storey_drift.get_or_insert_default().take(drift, time);
+                }
+            }
+        }
+    }
+}
+
+/// What a turn inside a span must lie beyond both ends, relative to them: a turn that is an end is not one inside.
+const BEYOND: f64 = 1e-12;
+
+fn beyond(value: f64, ends: [f64; 2]) -> bool {
+    value.abs() > (1.0 + BEYOND) * ends[0].abs().max(ends[1].abs())
+}
+
+/// Records the peaks of every floor at the ends of spans, and where a motion known between them turns inside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Peaks {
     structures: Vec<StructurePeaks>,
 }
 
 impl Peaks {
-    /// For a row of `n_structures`, walls included.
+    /// For a row of `n_structures`, that is nodes, walls included.
     pub fn new(n_structures: usize) -> Self {
         Self {
             structures: vec![StructurePeaks::default(); n_structures],
         }
     }
 
-    /// Peaks of one structure, counted from the left.
+    /// Peaks of one floor, by its node.
     pub fn of(&self, structure: usize) -> &StructurePeaks {
         &self.structures[structure]
     }
@@ -52,16 +107,91 @@ impl Recorder for Peaks {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
         let peaks = &mut self.structures[span.structure];
-        let mut take = |state: &State, time| {
-            peaks.displacement.take(state.displacement, time);
-            peaks.restoring_force.take(state.restoring_force, time);
-            peaks.pounding_force.take(state.pounding_force(), time);
-        };
         if span.start_time == 0.0 {
-            take(&span.start, 0.0);
+            peaks.take(&span.start, 0.0);
         }
-        take(&span.end, span.end_time);
+        if let Path::Series(_) = span.path {
+            peaks.take_inside(span);
+        }
+        peaks.take(&span.end, span.end_time);
+        if span.below.is_some() {
+            peaks.take_drifts(span);
+        }
     }
 
     fn impact(&mut self, _: &Impact) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Motion;
+    use crate::span::{Power, Series};
+
+    /// A floor at t² − t on one that moves evenly at −0.5 m/s, for 2 s from `start` on: the floor turns at 0.5 s with
+    /// −0.25 m, the storey at 0.25 s with −0.0625 m.
+    fn span(path: Path<'_>) -> Span<'_> {
+        let motion = |displacement, velocity| Motion {
+            displacement,
+            velocity,
+        };
+        let state = |displacement, velocity, restoring_force| State {
+            displacement,
+            velocity,
+            restoring_force,
+            ..State::default()
+        };
+        Span {
+            structure: 0,
+            start_time: 0.0,
+            end_time: 0.55,
+            start: state(0.0, -1.0, 0.0),
+            end: state(0.55 * 0.55 - 0.55, 0.1, 10.0 * 0.55 * (0.55 - 0.5)),
+            impulse_from_left: 0.0,
+            impulse_from_right: 0.0,
+            below: Some([motion(0.0, -0.5), motion(-0.275, -0.5)]),
+            path,
+        }
+    }
+
+    #[test]
+    fn reference_turns_inside_a_span() {
+        let mut peaks = Peaks::new(1);
+        let series = Series {
+            origin: 0.0,
+            power: Power::One,
+            displacement: &[0.0, -1.0, 1.0],
+            velocity: &[-1.0, 2.0],
+            acceleration: &[2.0],
+            below: Some([&[0.0, -0.5], &[-0.5]]),
+            restoring_force: (0.0, 10.0),
+            force_from_left: &[],
+            force_from_right: &[],
+        };
+        peaks.span(&span(Path::Series(series)));
+        let found = peaks.of(0);
+        let close = |peak: Peak, value: f64, time: f64| {
+            let near = (peak.value - value).abs() < 1e-15 && (peak.time - time).abs() < 1e-12;
+            assert!(near, "{peak:?}, {value} at {time}");
+        };
+        close(found.displacement, -0.25, 0.5);
+        close(found.drift(), -0.0625, 0.25);
+        close(found.restoring_force, -0.625, 0.25);
+    }
+
+    #[test]
+    fn limit_a_step_has_its_ends_and_the_ground_floor_its_displacement() {
+        let mut peaks = Peaks::new(1);
+        let step = span(Path::Cubic(crate::Weighed::default()));
+        peaks.span(&step);
+        let drift = 0.55 * 0.55 - 0.55 + 0.275;
+        assert_eq!(peaks.of(0).drift().value.to_bits(), f64::to_bits(drift));
+        let mut peaks = Peaks::new(1);
+        peaks.span(&Span {
+            below: None,
+            ..step
+        });
+        assert_eq!(peaks.of(0).storey_drift, None);
+        assert_eq!(peaks.of(0).drift(), peaks.of(0).displacement);
+    }
 }

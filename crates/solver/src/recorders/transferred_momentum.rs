@@ -1,6 +1,9 @@
 use crate::{Impact, Path, Recorder, Span};
 
-/// Records the transferred momentum of every structure: H = ∫ |net pounding force| dt \[N·s\].
+/// Records the transferred momentum of every floor: H = ∫ |net pounding force| dt \[N·s\].
+///
+/// It is a number of a floor: neighbours at different levels of a building push at different floors, and what they do to
+/// one is not undone at another. A structure of one storey is a floor.
 ///
 /// Forces from both sides at one instant cancel before the magnitude is taken, so a structure hit from left and right
 /// at once gets little. Impulses over a span are the method's own; impacts of one instant are summed first, and with what
@@ -20,14 +23,14 @@ struct Sum {
 }
 
 impl TransferredMomentum {
-    /// For a row of `n_structures`, walls included.
+    /// For a row of `n_structures`, that is nodes, walls included.
     pub fn new(n_structures: usize) -> Self {
         Self {
             structures: vec![Sum::default(); n_structures],
         }
     }
 
-    /// Transferred momentum of one structure, counted from the left \[N·s\].
+    /// Transferred momentum of one floor, by its node \[N·s\].
     pub fn of(&self, structure: usize) -> f64 {
         let sum = self.structures[structure];
         sum.closed + sum.open.abs()

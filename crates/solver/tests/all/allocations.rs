@@ -37,6 +37,11 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
+/// Allocations of this thread so far.
+pub(crate) fn allocations() -> usize {
+    ALLOCATIONS.get()
+}
+
 #[test]
 fn limit_a_step_allocates_nothing() {
     let samples = ground();
@@ -51,11 +56,11 @@ fn limit_a_step_allocates_nothing() {
                     TransferredMomentum::new(3),
                     Ledger::new(&row, excitation),
                 );
-                let before = ALLOCATIONS.get();
+                let before = allocations();
                 let work = method
                     .run(&row, excitation, clock(0.005, duration), &mut recorder)
                     .unwrap();
-                (ALLOCATIONS.get() - before, work)
+                (allocations() - before, work)
             };
             let ((short, _), (long, work)) = (count(1.0), count(10.0));
             assert!(work.touching_steps > 0, "{name}: the row must collide");

@@ -1,6 +1,7 @@
 //! The energy and momentum of one floor and of the storey below it.
 
 use super::columns::Columns;
+use super::largest::Balances;
 use super::{LedgerError, Terms};
 use crate::{Excitation, Hysteretic, Motion, Path, Row, Span, State, Support, Weighed};
 
@@ -110,9 +111,9 @@ impl Account {
         if self.mass == 0.0 {
             return Acting::default();
         }
-        let [start, end] = span.drifts();
+        let drifts = span.drifts();
         if !self.open {
-            self.start(span.start.velocity, self.strain(&span.start, start));
+            self.start(span.start.velocity, self.strain(&span.start, drifts[0]));
         }
         let (works, impulses) = match span.path {
             Path::Cubic(weighed) => self.weighed(span, weighed),
@@ -120,8 +121,8 @@ impl Account {
         };
         self.impulses.add(&impulses);
         self.restoring_work += works.restoring;
-        let (flow, kinetic) = (self.columns.flow(span), self.kinetic(&span.end));
-        let strain = self.strain(&span.end, end);
+        let (flow, kinetic) = (self.columns.flow(span, drifts), self.kinetic(&span.end));
+        let strain = self.strain(&span.end, drifts[1]);
         let terms = &mut self.terms;
         terms.input += works.ground;
         terms.damping -= works.damping;
@@ -243,16 +244,26 @@ impl Account {
         (works, impulses)
     }
 
-    /// Change of kinetic energy less the works \[J\]: the method's own balance, once summed over a building.
-    pub(super) fn identity(&self) -> f64 {
+    /// What its balances leave over; nothing once summed over a building.
+    #[inline]
+    pub(super) fn balances(&self) -> Balances {
+        Balances {
+            identity: self.identity(),
+            residual: self.terms.balance(),
+            momentum: self.momentum(),
+        }
+    }
+
+    /// Change of kinetic energy less the works \[J\].
+    fn identity(&self) -> f64 {
         let terms = &self.terms;
         let works =
             self.restoring_work + terms.input - terms.damping - terms.contact - terms.impact;
         terms.kinetic - self.first_kinetic - works
     }
 
-    /// Change of momentum less the impulses \[N·s\]; summed over a building 0.
-    pub(super) fn momentum(&self) -> f64 {
+    /// Change of momentum less the impulses \[N·s\].
+    fn momentum(&self) -> f64 {
         self.momentum - self.first_momentum - self.impulses.all().iter().sum::<f64>()
     }
 

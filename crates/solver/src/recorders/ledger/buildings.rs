@@ -1,25 +1,31 @@
 //! Which floors are of one building, and whether all of it has been seen at one instant.
 
-use std::iter::successors;
-
-use crate::Row;
+use crate::{RestoringForce, Row};
 
 /// The buildings of a row; a structure of one storey and a wall are buildings of one floor.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Buildings {
-    /// For every node the floor that stands on it.
-    above: Vec<Option<usize>>,
+    /// All nodes, building by building, in each from the ground up.
+    places: Vec<Place>,
     /// For every node its building.
     of: Vec<usize>,
-    buildings: Vec<Building>,
+    all: Vec<Building>,
     /// Buildings whose floors were last seen at different instants.
     n_apart: usize,
 }
 
+/// A floor in its building.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub(super) node: usize,
+    /// Whether the building ends with it.
+    pub(super) is_roof: bool,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Building {
-    /// Node of the floor on the ground.
-    ground: usize,
+    /// Its floors among the places.
+    first: usize,
     n_floors: usize,
     /// Last instant at which a floor was seen \[s\], and how many floors were seen then.
     time: f64,
@@ -27,49 +33,63 @@ struct Building {
 }
 
 impl Buildings {
-    pub(super) fn new<Column: crate::RestoringForce>(row: &Row<Column>) -> Self {
-        let nodes = 0..row.nodes().len();
-        let above: Vec<_> = nodes.map(|node| row.above(node)).collect();
-        let mut of = vec![0; above.len()];
-        let mut buildings = Vec::new();
+    pub(super) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
+        let mut of = vec![0; row.nodes().len()];
+        let (mut places, mut all) = (Vec::new(), Vec::new());
         for (ground, node) in row.nodes().iter().enumerate() {
             if node.support.below().is_some() {
                 continue;
             }
-            let mut n_floors = 0;
-            for floor in successors(Some(ground), |floor| above[*floor]) {
-                of[floor] = buildings.len();
-                n_floors += 1;
+            let first = places.len();
+            for node in row.floors(ground) {
+                of[node] = all.len();
+                let is_roof = row.above(node).is_none();
+                places.push(Place { node, is_roof });
             }
-            buildings.push(Building {
-                ground,
+            let n_floors = places.len() - first;
+            all.push(Building {
+                first,
                 n_floors,
                 time: 0.0,
                 n_seen: n_floors,
             });
         }
         Self {
-            above,
+            places,
             of,
-            buildings,
+            all,
             n_apart: 0,
         }
     }
 
-    /// Nodes of the building that begins on the ground at a node, from there up.
-    pub(super) fn floors(&self, ground: usize) -> impl Iterator<Item = usize> {
-        successors(Some(ground), |floor| self.above[*floor])
+    /// Whether no building has several storeys.
+    #[inline]
+    pub(super) fn are_single(&self) -> bool {
+        self.all.len() == self.of.len()
     }
 
-    /// Nodes on the ground, one of each building.
-    pub(super) fn grounds(&self) -> impl Iterator<Item = usize> {
-        self.buildings.iter().map(|building| building.ground)
+    /// All nodes, building by building.
+    pub(super) fn places(&self) -> &[Place] {
+        &self.places
+    }
+
+    /// The building that a node is of, from the ground up.
+    pub(super) fn around(&self, node: usize) -> &[Place] {
+        let building = self.all[self.of[node]];
+        &self.places[building.first..][..building.n_floors]
     }
 
     /// Sees a floor at the end of a span.
+    #[inline]
     pub(super) fn see(&mut self, node: usize, time: f64) {
-        let building = &mut self.buildings[self.of[node]];
-        if building.n_floors == 1 || time < building.time {
+        if !self.are_single() {
+            self.count(node, time);
+        }
+    }
+
+    fn count(&mut self, node: usize, time: f64) {
+        let building = &mut self.all[self.of[node]];
+        if time < building.time {
             return;
         }
         self.n_apart -= usize::from(building.n_seen < building.n_floors);

@@ -1,6 +1,6 @@
 //! The energy that the columns of a storey store and take.
 
-use crate::{Hysteresis, Knee, Path, Series, Span};
+use crate::{Hysteresis, Knee, Motion, Path, Series, Span};
 
 /// The columns of a storey: f = a k d + h under a drift d, where h alone yields.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,8 +57,8 @@ impl Columns {
     }
 
     /// Drift over a span, and h at both of its ends.
-    fn ends(&self, span: &Span<'_>) -> (f64, [f64; 2]) {
-        let [start, end] = span.drifts().map(|drift| drift.displacement);
+    fn ends(&self, span: &Span<'_>, drifts: [Motion; 2]) -> (f64, [f64; 2]) {
+        let [start, end] = drifts.map(|drift| drift.displacement);
         let h = [
             self.hysteretic(span.start.restoring_force, start),
             self.hysteretic(span.end.restoring_force, end),
@@ -67,30 +67,52 @@ impl Columns {
     }
 
     /// Work of h in yielding over a span, ∫ h (dd − dh/(1 − a)k) \[J\].
-    pub(super) fn flow(&self, span: &Span<'_>) -> f64 {
-        let (moved, [first, last]) = self.ends(span);
-        let slip = || moved - (last - first) / self.yielding;
-        match (self.knee, span.path) {
+    #[inline]
+    pub(super) fn flow(&self, span: &Span<'_>, drifts: [Motion; 2]) -> f64 {
+        match self.knee {
+            Knee::Sharp => self.flow_at_limit(span, drifts),
+            Knee::Smooth(_) => match span.path {
+                // All that is known of a step are its ends.
+                Path::Cubic(_) => {
+                    let (_, [first, last]) = self.ends(span, drifts);
+                    0.5 * (first + last) * self.slip(span, drifts)
+                }
+                Path::Series(_) => self.bending(span),
+            },
+        }
+    }
+
+    /// The same of a sharp knee, at the limit.
+    #[inline]
+    fn flow_at_limit(&self, span: &Span<'_>, drifts: [Motion; 2]) -> f64 {
+        match span.path {
             // A step flows at the limit, and only where it ends there.
-            (Knee::Sharp, Path::Cubic(_)) if last.abs() < self.limit - self.blur(span) => 0.0,
-            (Knee::Sharp, Path::Cubic(_)) => last * slip(),
-            (
-                Knee::Sharp,
-                Path::Series(Series {
-                    restoring_force: (_, tangent),
-                    ..
-                }),
-            ) => {
+            Path::Cubic(_) => {
+                let [_, end] = drifts;
+                let last = self.hysteretic(span.end.restoring_force, end.displacement);
+                if last.abs() + self.blur(span, end) < self.limit {
+                    return 0.0;
+                }
+                last * self.slip(span, drifts)
+            }
+            Path::Series(Series {
+                restoring_force: (_, tangent),
+                ..
+            }) => {
                 if tangent < self.stiffness {
+                    let (moved, [first, _]) = self.ends(span, drifts);
                     first * moved
                 } else {
                     0.0
                 }
             }
-            // All that is known of a step are its ends.
-            (Knee::Smooth(_), Path::Cubic(_)) => 0.5 * (first + last) * slip(),
-            (Knee::Smooth(_), Path::Series(_)) => self.bending(span),
         }
+    }
+
+    /// Drift of a span that is not elastic \[m\].
+    fn slip(&self, span: &Span<'_>, drifts: [Motion; 2]) -> f64 {
+        let (moved, [first, last]) = self.ends(span, drifts);
+        moved - (last - first) / self.yielding
     }
 
     /// The same of a motion known between its ends, by the law of the knee: h ḋ (1 − dz/dd) over time.
@@ -110,11 +132,11 @@ impl Columns {
         taken
     }
 
-    /// Distance from the limit that is rounding at the end of a span \[N\]: none where f is h.
-    fn blur(&self, span: &Span<'_>) -> f64 {
+    /// What rounding leaves open of h at the end of a span \[N\]: nothing where f is h.
+    fn blur(&self, span: &Span<'_>, end: Motion) -> f64 {
         if self.lasting > 0.0 {
-            let [_, end] = span.drifts();
-            OPERATIONS * f64::EPSILON * (self.limit + (self.lasting * end.displacement).abs())
+            let lasting = (self.lasting * end.displacement).abs();
+            OPERATIONS * f64::EPSILON * (span.end.restoring_force.abs() + lasting)
         } else {
             0.0
         }
@@ -131,12 +153,13 @@ impl Columns {
 
     /// What rounding of drifts, and the bend of a smooth knee within a step, leave open of a flow \[J\].
     fn unknown(&self, span: &Span<'_>) -> f64 {
-        let (moved, [first, last]) = self.ends(span);
+        let drifts = span.drifts();
+        let (_, [first, last]) = self.ends(span, drifts);
         let bend = match (self.knee, span.path) {
             (Knee::Smooth(smoothness), _) if smoothness.unloading < 0.5 => f64::INFINITY,
             // The force at which the columns slip is one of those between the ends; about zero its sign is open.
             (Knee::Smooth(_), Path::Cubic(_)) => {
-                0.5 * ((last - first) * (moved - (last - first) / self.yielding)).abs()
+                0.5 * ((last - first) * self.slip(span, drifts)).abs()
             }
             (Knee::Smooth(_), Path::Series(_)) | (Knee::Sharp, _) => 0.0,
         };
@@ -144,7 +167,7 @@ impl Columns {
         if exact {
             return bend;
         }
-        let drifts = span.drifts().map(|drift| drift.displacement.abs());
+        let drifts = drifts.map(|drift| drift.displacement.abs());
         let floor = span.start.displacement.abs() + span.end.displacement.abs();
         let reach = drifts[0] + drifts[1] + floor;
         let force = first.abs().max(last.abs()) * (self.stiffness / self.yielding);
@@ -159,7 +182,7 @@ mod tests {
     use crate::{Bilinear, BoucWen, Hysteretic, Smoothness, State, Weighed};
 
     /// A span without a floor below from one displacement to another, under these forces.
-    fn span<'a>(drifts: [f64; 2], forces: [f64; 2], path: Path<'a>) -> Span<'a> {
+    fn span(drifts: [f64; 2], forces: [f64; 2], path: Path<'_>) -> Span<'_> {
         let state = |index: usize| State {
             displacement: drifts[index],
             restoring_force: forces[index],
@@ -191,7 +214,7 @@ mod tests {
                 [at[1], response.force],
                 Path::Cubic(Weighed::default()),
             );
-            let taken = columns.flow(&span);
+            let taken = columns.flow(&span, span.drifts());
             assert!(
                 -taken <= columns.forgiven(flow, &span),
                 "{drift}: {taken:e}"
@@ -277,7 +300,7 @@ mod tests {
             [0.0, 900.0],
             path(&[0.02], &[0.0, 0.02], (0.0, 45e3)),
         );
-        let flow = columns.flow(&loading);
+        let flow = columns.flow(&loading, loading.drifts());
         assert!((flow - 4.5).abs() < 1e-12, "{flow}");
         // Back along the same line γ − β = −0.4 takes the place of 1, and the drift falls.
         let unloading = span(
@@ -285,7 +308,7 @@ mod tests {
             [900.0, 0.0],
             path(&[-0.02], &[0.02, -0.02], (900.0, 45e3)),
         );
-        let flow = columns.flow(&unloading);
+        let flow = columns.flow(&unloading, unloading.drifts());
         assert!((flow - 0.4 * 4.5).abs() < 1e-12, "{flow}");
     }
 }

@@ -15,7 +15,7 @@ pub use terms::Terms;
 use account::Account;
 use buildings::Buildings;
 use contact::{Contact, Push};
-use largest::Largest;
+use largest::{Balances, Largest};
 
 use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span};
 
@@ -125,11 +125,11 @@ impl<'a> Ledger<'a> {
         &self.accounts[structure].terms
     }
 
-    /// Terms of the building whose lowest floor is this node: the sum over its floors.
-    pub fn of_building(&self, ground: usize) -> Terms {
+    /// Terms of the building that a node is of: the sum over its floors.
+    pub fn of_building(&self, node: usize) -> Terms {
         let mut sum = Terms::default();
-        for floor in self.buildings.floors(ground) {
-            sum += self.accounts[floor].terms;
+        for place in self.buildings.around(node) {
+            sum += self.accounts[place.node].terms;
         }
         sum
     }
@@ -230,19 +230,22 @@ impl<'a> Ledger<'a> {
     /// The largest values over time, those of this instant among them.
     fn measured(&self) -> Largest {
         let (mut row, mut now) = (Terms::default(), Largest::default());
-        for ground in self.buildings.grounds() {
-            let (mut identity, mut residual, mut momentum) = (0.0, 0.0, 0.0);
-            for floor in self.buildings.floors(ground) {
-                let account = &self.accounts[floor];
+        if self.buildings.are_single() {
+            for account in &self.accounts {
                 row += account.terms;
-                identity += account.identity();
-                residual += account.terms.balance();
-                momentum += account.momentum();
-                now.momentum_scale += account.momentum_magnitude();
+                now.add(account.balances(), account.momentum_magnitude());
             }
-            now.identity += identity.abs();
-            now.residual += residual.abs();
-            now.momentum += momentum.abs();
+        } else {
+            let mut sums = Balances::default();
+            for place in self.buildings.places() {
+                let account = &self.accounts[place.node];
+                row += account.terms;
+                sums += account.balances();
+                now.momentum_scale += account.momentum_magnitude();
+                if place.is_roof {
+                    now.add(std::mem::take(&mut sums), 0.0);
+                }
+            }
         }
         now.scale = row.magnitude();
         self.largest.max(now)

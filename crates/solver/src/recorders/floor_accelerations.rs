@@ -1,0 +1,128 @@
+use super::Peak;
+use crate::{Excitation, Impact, Path, Recorder, Span};
+
+/// Part of a span after which its acceleration has begun to rise or fall.
+const BEGUN: f64 = 1e-6;
+
+/// Records the peak absolute acceleration of every floor, ü + `a_g` \[m/s²\]: what stands on the floor feels it.
+///
+/// Spans know the motion relative to the ground, so that the ground's own is given. An impulsive impact accelerates
+/// without bound and is left out: its measure is the jump of velocity. Under compliant contact the peak is as real as the
+/// law's force. Both ends of a span count, since accelerations jump where forces begin, and the largest value in between
+/// where the motion is known there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorAccelerations<'a> {
+    excitation: Excitation<'a>,
+    peaks: Vec<Peak>,
+}
+
+impl<'a> FloorAccelerations<'a> {
+    /// For a row of `n_nodes`, walls included, on ground that moves as the `excitation` says.
+    pub fn new(n_nodes: usize, excitation: Excitation<'a>) -> Self {
+        Self {
+            excitation,
+            peaks: vec![Peak::default(); n_nodes],
+        }
+    }
+
+    /// Peak of one floor, by its node; that of a wall is the ground's.
+    pub fn of(&self, node: usize) -> Peak {
+        self.peaks[node]
+    }
+}
+
+impl Recorder for FloorAccelerations<'_> {
+    #[inline]
+    fn span(&mut self, span: &Span<'_>) {
+        let (from, to) = (span.start_time, span.end_time);
+        let peak = &mut self.peaks[span.structure];
+        match span.path {
+            Path::Cubic(_) => {
+                for (state, time) in [(&span.start, from), (&span.end, to)] {
+                    peak.take(state.acceleration + self.excitation.at(time), time);
+                }
+            }
+            // Such a span lies between two samples.
+            Path::Series(_) => {
+                let segment = self.excitation.segment(from);
+                let ground = |time: f64| segment.value + segment.slope * (time - from);
+                peak.take(span.start.acceleration + ground(from), from);
+                let jerk = |time| span.jerk(time, segment.slope);
+                // Just after a touch nothing changes yet in the fourth root of time.
+                let begun = from + BEGUN * (to - from);
+                if let Some(time) = span.crossing([begun, to].map(jerk), jerk) {
+                    peak.take(span.at(time).acceleration + ground(time), time);
+                }
+                peak.take(span.end.acceleration + ground(to), to);
+            }
+        }
+    }
+
+    fn impact(&mut self, _: &Impact) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::span::{Power, Series};
+    use crate::{State, Weighed};
+
+    /// Ends of a span of one second, and its path.
+    fn span(accelerations: [f64; 2], path: Path<'_>) -> Span<'_> {
+        let state = |acceleration| State {
+            acceleration,
+            ..State::default()
+        };
+        let [start, end] = accelerations.map(state);
+        Span {
+            structure: 0,
+            start_time: 1.0,
+            end_time: 2.0,
+            start,
+            end,
+            impulse_from_left: 0.0,
+            impulse_from_right: 0.0,
+            below: None,
+            path,
+        }
+    }
+
+    const GROUND: [f64; 4] = [9.0, 0.5, 1.5, 0.0];
+
+    #[test]
+    fn reference_the_ground_is_added_at_both_ends() {
+        let excitation = Excitation::new(1.0, &GROUND).unwrap();
+        for (accelerations, value, time) in [([1.0, 0.5], 2.0, 2.0), ([-3.0, 0.5], -2.5, 1.0)] {
+            let mut peaks = FloorAccelerations::new(1, excitation);
+            peaks.span(&span(accelerations, Path::Cubic(Weighed::default())));
+            assert_eq!(peaks.of(0), Peak { value, time });
+        }
+    }
+
+    #[test]
+    fn reference_the_largest_value_inside_a_span() {
+        // ü = 3τ − 4τ² on ground at 0.5 + τ: 0.5 + 4τ − 4τ² is largest at 0.5 with 1.5; in x with τ = x⁴ it is the same.
+        let excitation = Excitation::new(1.0, &GROUND).unwrap();
+        let plain: &[f64] = &[0.0, 3.0, -4.0];
+        let mut rooted = [0.0; 9];
+        (rooted[4], rooted[8]) = (3.0, -4.0);
+        for (power, acceleration) in [(Power::One, plain), (Power::Four, &rooted[..])] {
+            let path = Path::Series(Series {
+                origin: 1.0,
+                power,
+                displacement: &[],
+                velocity: &[],
+                acceleration,
+                below: None,
+                restoring_force: (0.0, 0.0),
+                force_from_left: &[],
+                force_from_right: &[],
+            });
+            let mut peaks = FloorAccelerations::new(1, excitation);
+            peaks.span(&span([0.0, -1.0], path));
+            let Peak { value, time } = peaks.of(0);
+            assert!((value - 1.5).abs() < 1e-14, "{value}");
+            assert!((time - 1.5).abs() < 1e-14, "{power:?}: {time}");
+        }
+    }
+}
