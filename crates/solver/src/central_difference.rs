@@ -9,12 +9,18 @@
 //! it follows from the velocity and the acceleration at the node, Δt u̇ + Δt² ü/2. In the smooth case that is the same
 //! equation, so that a restart costs no accuracy.
 
+mod coefficients;
 mod contact;
+mod storeys;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use coefficients::Coefficients;
+use storeys::Solution;
+
 use crate::approach::Approaches;
+use crate::dashpots::Dashpots;
 use crate::error::require;
 use crate::impacts::Impacts;
 use crate::span::Load;
@@ -113,41 +119,12 @@ impl<Memory> Body<Memory> {
 
     /// Takes the excess of a whole step out of the velocity at its end; the increment is restarted after it.
     fn give_back(&mut self, end: &mut State, constants: &Coefficients) {
-        let half_damping = 0.5 * constants.damping * constants.time_step;
+        let half_damping = 0.5 * constants.rates.storey * constants.time_step;
         let excess = constants.inverse_mass * (self.excess.0 + self.excess.1);
         let change = excess / (1.0 + half_damping);
         end.velocity -= change;
-        end.acceleration += constants.damping * change;
+        end.acceleration += constants.rates.storey * change;
         self.velocity = end.velocity;
-    }
-}
-
-/// Constants of one structure's equation (3), divided by its mass.
-struct Coefficients {
-    time_step: f64,
-    inverse_mass: f64,
-    /// c/m.
-    damping: f64,
-    /// 1/(1/Δt² + c/(2mΔt)).
-    solve: f64,
-    /// 1/Δt² − c/(2mΔt).
-    carry: f64,
-    /// 1 for a structure, 0 for a wall: walls do not feel inertia.
-    mobile: f64,
-}
-
-impl Coefficients {
-    fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
-        let damping = node.inverse_mass * node.damping;
-        let (inertia, half) = (1.0 / (dt * dt), 0.5 * damping / dt);
-        Self {
-            time_step: dt,
-            inverse_mass: node.inverse_mass,
-            damping,
-            solve: 1.0 / (inertia + half),
-            carry: inertia - half,
-            mobile: if node.is_wall() { 0.0 } else { 1.0 },
-        }
     }
 }
 
@@ -171,6 +148,10 @@ struct Run<'a, Column: RestoringForce> {
     /// For each of them the coefficients of every structure.
     coefficients: [Vec<Coefficients>; 2],
     bodies: Vec<Body<Column::Memory>>,
+    /// What the equations say at a node where floors stand on floors, and the dashpots between them; nothing where all
+    /// structures have one storey.
+    solutions: Vec<Solution>,
+    dashpots: Option<Dashpots>,
     /// Impulse of every pair by the published rule \[N·s\].
     impulses: Vec<f64>,
     /// States at a node with velocity jumps.
@@ -255,10 +236,7 @@ fn begin<Memory>(
 impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn new(settings: CentralDifference, row: &'a Row<Column>, ground: f64, dt: f64) -> Self {
         let steps = [dt, dt / f64::from(settings.contact_substeps)];
-        let constants = |dt: f64| {
-            let nodes = row.nodes().iter();
-            nodes.map(|node| Coefficients::new(node, dt)).collect()
-        };
+        let dashpots = Dashpots::of(row);
         let (states, memories) = row.initial(ground);
         let bodies: Vec<_> = states
             .into_iter()
@@ -269,7 +247,9 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             row,
             impacts: settings.impacts,
             steps,
-            coefficients: steps.map(constants),
+            coefficients: steps.map(|dt| Coefficients::of(row, dt)),
+            solutions: vec![Solution::default(); if dashpots.is_some() { bodies.len() } else { 0 }],
+            dashpots,
             states: bodies.iter().map(|body| body.start).collect(),
             bodies,
             impulses: vec![0.0; row.pairs().len()],
@@ -282,7 +262,11 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     /// One node: contact, the equation of every structure that has a node here, its span, impacts.
     fn node<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node.fine);
-        self.advance(node, recorder)?;
+        if self.dashpots.is_some() {
+            self.advance_storeys(node, recorder)?;
+        } else {
+            self.advance(node, recorder)?;
+        }
         if hit {
             match self.impacts {
                 ImpactRule::AsPublished => self.report(node.time, recorder),
@@ -292,7 +276,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         Ok(())
     }
 
-    /// Solves the equations of a node and reports the spans that end there.
+    /// Solves the equations of a node, each for itself, and reports the spans that end there.
     fn advance<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
         for (index, body) in self.bodies.iter_mut().enumerate() {
             if node.fine && !body.fine {
@@ -342,7 +326,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             body.start_ground = node.ground;
             body.solved = true;
             body.start.velocity += jump;
-            body.start.acceleration -= constants.damping * jump;
+            body.start.acceleration -= constants.rates.storey * jump;
             self.work.force_evaluations += 1;
         }
         Ok(())
@@ -370,7 +354,7 @@ fn advance<Column: RestoringForce>(
         displacement: body.displacement,
         // The central velocity lies in the middle of the jump.
         velocity: velocity - 0.5 * jump,
-        acceleration: smooth - constants.damping * (velocity - 0.5 * jump),
+        acceleration: smooth - constants.rates.storey * (velocity - 0.5 * jump),
         restoring_force: response.force,
         force_from_left: body.force_from_left,
         force_from_right: body.force_from_right,

@@ -36,6 +36,7 @@ mod clock;
 mod column;
 mod critical;
 mod damping;
+mod dashpots;
 mod error;
 mod exact;
 mod excitation;

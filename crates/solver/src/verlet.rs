@@ -5,16 +5,20 @@
 //!
 //! Damping of the structures is half-implicit: ü⁺ has the damping of u̇⁺ itself (a division, since c is constant). The
 //! method then moves as the central difference method does, is in equilibrium at both ends, and keeps the limit 2/ω
-//! whatever the damping. Compliant contact is explicit: its rate is that of the predicted velocities u̇ + h ü.
+//! whatever the damping. Floors that stand on floors share it: their velocities then are the solution of a tridiagonal
+//! system. Compliant contact is explicit: its rate is that of the predicted velocities u̇ + h ü.
 //!
 //! Impacts are located here and not in the central difference method: a step needs nothing but the state it starts
 //! from, so that it may begin and end anywhere, and its displacements are quadratic in time, so that the instant at
 //! which a gap closes is the root of a quadratic.
 
+mod storeys;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::approach::Approaches;
+use crate::dashpots::Dashpots;
 use crate::impacts::{Impacts, impulsive};
 use crate::span::Load;
 use crate::{
@@ -53,6 +57,13 @@ struct Body<Memory> {
     impulses: (f64, f64),
 }
 
+impl<Memory> Body<Memory> {
+    /// Length of the span that ends at an instant \[s\], where one does.
+    fn step(&self, instant: f64) -> Option<f64> {
+        (self.due && instant > self.since).then(|| instant - self.since)
+    }
+}
+
 /// One time step.
 #[derive(Clone, Copy)]
 struct Step {
@@ -87,6 +98,8 @@ struct Scratch<Memory> {
     /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
     closings: Vec<f64>,
     approaches: Approaches,
+    /// The damping between floors that stand on floors; nothing where all structures have one storey.
+    dashpots: Option<Dashpots>,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -145,6 +158,7 @@ fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Colu
         impacts: Impacts::new(row),
         closings: vec![f64::INFINITY; row.pairs().len()],
         approaches: Approaches::new(row.pairs().len()),
+        dashpots: Dashpots::of(row),
     }
 }
 
@@ -172,7 +186,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 return Ok(());
             }
             self.predict(instant);
-            self.gather(row.pairs(), instant);
+            self.gather(row, instant);
             self.finish(row, (step, instant), work, recorder)?;
             for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
                 if *touching {
@@ -195,8 +209,9 @@ impl<Memory: Copy> Scratch<Memory> {
         }
     }
 
-    /// Chooses the structures that need a state at this instant: those hit, and whom they touch.
-    fn gather(&mut self, pairs: &[Pair], instant: f64) {
+    /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
+    fn gather<Column: RestoringForce>(&mut self, row: &Row<Column>, instant: f64) {
+        let pairs = row.pairs();
         for body in &mut self.bodies {
             body.due = false;
         }
@@ -227,6 +242,7 @@ impl<Memory: Copy> Scratch<Memory> {
                     self.bodies[pair.right].due = true;
                 }
             }
+            grown |= self.dashpots.is_some() && self.gather_floors(row);
         }
     }
 
@@ -240,6 +256,9 @@ impl<Memory: Copy> Scratch<Memory> {
     ) -> Result<(), RunError> {
         row.push(&mut self.ends, &mut self.approaches);
         self.share(row.pairs(), instant);
+        if self.dashpots.is_some() {
+            return self.finish_floors(row, (step, instant), work, recorder);
+        }
         let (ground, time) = step.at(instant);
         for (structure, node) in row.nodes().iter().enumerate() {
             let body = &mut self.bodies[structure];

@@ -79,7 +79,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
         self.jumps
             .jump(self.row, &mut self.states, instant, recorder);
         for (state, body) in self.states.iter().zip(&mut self.bodies) {
-            let jumped = (state.velocity - body.start.velocity).abs() > 0.0;
+            // Dashpots let the acceleration of a floor jump with the velocity of its neighbours in the building.
+            let jumped = (state.velocity - body.start.velocity).abs() > 0.0
+                || (state.acceleration - body.start.acceleration).abs() > 0.0;
             if jumped {
                 body.start = *state;
                 body.velocity = state.velocity;
@@ -106,10 +108,25 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 any = true;
             }
         }
+        if any && self.dashpots.is_some() {
+            self.refine_buildings();
+        }
         for body in self.bodies.iter_mut().filter(|body| body.fine) {
             body.restart(self.steps[1]);
         }
         any
+    }
+
+    /// Lets all floors of a building sub-step with one of them.
+    fn refine_buildings(&mut self) {
+        let below = |index: usize| self.row.nodes()[index].support.below();
+        for index in 0..self.bodies.len() {
+            self.bodies[index].fine |= below(index).is_some_and(|below| self.bodies[below].fine);
+        }
+        for index in (0..self.bodies.len()).rev() {
+            let above = self.row.above(index);
+            self.bodies[index].fine |= above.is_some_and(|above| self.bodies[above].fine);
+        }
     }
 
     /// Reports the impacts of the published rule at a node, after its spans.
