@@ -17,10 +17,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use coefficients::Coefficients;
-use storeys::Solution;
+use storeys::Storeys;
 
 use crate::approach::Approaches;
-use crate::dashpots::Dashpots;
 use crate::error::require;
 use crate::impacts::Impacts;
 use crate::span::Load;
@@ -119,11 +118,11 @@ impl<Memory> Body<Memory> {
 
     /// Takes the excess of a whole step out of the velocity at its end; the increment is restarted after it.
     fn give_back(&mut self, end: &mut State, constants: &Coefficients) {
-        let half_damping = 0.5 * constants.rates.storey * constants.time_step;
+        let half_damping = 0.5 * constants.damping * constants.time_step;
         let excess = constants.inverse_mass * (self.excess.0 + self.excess.1);
         let change = excess / (1.0 + half_damping);
         end.velocity -= change;
-        end.acceleration += constants.rates.storey * change;
+        end.acceleration += constants.damping * change;
         self.velocity = end.velocity;
     }
 }
@@ -148,10 +147,8 @@ struct Run<'a, Column: RestoringForce> {
     /// For each of them the coefficients of every structure.
     coefficients: [Vec<Coefficients>; 2],
     bodies: Vec<Body<Column::Memory>>,
-    /// What the equations say at a node where floors stand on floors, and the dashpots between them; nothing where all
-    /// structures have one storey.
-    solutions: Vec<Solution>,
-    dashpots: Option<Dashpots>,
+    /// Nothing where all structures have one storey.
+    storeys: Option<Storeys>,
     /// Impulse of every pair by the published rule \[N·s\].
     impulses: Vec<f64>,
     /// States at a node with velocity jumps.
@@ -236,7 +233,10 @@ fn begin<Memory>(
 impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn new(settings: CentralDifference, row: &'a Row<Column>, ground: f64, dt: f64) -> Self {
         let steps = [dt, dt / f64::from(settings.contact_substeps)];
-        let dashpots = Dashpots::of(row);
+        let constants = |dt: f64| {
+            let nodes = row.nodes().iter();
+            nodes.map(|node| Coefficients::new(node, dt)).collect()
+        };
         let (states, memories) = row.initial(ground);
         let bodies: Vec<_> = states
             .into_iter()
@@ -247,9 +247,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             row,
             impacts: settings.impacts,
             steps,
-            coefficients: steps.map(|dt| Coefficients::of(row, dt)),
-            solutions: vec![Solution::default(); if dashpots.is_some() { bodies.len() } else { 0 }],
-            dashpots,
+            coefficients: steps.map(constants),
+            storeys: Storeys::of(row, steps),
             states: bodies.iter().map(|body| body.start).collect(),
             bodies,
             impulses: vec![0.0; row.pairs().len()],
@@ -262,7 +261,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     /// One node: contact, the equation of every structure that has a node here, its span, impacts.
     fn node<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node.fine);
-        if self.dashpots.is_some() {
+        if self.storeys.is_some() {
             self.advance_storeys(node, recorder)?;
         } else {
             self.advance(node, recorder)?;
@@ -278,14 +277,15 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
 
     /// Solves the equations of a node, each for itself, and reports the spans that end there.
     fn advance<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
-        for (index, body) in self.bodies.iter_mut().enumerate() {
+        let structures = self.bodies.iter_mut().zip(self.row.nodes());
+        for (index, (body, structure)) in structures.enumerate() {
             if node.fine && !body.fine {
                 continue;
             }
             let constants = &self.coefficients[usize::from(body.fine)][index];
             let Node {
                 column, damping, ..
-            } = &self.row.nodes()[index];
+            } = structure;
             let central = body.velocity;
             let mut end = advance(body, constants, column, node.ground);
             if body.excess != (0.0, 0.0) {
@@ -326,7 +326,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             body.start_ground = node.ground;
             body.solved = true;
             body.start.velocity += jump;
-            body.start.acceleration -= constants.rates.storey * jump;
+            body.start.acceleration -= constants.damping * jump;
             self.work.force_evaluations += 1;
         }
         Ok(())
@@ -354,7 +354,7 @@ fn advance<Column: RestoringForce>(
         displacement: body.displacement,
         // The central velocity lies in the middle of the jump.
         velocity: velocity - 0.5 * jump,
-        acceleration: smooth - constants.rates.storey * (velocity - 0.5 * jump),
+        acceleration: smooth - constants.damping * (velocity - 0.5 * jump),
         restoring_force: response.force,
         force_from_left: body.force_from_left,
         force_from_right: body.force_from_right,

@@ -1,11 +1,14 @@
 //! Damping of buildings in explicit methods: the only thing that couples the unknowns of floors there.
 //!
 //! A method asks for x with (a + b M⁻¹C) x = known, a and b > 0. Every floor is joined to the floor below and to the one
-//! above alone, so that the matrix of a building is tridiagonal. It is eliminated from the top floor down to the ground:
-//! the nodes of a row backwards, and then forwards. What is left of a diagonal element is a sum of positive terms, so that
-//! dashpots of any strength lose no digits.
+//! above alone, so that the matrix of a building is tridiagonal. It is eliminated from the top floor down, and x then
+//! follows from the ground up. What is left of a diagonal element is a sum of positive terms, so that dashpots of any
+//! strength lose no digits.
 
-use crate::{Floor, RestoringForce, Row, Support};
+use std::ops::Range;
+
+use crate::buildings::Buildings;
+use crate::{RestoringForce, Row};
 
 /// Damping coefficients of a floor over its mass \[1/s\].
 #[derive(Debug, Clone, Copy)]
@@ -21,35 +24,19 @@ pub(crate) struct DampingRates {
 impl DampingRates {
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, index: usize) -> Self {
         let node = &row.nodes()[index];
-        let ground = match node.support {
-            Support::Ground => 0.0,
-            Support::Floor(Floor { ground_damping, .. }) => ground_damping,
-        };
         let above = |above: usize| node.inverse_mass * row.nodes()[above].damping;
         Self {
             storey: node.inverse_mass * node.damping,
-            ground: node.inverse_mass * ground,
+            ground: node.inverse_mass * node.support.ground_damping(),
             above: row.above(index).map_or(0.0, above),
         }
     }
 
-    /// What velocities \[m/s\] of the floors take from the acceleration of this one \[m/s²\].
+    /// What velocities \[m/s\] of the floor below, of this one and of the floor above take from its acceleration
+    /// \[m/s²\]; the ground has none, and that of a floor which is not there means nothing.
     #[inline]
-    pub(crate) fn deceleration<Column: RestoringForce>(
-        &self,
-        row: &Row<Column>,
-        index: usize,
-        velocity: impl Fn(usize) -> f64,
-    ) -> f64 {
-        let own = velocity(index);
-        let below = match row.nodes()[index].support.below() {
-            None => self.storey * own,
-            Some(below) => self.storey * (own - velocity(below)) + self.ground * own,
-        };
-        match row.above(index) {
-            None => below,
-            Some(above) => below - self.above * (velocity(above) - own),
-        }
+    pub(crate) fn deceleration(&self, [below, own, above]: [f64; 3]) -> f64 {
+        self.storey * (own - below) + self.ground * own - self.above * (above - own)
     }
 }
 
@@ -62,7 +49,7 @@ pub(crate) struct Eliminated {
     free: f64,
     /// Coefficient of the unknown of the floor below, which enters with a minus sign; 0 on the ground.
     pub(crate) below: f64,
-    /// The same of the floor above.
+    /// The same of the floor above; 0 on the top floor.
     pub(crate) above: f64,
 }
 
@@ -70,15 +57,16 @@ impl Eliminated {
     /// For a matrix with the diagonal `unit` and damping rates that count as `weigh` says; the equation of the floor above
     /// has been eliminated.
     pub(crate) fn new(
-        (rates, support): (&DampingRates, &Support),
+        (rates, on_ground): (&DampingRates, bool),
         above: Option<&Self>,
         unit: f64,
         weigh: impl Fn(f64) -> f64,
     ) -> Self {
         let (storey, upper) = (weigh(rates.storey), weigh(rates.above));
-        let (fixed, below) = match support {
-            Support::Ground => (unit + storey, 0.0),
-            Support::Floor(_) => (unit + weigh(rates.ground), storey),
+        let (fixed, below) = if on_ground {
+            (unit + storey, 0.0)
+        } else {
+            (unit + weigh(rates.ground), storey)
         };
         let free = match above {
             None => fixed,
@@ -96,57 +84,66 @@ impl Eliminated {
 /// Solves (1 + h/2 M⁻¹C) x = known, for steps h that may change and differ between buildings.
 #[derive(Debug)]
 pub(crate) struct Dashpots {
-    rates: Vec<DampingRates>,
-    /// Equations, and the step \[s\] for which they were eliminated.
-    equations: Vec<(f64, Eliminated)>,
-    /// What is known, for every node; then x.
+    floors: Vec<Floors>,
+    /// What is known, for every floor in the order of [`Buildings`]; then x.
     pub(crate) values: Vec<f64>,
 }
 
+/// A floor, and its equation for the step that its building took last.
+#[derive(Debug)]
+struct Floors {
+    rates: DampingRates,
+    step: f64,
+    equation: Eliminated,
+    /// What of x of the floor below is added.
+    share: f64,
+}
+
 impl Dashpots {
-    /// Nothing for a row in which no floor stands on another one.
-    pub(crate) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        let n = row.nodes().len();
-        let stands = |index: usize| row.nodes()[index].support.below().is_some();
-        (0..n).any(stands).then(|| Self {
-            rates: (0..n).map(|index| DampingRates::new(row, index)).collect(),
-            equations: vec![(0.0, Eliminated::default()); n],
-            values: vec![0.0; n],
-        })
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
+        let floor = |index: &usize| Floors {
+            rates: DampingRates::new(row, *index),
+            step: 0.0,
+            equation: Eliminated::default(),
+            share: 0.0,
+        };
+        Self {
+            floors: buildings.floors().iter().map(floor).collect(),
+            values: vec![0.0; row.nodes().len()],
+        }
     }
 
-    /// Replaces what is known by x. Nodes that have no step take no part; floors of a building have the same.
-    pub(crate) fn solve<Column: RestoringForce>(
-        &mut self,
-        row: &Row<Column>,
-        step: impl Fn(usize) -> Option<f64>,
-    ) {
-        for index in (0..self.values.len()).rev() {
-            let Some(step) = step(index) else {
-                continue;
-            };
-            let above = row.above(index);
-            let (known_for, _) = self.equations[index];
-            if (step - known_for).abs() > 0.0 {
-                let support = &row.nodes()[index].support;
-                let carried = above.map(|above| &self.equations[above].1);
-                let parts = (&self.rates[index], support);
-                let weigh = |rate| 0.5 * step * rate;
-                self.equations[index] = (step, Eliminated::new(parts, carried, 1.0, weigh));
-            }
-            let (_, equation) = &self.equations[index];
-            let known = match above {
-                None => self.values[index],
-                Some(above) => self.values[index] + equation.above * self.values[above],
-            };
-            self.values[index] = known / equation.pivot;
+    /// Replaces what is known by x on the floors of a building, for a step h \[s\].
+    pub(crate) fn solve(&mut self, building: &Range<usize>, step: f64) -> &[f64] {
+        let floors = &mut self.floors[building.clone()];
+        let values = &mut self.values[building.clone()];
+        if (step - floors[0].step).abs() > 0.0 {
+            eliminate(floors, step);
         }
-        for index in 0..self.values.len() {
-            if let (Some(below), Some(_)) = (row.nodes()[index].support.below(), step(index)) {
-                let (_, equation) = &self.equations[index];
-                self.values[index] += equation.below / equation.pivot * self.values[below];
-            }
+        let mut above = 0.0;
+        for (floor, value) in floors.iter().zip(values.iter_mut()).rev() {
+            *value = (*value + floor.equation.above * above) / floor.equation.pivot;
+            above = *value;
         }
+        let mut below = 0.0;
+        for (floor, value) in floors.iter().zip(values.iter_mut()) {
+            *value += floor.share * below;
+            below = *value;
+        }
+        values
+    }
+}
+
+/// Makes the equations of a building for a step.
+fn eliminate(floors: &mut [Floors], step: f64) {
+    let mut above = None;
+    for (level, floor) in floors.iter_mut().enumerate().rev() {
+        let weigh = |rate| 0.5 * step * rate;
+        let rates = (&floor.rates, level == 0);
+        floor.equation = Eliminated::new(rates, above.as_ref(), 1.0, weigh);
+        floor.share = floor.equation.below / floor.equation.pivot;
+        floor.step = step;
+        above = Some(floor.equation);
     }
 }
 
@@ -162,32 +159,35 @@ mod tests {
         let column = Elastic { stiffness: 0.0 };
         let nodes = (0..levels.n_nodes()).map(|node| {
             let step = node as f64;
-            levels.floor(
-                node,
-                Storey {
-                    mass: 1.0 + step,
-                    damping: if node % 2 == 0 { 1e3 } else { 0.1 * step },
-                    ground_damping: 0.3 * step,
-                    column,
-                },
-            )
+            let storey = Storey {
+                mass: 1.0 + step,
+                damping: if node % 2 == 0 { 1e3 } else { 0.1 * step },
+                ground_damping: 0.3 * step,
+                column,
+            };
+            levels.floor(node, storey)
         });
         let row = Row::new(nodes.collect(), vec![]).expect("a valid row");
-        let mut dashpots = Dashpots::of(&row).expect("floors stand on floors");
+        let buildings = Buildings::of(&row).expect("floors stand on floors");
+        assert_eq!(buildings.floors(), [0, 3, 5, 6, 1, 2, 4]);
+        assert_eq!(buildings.ranges(), [0..4, 4..5, 5..7]);
+        let mut dashpots = Dashpots::new(&row, &buildings);
         for step in [0.1, 7.0, 0.1] {
             let known: Vec<f64> = (0..7_i32).map(|n| f64::from(n * n) - 9.5).collect();
             dashpots.values.copy_from_slice(&known);
-            // The house takes no part.
-            dashpots.solve(&row, |index| (index != 1).then_some(step));
-            let x = &dashpots.values;
-            for (index, known) in known.iter().enumerate() {
-                let rate = dashpots.rates[index].deceleration(&row, index, |node| x[node]);
-                let sum = if index == 1 {
-                    x[1]
-                } else {
-                    x[index] + 0.5 * step * rate
+            for range in buildings.ranges() {
+                let x = dashpots.solve(range, step).to_vec();
+                let at = |floor: Option<usize>| {
+                    floor.and_then(|floor| x.get(floor)).copied().unwrap_or(0.0)
                 };
-                assert!((sum - known).abs() < 1e-10, "{index}: {sum} {known}");
+                for floor in 0..x.len() {
+                    let around = [at(floor.checked_sub(1)), x[floor], at(Some(floor + 1))];
+                    let rate = dashpots.floors[range.start + floor]
+                        .rates
+                        .deceleration(around);
+                    let (sum, known) = (x[floor] + 0.5 * step * rate, known[range.start + floor]);
+                    assert!((sum - known).abs() < 1e-10, "{floor}: {sum} {known}");
+                }
             }
         }
     }

@@ -31,6 +31,7 @@
 mod approach;
 mod bilinear;
 mod bouc_wen;
+mod buildings;
 mod central_difference;
 mod clock;
 mod column;

@@ -31,6 +31,14 @@ impl Support {
             Self::Floor(floor) => Some(floor.below),
         }
     }
+
+    /// Damping coefficient against the ground \[N·s/m\] besides that of the storey.
+    pub(crate) fn ground_damping(&self) -> f64 {
+        match self {
+            Self::Ground => 0.0,
+            Self::Floor(floor) => floor.ground_damping,
+        }
+    }
 }
 
 /// For every node the floor that stands on it.

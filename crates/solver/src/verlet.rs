@@ -17,8 +17,9 @@ mod storeys;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use storeys::Storeys;
+
 use crate::approach::Approaches;
-use crate::dashpots::Dashpots;
 use crate::impacts::{Impacts, impulsive};
 use crate::span::Load;
 use crate::{
@@ -57,13 +58,6 @@ struct Body<Memory> {
     impulses: (f64, f64),
 }
 
-impl<Memory> Body<Memory> {
-    /// Length of the span that ends at an instant \[s\], where one does.
-    fn step(&self, instant: f64) -> Option<f64> {
-        (self.due && instant > self.since).then(|| instant - self.since)
-    }
-}
-
 /// One time step.
 #[derive(Clone, Copy)]
 struct Step {
@@ -98,8 +92,8 @@ struct Scratch<Memory> {
     /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
     closings: Vec<f64>,
     approaches: Approaches,
-    /// The damping between floors that stand on floors; nothing where all structures have one storey.
-    dashpots: Option<Dashpots>,
+    /// Nothing where all structures have one storey.
+    storeys: Option<Storeys>,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -158,7 +152,7 @@ fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Colu
         impacts: Impacts::new(row),
         closings: vec![f64::INFINITY; row.pairs().len()],
         approaches: Approaches::new(row.pairs().len()),
-        dashpots: Dashpots::of(row),
+        storeys: Storeys::of(row),
     }
 }
 
@@ -186,7 +180,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 return Ok(());
             }
             self.predict(instant);
-            self.gather(row, instant);
+            self.gather(row.pairs(), instant);
             self.finish(row, (step, instant), work, recorder)?;
             for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
                 if *touching {
@@ -210,8 +204,7 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
-    fn gather<Column: RestoringForce>(&mut self, row: &Row<Column>, instant: f64) {
-        let pairs = row.pairs();
+    fn gather(&mut self, pairs: &[Pair], instant: f64) {
         for body in &mut self.bodies {
             body.due = false;
         }
@@ -242,7 +235,9 @@ impl<Memory: Copy> Scratch<Memory> {
                     self.bodies[pair.right].due = true;
                 }
             }
-            grown |= self.dashpots.is_some() && self.gather_floors(row);
+            if let Some(storeys) = &self.storeys {
+                grown |= storeys.gather(&mut self.bodies);
+            }
         }
     }
 
@@ -256,8 +251,8 @@ impl<Memory: Copy> Scratch<Memory> {
     ) -> Result<(), RunError> {
         row.push(&mut self.ends, &mut self.approaches);
         self.share(row.pairs(), instant);
-        if self.dashpots.is_some() {
-            return self.finish_floors(row, (step, instant), work, recorder);
+        if self.storeys.is_some() {
+            return self.finish_storeys(row, (step, instant), work, recorder);
         }
         let (ground, time) = step.at(instant);
         for (structure, node) in row.nodes().iter().enumerate() {

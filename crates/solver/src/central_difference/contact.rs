@@ -3,6 +3,7 @@
 use pounding_contact::Overlap;
 
 use super::{Body, ImpactRule, Instant, Run};
+use crate::buildings::Buildings;
 use crate::{Impact, Pair, Recorder, RestoringForce, Velocities};
 
 impl<Column: RestoringForce> Run<'_, Column> {
@@ -108,25 +109,13 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 any = true;
             }
         }
-        if any && self.dashpots.is_some() {
-            self.refine_buildings();
+        if let Some(storeys) = self.storeys.as_ref().filter(|_| any) {
+            refine_buildings(&storeys.buildings, &mut self.bodies);
         }
         for body in self.bodies.iter_mut().filter(|body| body.fine) {
             body.restart(self.steps[1]);
         }
         any
-    }
-
-    /// Lets all floors of a building sub-step with one of them.
-    fn refine_buildings(&mut self) {
-        let below = |index: usize| self.row.nodes()[index].support.below();
-        for index in 0..self.bodies.len() {
-            self.bodies[index].fine |= below(index).is_some_and(|below| self.bodies[below].fine);
-        }
-        for index in (0..self.bodies.len()).rev() {
-            let above = self.row.above(index);
-            self.bodies[index].fine |= above.is_some_and(|above| self.bodies[above].fine);
-        }
     }
 
     /// Reports the impacts of the published rule at a node, after its spans.
@@ -155,6 +144,16 @@ impl<Column: RestoringForce> Run<'_, Column> {
                     },
                 });
             }
+        }
+    }
+}
+
+/// Lets all floors of a building sub-step with one of them.
+fn refine_buildings<Memory>(buildings: &Buildings, bodies: &mut [Body<Memory>]) {
+    for floors in buildings.each() {
+        let fine = floors.iter().any(|index| bodies[*index].fine);
+        for index in floors {
+            bodies[*index].fine = fine;
         }
     }
 }
