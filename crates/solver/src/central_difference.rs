@@ -262,7 +262,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn node<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node.fine);
         if self.storeys.is_some() {
-            self.advance_storeys(node, recorder)?;
+            self.advance_storeys((node, hit), recorder)?;
         } else {
             self.advance(node, recorder)?;
         }

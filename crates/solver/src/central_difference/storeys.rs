@@ -57,13 +57,16 @@ impl Storeys {
 }
 
 impl<Column: RestoringForce> Run<'_, Column> {
-    /// Solves the equations of a node, building by building, and reports the spans that end there.
+    /// Solves the equations of a node, building by building, and reports the spans that end there; `hit` says whether
+    /// impulsive pairs are.
     #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
     pub(super) fn advance_storeys<R: Recorder>(
         &mut self,
-        node: Instant,
+        (node, hit): (Instant, bool),
         recorder: &mut R,
     ) -> Result<(), RunError> {
+        let published = hit && self.impacts == ImpactRule::AsPublished;
+        let divides = self.steps[1] < self.steps[0];
         let Some(storeys) = &mut self.storeys else {
             return Ok(());
         };
@@ -81,20 +84,18 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 solutions: &mut storeys.solutions[range.clone()],
             };
             building.eliminate(node.ground);
-            let (finite, met_late) = building.substitute();
-            if !finite {
-                let structure = building.diverged().unwrap_or(floors[0]);
+            if let Some(structure) = building.substitute() {
                 return Err(RunError::Diverged {
                     structure,
                     time: node.next,
                     time_step: self.steps[0],
                 });
             }
+            let met_late = divides && !fine && building.met_late();
             if met_late {
                 building.excess(&mut storeys.dashpots.values[range.clone()]);
                 building.give_back(storeys.dashpots.solve(range, self.steps[0]));
             }
-            let published = self.impacts == ImpactRule::AsPublished;
             building.go_on(node, (met_late, published), recorder);
             self.work.force_evaluations += floors.len() as u64;
         }
@@ -161,10 +162,9 @@ impl<Column: RestoringForce> Building<'_, Column> {
         }
     }
 
-    /// From the ground up: increments and velocities; whether the next displacements are finite numbers, and whether a
-    /// whole step met a neighbour that sub-steps.
-    fn substitute(&mut self) -> (bool, bool) {
-        let (mut below, mut finite, mut met_late) = (0.0, true, false);
+    /// From the ground up: increments and velocities; a floor whose next displacement is no longer a finite number.
+    fn substitute(&mut self) -> Option<usize> {
+        let (mut below, mut finite) = (0.0, true);
         let floors = self.floors.iter().zip(self.coefficients);
         for ((&index, constants), solution) in floors.zip(self.solutions.iter_mut()) {
             let body = &self.bodies[index];
@@ -172,19 +172,23 @@ impl<Column: RestoringForce> Building<'_, Column> {
             below = solution.increment;
             let central = solution.increment + body.increment;
             solution.velocity = central / (2.0 * constants.own.time_step);
-            finite &= (body.displacement + solution.increment).is_finite();
-            met_late |= body.excess != (0.0, 0.0);
+            finite &= (body.displacement + solution.increment).abs() <= f64::MAX;
         }
-        (finite, met_late)
+        if finite { None } else { self.diverged() }
     }
 
-    /// A floor whose next displacement is no longer a finite number.
     fn diverged(&self) -> Option<usize> {
         let next = |(index, solution): (&usize, &Solution)| {
             let displacement = self.bodies[*index].displacement + solution.increment;
             (!displacement.is_finite()).then_some(*index)
         };
         self.floors.iter().zip(self.solutions.iter()).find_map(next)
+    }
+
+    /// Whether a whole step met a neighbour that sub-steps.
+    fn met_late(&self) -> bool {
+        let late = |index: &usize| self.bodies[*index].excess != (0.0, 0.0);
+        self.floors.iter().any(late)
     }
 
     /// Velocities that whole steps gave too much, before the dashpots share them.
