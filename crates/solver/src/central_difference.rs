@@ -8,6 +8,9 @@
 //! Where the velocity jumps or the step changes its length, the increment is restarted as the textbook starts a run:
 //! it follows from the velocity and the acceleration at the node, Δt u̇ + Δt² ü/2. In the smooth case that is the same
 //! equation, so that a restart costs no accuracy.
+//!
+//! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every
+//! building (`storeys.rs`). Rows of structures of one storey keep a loop of their own.
 
 mod coefficients;
 mod contact;
@@ -35,7 +38,7 @@ pub struct CentralDifference {
     /// Steps into which a time step is divided for structures that touch, 1 to 1000; 1 with [`ImpactRule::AsPublished`].
     ///
     /// A structure sub-steps from a node on at which it overlaps a neighbour, or would overlap one at the next node, to
-    /// that next node. Others keep the whole step.
+    /// that next node; a building does so with all its floors. Others keep the whole step.
     pub contact_substeps: u32,
 }
 
