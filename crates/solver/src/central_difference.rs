@@ -8,11 +8,19 @@
 //! Where the velocity jumps or the step changes its length, the increment is restarted as the textbook starts a run:
 //! it follows from the velocity and the acceleration at the node, Δt u̇ + Δt² ü/2. In the smooth case that is the same
 //! equation, so that a restart costs no accuracy.
+//!
+//! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every
+//! building (`storeys.rs`). Rows of structures of one storey keep a loop of their own.
 
+mod coefficients;
 mod contact;
+mod storeys;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use coefficients::Coefficients;
+use storeys::Storeys;
 
 use crate::approach::Approaches;
 use crate::error::require;
@@ -30,7 +38,7 @@ pub struct CentralDifference {
     /// Steps into which a time step is divided for structures that touch, 1 to 1000; 1 with [`ImpactRule::AsPublished`].
     ///
     /// A structure sub-steps from a node on at which it overlaps a neighbour, or would overlap one at the next node, to
-    /// that next node. Others keep the whole step.
+    /// that next node; a building does so with all its floors. Others keep the whole step.
     pub contact_substeps: u32,
 }
 
@@ -122,35 +130,6 @@ impl<Memory> Body<Memory> {
     }
 }
 
-/// Constants of one structure's equation (3), divided by its mass.
-struct Coefficients {
-    time_step: f64,
-    inverse_mass: f64,
-    /// c/m.
-    damping: f64,
-    /// 1/(1/Δt² + c/(2mΔt)).
-    solve: f64,
-    /// 1/Δt² − c/(2mΔt).
-    carry: f64,
-    /// 1 for a structure, 0 for a wall: walls do not feel inertia.
-    mobile: f64,
-}
-
-impl Coefficients {
-    fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
-        let damping = node.inverse_mass * node.damping;
-        let (inertia, half) = (1.0 / (dt * dt), 0.5 * damping / dt);
-        Self {
-            time_step: dt,
-            inverse_mass: node.inverse_mass,
-            damping,
-            solve: 1.0 / (inertia + half),
-            carry: inertia - half,
-            mobile: if node.is_wall() { 0.0 } else { 1.0 },
-        }
-    }
-}
-
 /// A node of the run, or of the sub-steps of those that touch.
 #[derive(Clone, Copy)]
 struct Instant {
@@ -171,6 +150,8 @@ struct Run<'a, Column: RestoringForce> {
     /// For each of them the coefficients of every structure.
     coefficients: [Vec<Coefficients>; 2],
     bodies: Vec<Body<Column::Memory>>,
+    /// Nothing where all structures have one storey.
+    storeys: Option<Storeys>,
     /// Impulse of every pair by the published rule \[N·s\].
     impulses: Vec<f64>,
     /// States at a node with velocity jumps.
@@ -270,6 +251,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             impacts: settings.impacts,
             steps,
             coefficients: steps.map(constants),
+            storeys: Storeys::of(row, steps),
             states: bodies.iter().map(|body| body.start).collect(),
             bodies,
             impulses: vec![0.0; row.pairs().len()],
@@ -282,7 +264,11 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     /// One node: contact, the equation of every structure that has a node here, its span, impacts.
     fn node<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node.fine);
-        self.advance(node, recorder)?;
+        if self.storeys.is_some() {
+            self.advance_storeys((node, hit), recorder)?;
+        } else {
+            self.advance(node, recorder)?;
+        }
         if hit {
             match self.impacts {
                 ImpactRule::AsPublished => self.report(node.time, recorder),
@@ -292,16 +278,17 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         Ok(())
     }
 
-    /// Solves the equations of a node and reports the spans that end there.
+    /// Solves the equations of a node, each for itself, and reports the spans that end there.
     fn advance<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
-        for (index, body) in self.bodies.iter_mut().enumerate() {
+        let structures = self.bodies.iter_mut().zip(self.row.nodes());
+        for (index, (body, structure)) in structures.enumerate() {
             if node.fine && !body.fine {
                 continue;
             }
             let constants = &self.coefficients[usize::from(body.fine)][index];
             let Node {
                 column, damping, ..
-            } = &self.row.nodes()[index];
+            } = structure;
             let central = body.velocity;
             let mut end = advance(body, constants, column, node.ground);
             if body.excess != (0.0, 0.0) {

@@ -31,11 +31,13 @@
 mod approach;
 mod bilinear;
 mod bouc_wen;
+mod buildings;
 mod central_difference;
 mod clock;
 mod column;
 mod critical;
 mod damping;
+mod dashpots;
 mod error;
 mod exact;
 mod excitation;

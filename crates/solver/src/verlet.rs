@@ -5,14 +5,19 @@
 //!
 //! Damping of the structures is half-implicit: ü⁺ has the damping of u̇⁺ itself (a division, since c is constant). The
 //! method then moves as the central difference method does, is in equilibrium at both ends, and keeps the limit 2/ω
-//! whatever the damping. Compliant contact is explicit: its rate is that of the predicted velocities u̇ + h ü.
+//! whatever the damping. Floors that stand on floors share it: their velocities then are the solution of a tridiagonal
+//! system. Compliant contact is explicit: its rate is that of the predicted velocities u̇ + h ü.
 //!
 //! Impacts are located here and not in the central difference method: a step needs nothing but the state it starts
 //! from, so that it may begin and end anywhere, and its displacements are quadratic in time, so that the instant at
 //! which a gap closes is the root of a quadratic.
 
+mod storeys;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use storeys::Storeys;
 
 use crate::approach::Approaches;
 use crate::impacts::{Impacts, impulsive};
@@ -87,6 +92,8 @@ struct Scratch<Memory> {
     /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
     closings: Vec<f64>,
     approaches: Approaches,
+    /// Nothing where all structures have one storey.
+    storeys: Option<Storeys>,
 }
 
 /// Integrates a row; the shared signature of all methods.
@@ -145,6 +152,7 @@ fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Colu
         impacts: Impacts::new(row),
         closings: vec![f64::INFINITY; row.pairs().len()],
         approaches: Approaches::new(row.pairs().len()),
+        storeys: Storeys::of(row),
     }
 }
 
@@ -195,7 +203,7 @@ impl<Memory: Copy> Scratch<Memory> {
         }
     }
 
-    /// Chooses the structures that need a state at this instant: those hit, and whom they touch.
+    /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
     fn gather(&mut self, pairs: &[Pair], instant: f64) {
         for body in &mut self.bodies {
             body.due = false;
@@ -227,6 +235,9 @@ impl<Memory: Copy> Scratch<Memory> {
                     self.bodies[pair.right].due = true;
                 }
             }
+            if let Some(storeys) = &self.storeys {
+                grown |= storeys.gather(&mut self.bodies);
+            }
         }
     }
 
@@ -240,6 +251,9 @@ impl<Memory: Copy> Scratch<Memory> {
     ) -> Result<(), RunError> {
         row.push(&mut self.ends, &mut self.approaches);
         self.share(row.pairs(), instant);
+        if self.storeys.is_some() {
+            return self.finish_storeys(row, (step, instant), work, recorder);
+        }
         let (ground, time) = step.at(instant);
         for (structure, node) in row.nodes().iter().enumerate() {
             let body = &mut self.bodies[structure];

@@ -3,6 +3,7 @@
 use pounding_contact::Overlap;
 
 use super::{Body, ImpactRule, Instant, Run};
+use crate::buildings::Buildings;
 use crate::{Impact, Pair, Recorder, RestoringForce, Velocities};
 
 impl<Column: RestoringForce> Run<'_, Column> {
@@ -79,7 +80,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
         self.jumps
             .jump(self.row, &mut self.states, instant, recorder);
         for (state, body) in self.states.iter().zip(&mut self.bodies) {
-            let jumped = (state.velocity - body.start.velocity).abs() > 0.0;
+            // Dashpots let the acceleration of a floor jump with the velocity of its neighbours in the building.
+            let jumped = (state.velocity - body.start.velocity).abs() > 0.0
+                || (state.acceleration - body.start.acceleration).abs() > 0.0;
             if jumped {
                 body.start = *state;
                 body.velocity = state.velocity;
@@ -105,6 +108,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 self.bodies[pair.right].fine = true;
                 any = true;
             }
+        }
+        if let Some(storeys) = self.storeys.as_ref().filter(|_| any) {
+            refine_buildings(&storeys.buildings, &mut self.bodies);
         }
         for body in self.bodies.iter_mut().filter(|body| body.fine) {
             body.restart(self.steps[1]);
@@ -138,6 +144,16 @@ impl<Column: RestoringForce> Run<'_, Column> {
                     },
                 });
             }
+        }
+    }
+}
+
+/// Lets all floors of a building sub-step with one of them.
+fn refine_buildings<Memory>(buildings: &Buildings, bodies: &mut [Body<Memory>]) {
+    for floors in buildings.each() {
+        let fine = floors.iter().any(|index| bodies[*index].fine);
+        for index in floors {
+            bodies[*index].fine = fine;
         }
     }
 }

@@ -25,6 +25,7 @@ mod refusals;
 mod slow_touches;
 mod storeys;
 mod storeys_ledger;
+mod storeys_explicit;
 mod touches;
 mod towers;
 mod very_start;

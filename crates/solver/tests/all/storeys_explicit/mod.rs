@@ -1,0 +1,108 @@
+//! Buildings of several storeys by the central difference and the Verlet method.
+
+mod limits;
+mod orders;
+mod spans;
+
+use pounding_contact::ContactLaw;
+use pounding_solver::{
+    CentralDifference, Elastic, ElastoPlastic, Hysteretic, ImpactRule, Integrator, Levels, Node,
+    Pair, Row, Start,
+};
+
+use crate::common::{CENTRAL, JUMPING, LOCATED, SUBSTEPPED, VERLET};
+use crate::towers::{self, Rayleigh, Tower};
+
+/// The central difference method with the paper's two starts.
+const LOAD_USED: Integrator = published(Start::FirstLoadUsed);
+const LOAD_SKIPPED: Integrator = published(Start::FirstLoadSkipped);
+
+const fn published(start: Start) -> Integrator {
+    Integrator::CentralDifference(CentralDifference {
+        start,
+        impacts: ImpactRule::AsPublished,
+        contact_substeps: 1,
+    })
+}
+
+/// Every explicit method but that of Runge and Kutta.
+const EXPLICIT: [(&str, Integrator); 7] = [
+    ("central difference", CENTRAL),
+    ("CD, first load used", LOAD_USED),
+    ("CD, first load skipped", LOAD_SKIPPED),
+    ("CD, jumps", JUMPING),
+    ("CD, sub-steps", SUBSTEPPED),
+    ("Verlet", VERLET),
+    ("Verlet, located", LOCATED),
+];
+
+/// Those whose impacts are velocity jumps.
+const JUMPS: [(&str, Integrator); 4] = [
+    ("CD, jumps", JUMPING),
+    ("CD, sub-steps", SUBSTEPPED),
+    ("Verlet", VERLET),
+    ("Verlet, located", LOCATED),
+];
+
+const DAMPING: Rayleigh = Rayleigh {
+    alpha: 0.3,
+    beta: 2e-3,
+};
+
+/// A tower of three storeys of 0.7 s, lighter and softer towards the top.
+fn soft<Column: Copy>(column: impl Fn(f64) -> Column) -> Tower<Column> {
+    vec![
+        (1.2e5, column(6e7)),
+        (1.0e5, column(5e7)),
+        (0.7e5, column(3e7)),
+    ]
+}
+
+/// A stiff tower of so many storeys.
+fn stiff<Column: Copy>(n_storeys: usize, column: impl Fn(f64) -> Column) -> Tower<Column> {
+    towers::uniform(n_storeys, 3e5, column(4.5e8))
+}
+
+fn elastic(stiffness: f64) -> Elastic {
+    Elastic { stiffness }
+}
+
+/// Yields at a drift of 8 mm.
+fn plastic(stiffness: f64) -> ElastoPlastic {
+    ElastoPlastic {
+        stiffness,
+        yield_force: 0.008 * stiffness,
+    }
+}
+
+/// Towers side by side; floors that face each other touch by a law where there is a gap between their buildings.
+fn side_by_side<Column: Hysteretic>(
+    towers: &[Tower<Column>],
+    gaps: &[f64],
+    law: ContactLaw,
+) -> (Row<Column>, Levels) {
+    towers::row(towers, DAMPING, |building, _, [left, right]| {
+        (right == left + 1).then_some(Pair {
+            left,
+            right,
+            gap: gaps[building],
+            law,
+        })
+    })
+}
+
+/// The row with other starts: displacement and velocity of a node.
+fn started<Column: Hysteretic>(
+    row: &Row<Column>,
+    start: impl Fn(usize) -> (f64, f64),
+) -> Row<Column> {
+    let nodes = row.nodes().iter().enumerate().map(|(index, node)| {
+        let (initial_displacement, initial_velocity) = start(index);
+        Node {
+            initial_displacement,
+            initial_velocity,
+            ..*node
+        }
+    });
+    Row::new(nodes.collect(), row.pairs().to_vec()).expect("a valid row")
+}
