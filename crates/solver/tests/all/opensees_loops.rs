@@ -49,7 +49,8 @@ fn reference_bilinear_columns_are_steel01_of_opensees() {
     assert!(found < 1e-11 * YIELD_FORCE, "{found:e} N");
 }
 
-/// The table is good to 1e-9 of the yield force; the column says 1e-8 of itself.
+/// The table is good to 4e-10 of the yield force; the column to 2.2e-8, and was to 9e-5 while it stepped over the kink at
+/// z = 0.
 #[test]
 fn reference_bouc_wen_columns_are_those_of_opensees() {
     for (name, exponent, unloading) in [
@@ -69,7 +70,7 @@ fn reference_bouc_wen_columns_are_those_of_opensees() {
         };
         let table = column(name);
         let found = distance(ours, &table);
-        assert!(found < 1e-7 * YIELD_FORCE, "{name}: {found:e} N");
+        assert!(found < 3e-8 * YIELD_FORCE, "{name}: {found:e} N");
         // Another shape is another loop: 1 N apart somewhere.
         let other = Smoothness {
             exponent,

@@ -104,10 +104,8 @@ impl Event {
             }
             Self::Yield(structure) => {
                 let direction = phases.structures[structure].drift_direction;
-                let columns = &model.structures[structure].columns;
-                let force = motion.restoring_force(structure, y);
-                let part = columns.yielding_part(force, model.drift(structure, y));
-                columns.limit() - direction * part
+                let limit = model.structures[structure].columns.limit();
+                limit - direction * motion.yielding_force(structure, y)
             }
             Self::Straight(structure) => {
                 let Branch::Smooth { side } = phases.structures[structure].branch else {
@@ -149,16 +147,8 @@ impl Event {
             Self::SegmentEnd => {}
             Self::Turn(structure) => phases.turn(structure, model, y),
             Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
-            Self::Yield(structure) => {
-                let phase = &mut phases.structures[structure];
-                let force = phase.drift_direction * model.structures[structure].columns.limit();
-                phase.branch = Branch::Yielding { force };
-            }
-            Self::Straight(structure) => {
-                if let Branch::Smooth { side } = &mut phases.structures[structure].branch {
-                    *side = -*side;
-                }
-            }
+            Self::Yield(structure) => motion.yields(structure, y),
+            Self::Straight(structure) => phases.straighten(structure),
             Self::Balance(structure) => {
                 let push = &mut phases.structures[structure].push;
                 *push = push.map(|sign| -sign);

@@ -96,6 +96,25 @@ impl Motion {
             .force(branch, drift, y)
     }
 
+    /// Part of the restoring force that yields \[N\].
+    pub(super) fn yielding_force(&self, structure: usize, y: &[f64]) -> f64 {
+        let columns = &self.model.structures[structure].columns;
+        let force = self.restoring_force(structure, y);
+        columns.yielding_part(force, self.model.drift(structure, y))
+    }
+
+    /// Columns yield; not where the drift turned at the same instant.
+    pub(super) fn yields(&mut self, structure: usize, y: &[f64]) {
+        let part = self.yielding_force(structure, y);
+        let phase = &mut self.phases.structures[structure];
+        if phase.drift_direction * part > 0.0 {
+            let limit = self.model.structures[structure].columns.limit();
+            phase.branch = Branch::Yielding {
+                force: phase.drift_direction * limit,
+            };
+        }
+    }
+
     /// Pounding force of a pair \[N\].
     pub(super) fn pounding_force(&self, pair: usize, deformation: f64, rate: f64) -> f64 {
         let Law::Compliant(force) = self.model.pairs[pair].law else {

@@ -126,6 +126,13 @@ impl Phases {
         }
     }
 
+    /// Changes the sign of the elastic part of the drift of columns that yield smoothly.
+    pub(super) fn straighten(&mut self, structure: usize) {
+        if let Branch::Smooth { side } = &mut self.structures[structure].branch {
+            *side = -*side;
+        }
+    }
+
     /// Takes all directions anew after velocities have jumped.
     ///
     /// A pair that approaches by no more than `noise` \[m/s\] does not.

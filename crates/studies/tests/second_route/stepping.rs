@@ -50,8 +50,8 @@ fn error<Column: Hysteretic>(row: &Row<Column>, known: &Response, n_steps: usize
     errors.fold(0.0, f64::max)
 }
 
-/// Runge–Kutta comes near the second route: within `nearest` with the finest steps, and with the `order` between the
-/// coarsest and the finest.
+/// Runge–Kutta comes near the second route: within `nearest` with the fine steps, and with at least the `order` between the
+/// coarse and the fine ones. Where in its step a touch falls is luck, and makes either better than its order.
 fn approaches<Column: Hysteretic>(
     towers: &[Building<Column>],
     contact: (f64, ContactLaw),
@@ -82,11 +82,11 @@ const APART: (f64, ContactLaw) = (
 #[test]
 fn reference_runge_kutta_comes_near_pounding_towers() {
     let towers = TOWERS.map(elastic);
-    approaches(&towers, (0.01, spring(5e8)), [4e-9, 1.7], "linear spring");
+    approaches(&towers, (0.01, spring(5e8)), [4e-9, 1.2], "linear spring");
     approaches(
         &towers,
         (0.01, viscoelastic(0.35)),
-        [4e-7, 0.9],
+        [4e-7, 0.8],
         "viscoelastic",
     );
 }
@@ -101,16 +101,16 @@ fn reference_runge_kutta_comes_near_yielding_towers() {
             hardening: 0.05,
         })
     });
-    approaches(&bilinear, APART, [4e-9, 1.7], "bilinear, apart");
-    approaches(&bilinear, (0.01, spring(5e8)), [1e-8, 1.7], "bilinear");
+    approaches(&bilinear, APART, [4e-9, 1.2], "bilinear, apart");
+    approaches(&bilinear, (0.01, spring(5e8)), [3e-8, 1.2], "bilinear");
     let plastic = TOWERS.map(|of| {
         yielding(of, |stiffness| ElastoPlastic {
             stiffness,
             yield_force: 0.015 * stiffness,
         })
     });
-    approaches(&plastic, APART, [4e-9, 1.7], "plastic, apart");
-    approaches(&plastic, (0.01, spring(5e8)), [1e-8, 1.7], "plastic");
+    approaches(&plastic, APART, [4e-9, 1.2], "plastic, apart");
+    approaches(&plastic, (0.01, spring(5e8)), [3e-8, 1.2], "plastic");
     for (exponent, unloading) in [(1, 0.5), (2, 0.3), (5, 0.8)] {
         let smooth = TOWERS.map(|of| {
             yielding(of, |stiffness| BoucWen {
@@ -124,8 +124,8 @@ fn reference_runge_kutta_comes_near_yielding_towers() {
             })
         });
         let what = format!("Bouc–Wen {exponent}, {unloading}");
-        approaches(&smooth, APART, [4e-9, 1.7], &what);
-        approaches(&smooth, (0.01, spring(5e8)), [1e-8, 1.7], &what);
+        approaches(&smooth, APART, [4e-9, 1.2], &what);
+        approaches(&smooth, (0.01, spring(5e8)), [3e-8, 1.2], &what);
     }
 }
 
