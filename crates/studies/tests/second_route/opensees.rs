@@ -10,7 +10,7 @@ use super::storeys::{buildings, elastic, spring};
 #[derive(Debug, Default)]
 struct Numbers {
     displacements: [[f64; 3]; 2],
-    touches: [f64; 3],
+    touches: [usize; 3],
     forces: [f64; 3],
 }
 
@@ -28,12 +28,13 @@ fn opensees(time_step: &str) -> Numbers {
             continue;
         }
         let level = storey.parse::<usize>().expect("a storey") - 1;
-        let place = match quantity {
-            "touches" => &mut numbers.touches[level],
-            "peak force [N]" => &mut numbers.forces[level],
-            _ => &mut numbers.displacements[usize::from(building == "right")][level],
-        };
-        *place = value.parse().expect("a number");
+        let side = usize::from(building == "right");
+        let number = || value.parse().expect("a number");
+        match quantity {
+            "touches" => numbers.touches[level] = value.parse().expect("a count"),
+            "peak force [N]" => numbers.forces[level] = number(),
+            _ => numbers.displacements[side][level] = number(),
+        }
         n_lines += 1;
     }
     assert_eq!(n_lines, 12, "{time_step}");
@@ -63,7 +64,7 @@ fn by_second_route(row: &Row<Elastic>, excitation: Excitation<'_>) -> Numbers {
     let levels = [0, 1, 2];
     Numbers {
         displacements: [0, 1].map(|side| levels.map(|level| peak(side, level))),
-        touches: levels.map(|level| found.collisions[level].len() as f64),
+        touches: levels.map(|level| found.collisions[level].len()),
         forces: levels.map(|level| {
             let peaks = found.collisions[level].iter();
             peaks
@@ -93,7 +94,7 @@ fn by_runge_kutta(row: &Row<Elastic>, excitation: Excitation<'_>) -> Numbers {
     let levels = [0, 1, 2];
     Numbers {
         displacements: [0, 1].map(|side| levels.map(|level| peak(side, level))),
-        touches: levels.map(|level| of(level).count() as f64),
+        touches: levels.map(|level| of(level).count()),
         forces: levels.map(|level| {
             of(level)
                 .filter_map(|touch| touch.peak_force)

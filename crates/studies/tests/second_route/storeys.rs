@@ -161,7 +161,7 @@ fn reference_two_storeys_under_shaking_in_modal_form() {
             let peak = there[1].0 - there[0].0;
             close(drift.value, peak, 1e-12, "peak drift");
             let rate = (there[1].1 - there[0].1).abs();
-            let end = drift.time == duration;
+            let end = drift.time >= duration;
             assert!(end || rate < 1e-11 * peak.abs() * modes[1].omega, "{rate}");
             let shear = response.structures[1].restoring_force.value;
             close(shear, stiffnesses[1] * peak, 1e-12, "peak shear");
@@ -205,14 +205,12 @@ fn limit_energy_is_kept_without_damping() {
         // What a contact keeps that lasts to the end.
         let pairs = row.pairs().iter().map(|pair| {
             let overlap = (end(pair.left).0 - end(pair.right).0 - pair.gap).max(0.0);
-            match law {
-                ContactLaw::LinearSpring(spring) => {
-                    0.5 * spring.impact_stiffness * overlap * overlap
-                }
-                ContactLaw::NonlinearViscoelastic(spring) => {
-                    0.4 * spring.impact_stiffness * overlap * overlap * overlap.sqrt()
-                }
-                _ => 0.0,
+            if let ContactLaw::LinearSpring(spring) = law {
+                0.5 * spring.impact_stiffness * overlap * overlap
+            } else if let ContactLaw::NonlinearViscoelastic(spring) = law {
+                0.4 * spring.impact_stiffness * overlap * overlap * overlap.sqrt()
+            } else {
+                0.0
             }
         });
         let after = energy(&row, end) + pairs.sum::<f64>();
