@@ -19,6 +19,7 @@ mod limit;
 mod momentum;
 mod moreau_jean;
 mod newton_counts;
+mod opensees_loops;
 mod order;
 mod random_rows;
 mod refusals;

@@ -5,7 +5,7 @@ use pounding_contact::SLOWEST_APPROACH;
 use super::law::Law;
 use super::model::{TIME, velocity};
 use super::motion::Motion;
-use super::phases::{Columns, Contact};
+use super::phases::{Branch, Contact};
 use super::variable::Variable;
 
 /// An event that the present phases allow.
@@ -13,10 +13,14 @@ use super::variable::Variable;
 pub(super) enum Event {
     /// The segment of the record ends; an event only where the variable is not the time.
     SegmentEnd,
-    /// A velocity changes its sign: peak of displacement, unloading.
+    /// A velocity changes its sign: peak of displacement, of a storey on the ground unloading, too.
     Turn(usize),
+    /// The drift rate of a storey on another floor changes its sign: peak of drift, unloading.
+    DriftTurn(usize),
     /// Columns reach their yield force.
     Yield(usize),
+    /// The elastic part of the drift of columns that yield smoothly changes its sign.
+    Straight(usize),
     /// The net pounding force on a structure between two that touch it changes its sign.
     Balance(usize),
     /// The deformation rate of a pair changes its sign: largest or least distance or deformation.
@@ -48,10 +52,16 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
             continue;
         }
         events.push(Event::Turn(index));
-        if matches!(phase.columns, Columns::Elastic { .. })
-            && motion.model.structures[index].yield_force.is_finite()
-        {
-            events.push(Event::Yield(index));
+        let storey = &motion.model.structures[index];
+        if storey.below.is_some() {
+            events.push(Event::DriftTurn(index));
+        }
+        match phase.branch {
+            Branch::Elastic { .. } if storey.columns.yield_force.is_finite() => {
+                events.push(Event::Yield(index));
+            }
+            Branch::Elastic { .. } | Branch::Yielding { .. } => {}
+            Branch::Smooth { .. } => events.push(Event::Straight(index)),
         }
         if phase.push.is_some() {
             events.push(Event::Balance(index));
@@ -89,10 +99,20 @@ impl Event {
             Self::Turn(structure) => {
                 phases.structures[structure].direction * y[velocity(structure)]
             }
+            Self::DriftTurn(structure) => {
+                phases.structures[structure].drift_direction * model.drift_rate(structure, y)
+            }
             Self::Yield(structure) => {
-                let direction = phases.structures[structure].direction;
-                model.structures[structure].yield_force
-                    - direction * motion.restoring_force(structure, y)
+                let direction = phases.structures[structure].drift_direction;
+                let limit = model.structures[structure].columns.limit();
+                limit - direction * motion.yielding_force(structure, y)
+            }
+            Self::Straight(structure) => {
+                let Branch::Smooth { side } = phases.structures[structure].branch else {
+                    return 0.0;
+                };
+                let smooth = model.structures[structure].columns.smooth;
+                smooth.map_or(0.0, |smooth| side * y[smooth.unknown])
             }
             Self::Balance(structure) => {
                 let push = phases.structures[structure].push;
@@ -117,7 +137,7 @@ impl Event {
 
     /// Whether its function is a velocity, so that two changes of sign in one step can be told from the middle.
     pub(super) fn is_reversal(self) -> bool {
-        matches!(self, Self::Turn(_) | Self::Reversal(_))
+        matches!(self, Self::Turn(_) | Self::DriftTurn(_) | Self::Reversal(_))
     }
 
     /// Changes the phases by what the event means for them; touches of impulsive pairs are left to the impact.
@@ -126,11 +146,9 @@ impl Event {
         match self {
             Self::SegmentEnd => {}
             Self::Turn(structure) => phases.turn(structure, model, y),
-            Self::Yield(structure) => {
-                let phase = &mut phases.structures[structure];
-                let force = phase.direction * model.structures[structure].yield_force;
-                phase.columns = Columns::Yielding { force };
-            }
+            Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
+            Self::Yield(structure) => motion.yields(structure, y),
+            Self::Straight(structure) => phases.straighten(structure),
             Self::Balance(structure) => {
                 let push = &mut phases.structures[structure].push;
                 *push = push.map(|sign| -sign);

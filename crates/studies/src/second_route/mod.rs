@@ -1,15 +1,19 @@
 //! A second route to the motion of a row: event-located Runge–Kutta, kept apart from every integrator of the solver.
 //!
 //! A reference is believed to the digits on which two independent routes agree. This one shares with the solver the
-//! model data ([`Row`], [`Excitation`]) and the parameters of the contact laws; forces, events, impacts and records are
-//! written out again from their formulas.
+//! model data ([`Row`], [`Excitation`]) and the parameters of contact laws and columns; forces, events, impacts and records
+//! are written out again from their formulas.
 //!
 //! Everything is integrated with the Dormand–Prince method of order 8(5,3) under error control, free flight included.
 //! No step crosses a sample of the record, touch, parting, yield, unloading, the reversal of a deformation rate, a peak
-//! of displacement or pounding force, or the instant when the net force on a structure between two others changes its
-//! sign. The step that would cross one is repeated with the length at which its function vanishes. Near the first
+//! of displacement, drift or pounding force, or the instant when the net force on a structure between two others changes
+//! its sign. The elastic part of the drift of Bouc–Wen columns is one more unknown; between two signs of it and of the
+//! drift rate its equation is a polynomial. The step that would cross one is repeated with the length at which its function vanishes. Near the first
 //! touch of a compliant pair, where the force starts like δ^(1/4), the variable is the fourth root of the time since
 //! then; on the way to parting it is √δ. In both the motion is analytic, and the method keeps its order.
+//!
+//! The row may be one of buildings: the force of a storey, spring and damper, acts on the floor above it and on the one
+//! below, and yielding and unloading are events of its drift.
 //!
 //! Left out: stereomechanical pairs that bounce down to rest on each other; the run then ends with
 //! [`SecondRouteError::ComesToRest`].
@@ -27,6 +31,7 @@ mod record;
 mod runner;
 mod scales;
 mod state;
+mod storey;
 mod variable;
 
 use pounding_solver::{Excitation, Hysteretic, Row};

@@ -1,13 +1,14 @@
 //! The row as plain numbers, and where each of them stands in the vector of unknowns.
 
-use pounding_solver::{Hysteretic, Row};
+use pounding_solver::{Hysteretic, Node, Row, Support};
 
 use super::law::Law;
+use super::storey::{Columns, Smooth};
 
 /// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
 ///
 /// After it follow displacement and velocity of each structure, then the impulse of the present collision of each
-/// pair.
+/// pair, then the elastic part of the drift of each storey with columns that yield smoothly.
 pub(super) const TIME: usize = 0;
 
 /// Index of a structure's displacement in the vector of unknowns.
@@ -25,15 +26,21 @@ pub(super) fn velocity(structure: usize) -> usize {
 pub(super) struct Model {
     pub structures: Vec<Structure>,
     pub pairs: Vec<Neighbours>,
+    /// Number of storeys with columns that yield smoothly.
+    n_smooth: usize,
 }
 
-/// A structure or, with inverse mass 0, a wall.
+/// A floor with the storey below it, or, with inverse mass 0, a wall.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Structure {
     pub inverse_mass: f64,
+    /// Floor on which the storey stands; nothing on the ground.
+    pub below: Option<usize>,
+    /// Damping coefficient of the storey \[N·s/m\].
     pub damping: f64,
-    pub stiffness: f64,
-    pub yield_force: f64,
+    /// Damping coefficient of the floor against the ground, besides that of a storey that stands there \[N·s/m\].
+    pub ground_damping: f64,
+    pub columns: Columns,
     pub initial_displacement: f64,
     pub initial_velocity: f64,
 }
@@ -50,18 +57,15 @@ pub(super) struct Neighbours {
 
 impl Model {
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Self {
-        let structures: Vec<_> = row
-            .nodes()
-            .iter()
-            .map(|node| Structure {
-                inverse_mass: node.inverse_mass,
-                damping: node.damping,
-                stiffness: node.column.stiffness(),
-                yield_force: node.column.yield_force(),
-                initial_displacement: node.initial_displacement,
-                initial_velocity: node.initial_velocity,
-            })
-            .collect();
+        let mut structures: Vec<_> = row.nodes().iter().map(structure).collect();
+        let mut next = 1 + 2 * structures.len() + row.pairs().len();
+        let first = next;
+        for structure in &mut structures {
+            if let Some(Smooth { unknown, .. }) = &mut structure.columns.smooth {
+                *unknown = next;
+                next += 1;
+            }
+        }
         let neighbours = |pair: &pounding_solver::Pair| {
             let inverse_mass = |index: usize| structures[index].inverse_mass;
             let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
@@ -74,17 +78,47 @@ impl Model {
             }
         };
         let pairs = row.pairs().iter().map(neighbours).collect();
-        Self { structures, pairs }
+        Self {
+            structures,
+            pairs,
+            n_smooth: next - first,
+        }
     }
 
     /// Number of unknowns.
     pub(super) fn n_unknowns(&self) -> usize {
-        1 + 2 * self.structures.len() + self.pairs.len()
+        1 + 2 * self.structures.len() + self.pairs.len() + self.n_smooth
     }
 
     /// Index of the impulse of a pair's present collision in the vector of unknowns.
     pub(super) fn impulse(&self, pair: usize) -> usize {
         1 + 2 * self.structures.len() + pair
+    }
+
+    /// Displacement of a floor relative to what its storey stands on \[m\].
+    pub(super) fn drift(&self, structure: usize, unknowns: &[f64]) -> f64 {
+        let of_floor = unknowns[displacement(structure)];
+        match self.structures[structure].below {
+            None => of_floor,
+            Some(below) => of_floor - unknowns[displacement(below)],
+        }
+    }
+
+    /// Its rate \[m/s\].
+    pub(super) fn drift_rate(&self, structure: usize, unknowns: &[f64]) -> f64 {
+        let of_floor = unknowns[velocity(structure)];
+        match self.structures[structure].below {
+            None => of_floor,
+            Some(below) => of_floor - unknowns[velocity(below)],
+        }
+    }
+
+    /// Drift at t = 0 \[m\].
+    pub(super) fn initial_drift(&self, structure: &Structure) -> f64 {
+        let below = structure
+            .below
+            .map(|below| self.structures[below].initial_displacement);
+        structure.initial_displacement - below.unwrap_or(0.0)
     }
 
     /// Deformation δ of a pair \[m\]; negative while it stands apart.
@@ -99,5 +133,21 @@ impl Model {
     pub(super) fn rate(&self, pair: usize, unknowns: &[f64]) -> f64 {
         let Neighbours { left, right, .. } = self.pairs[pair];
         unknowns[velocity(left)] - unknowns[velocity(right)]
+    }
+}
+
+fn structure<Column: Hysteretic>(node: &Node<Column>) -> Structure {
+    let (below, ground_damping) = match node.support {
+        Support::Ground => (None, 0.0),
+        Support::Floor(floor) => (Some(floor.below), floor.ground_damping),
+    };
+    Structure {
+        inverse_mass: node.inverse_mass,
+        below,
+        damping: node.damping,
+        ground_damping,
+        columns: Columns::of(node.column.hysteresis()),
+        initial_displacement: node.initial_displacement,
+        initial_velocity: node.initial_velocity,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::law::{Law, Touching};
 use super::model::{Model, TIME, displacement, velocity};
-use super::phases::{Columns, Contact, Phases, sign};
+use super::phases::{Branch, Contact, Phases, sign};
 use super::variable::Variable;
 
 /// Everything the equations of motion depend on.
@@ -34,12 +34,17 @@ impl Motion {
             phases,
             segment,
         } = self;
-        for index in 0..model.structures.len() {
-            let speed = y[velocity(index)];
-            dy[displacement(index)] = speed;
-            dy[velocity(index)] =
-                -(self.restoring_force(index, y) + model.structures[index].damping * speed);
+        for (index, structure) in model.structures.iter().enumerate() {
+            dy[displacement(index)] = y[velocity(index)];
+            let rate = model.drift_rate(index, y);
+            let force = self.restoring_force(index, y) + structure.damping * rate;
+            dy[velocity(index)] = -force;
+            if let Some(below) = structure.below {
+                dy[velocity(index)] -= structure.ground_damping * y[velocity(index)];
+                dy[velocity(below)] += force;
+            }
         }
+        self.bend(y, dy);
         for (index, (pair, phase)) in model.pairs.iter().zip(&phases.pairs).enumerate() {
             let mut force = 0.0;
             if phase.contact.touches() {
@@ -69,16 +74,44 @@ impl Motion {
         }
     }
 
-    /// Restoring force of a structure \[N\].
-    pub(super) fn restoring_force(&self, structure: usize, y: &[f64]) -> f64 {
-        match self.phases.structures[structure].columns {
-            Columns::Yielding { force } => force,
-            Columns::Elastic {
-                plastic_displacement,
-            } => {
-                let elastic = y[displacement(structure)] - plastic_displacement;
-                self.model.structures[structure].stiffness * elastic
+    /// Derivatives of the elastic parts of drifts with respect to time.
+    fn bend(&self, y: &[f64], dy: &mut [f64]) {
+        for (index, smooth) in self.model.smooth() {
+            let phase = &self.phases.structures[index];
+            if let Branch::Smooth { side } = phase.branch {
+                let columns = &self.model.structures[index].columns;
+                let signs = (side, phase.drift_direction);
+                let bend = columns.bend(smooth, y[smooth.unknown], signs);
+                dy[smooth.unknown] = self.model.drift_rate(index, y) * bend;
             }
+        }
+    }
+
+    /// Restoring force of the storey below a floor \[N\].
+    pub(super) fn restoring_force(&self, structure: usize, y: &[f64]) -> f64 {
+        let branch = self.phases.structures[structure].branch;
+        let drift = self.model.drift(structure, y);
+        self.model.structures[structure]
+            .columns
+            .force(branch, drift, y)
+    }
+
+    /// Part of the restoring force that yields \[N\].
+    pub(super) fn yielding_force(&self, structure: usize, y: &[f64]) -> f64 {
+        let columns = &self.model.structures[structure].columns;
+        let force = self.restoring_force(structure, y);
+        columns.yielding_part(force, self.model.drift(structure, y))
+    }
+
+    /// Columns yield; not where the drift turned at the same instant.
+    pub(super) fn yields(&mut self, structure: usize, y: &[f64]) {
+        let part = self.yielding_force(structure, y);
+        let phase = &mut self.phases.structures[structure];
+        if phase.drift_direction * part > 0.0 {
+            let limit = self.model.structures[structure].columns.limit();
+            phase.branch = Branch::Yielding {
+                force: phase.drift_direction * limit,
+            };
         }
     }
 

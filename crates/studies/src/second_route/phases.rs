@@ -2,7 +2,7 @@
 
 use pounding_contact::SLOWEST_APPROACH;
 
-use super::model::{Model, displacement, velocity};
+use super::model::{Model, velocity};
 
 /// Sign of a number as a factor, 1 or −1.
 ///
@@ -22,16 +22,22 @@ pub(super) struct Phases {
 pub(super) struct StructurePhase {
     /// Sign of the velocity.
     pub direction: f64,
+    /// Sign of the drift rate of the storey below; the same on the ground.
+    pub drift_direction: f64,
     /// Sign of the net pounding force while both neighbours touch.
     pub push: Option<f64>,
-    pub columns: Columns,
+    pub branch: Branch,
 }
 
 /// Branch of the columns.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Columns {
+pub(super) enum Branch {
+    /// The force is k (d − plastic displacement).
     Elastic { plastic_displacement: f64 },
+    /// The part that yields has this force \[N\].
     Yielding { force: f64 },
+    /// Columns that yield smoothly, while the elastic part of their drift has the sign `side`.
+    Smooth { side: f64 },
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -73,19 +79,16 @@ impl Phases {
     /// Phases at t = 0.
     pub(super) fn new(model: &Model) -> Self {
         let structure = |structure: &super::model::Structure| {
-            let force = structure.stiffness * structure.initial_displacement;
-            let excess = force - force.clamp(-structure.yield_force, structure.yield_force);
-            let plastic_displacement = if excess == 0.0 {
-                0.0
-            } else {
-                excess / structure.stiffness
-            };
+            let own = structure.initial_velocity;
+            let below = structure
+                .below
+                .map(|below| model.structures[below].initial_velocity);
+            let drift = model.initial_drift(structure);
             StructurePhase {
-                direction: sign(structure.initial_velocity),
+                direction: sign(own),
+                drift_direction: sign(own - below.unwrap_or(0.0)),
                 push: None,
-                columns: Columns::Elastic {
-                    plastic_displacement,
-                },
+                branch: structure.columns.first_branch(drift),
             }
         };
         let pair = |pair: &super::model::Neighbours| {
@@ -102,17 +105,31 @@ impl Phases {
         }
     }
 
-    /// Turns a structure; yielding columns unload.
+    /// Turns a structure, and with it a storey that stands on the ground.
     pub(super) fn turn(&mut self, structure: usize, model: &Model, unknowns: &[f64]) {
         let phase = &mut self.structures[structure];
         phase.direction = -phase.direction;
-        if let Columns::Yielding { force } = phase.columns
-            && force * phase.direction < 0.0
+        if model.structures[structure].below.is_none() {
+            self.turn_drift(structure, model, unknowns);
+        }
+    }
+
+    /// Turns the drift of a storey; yielding columns unload.
+    pub(super) fn turn_drift(&mut self, structure: usize, model: &Model, unknowns: &[f64]) {
+        let phase = &mut self.structures[structure];
+        phase.drift_direction = -phase.drift_direction;
+        if let Branch::Yielding { force } = phase.branch
+            && force * phase.drift_direction < 0.0
         {
-            let elastic = force / model.structures[structure].stiffness;
-            phase.columns = Columns::Elastic {
-                plastic_displacement: unknowns[displacement(structure)] - elastic,
-            };
+            let drift = model.drift(structure, unknowns);
+            phase.branch = model.structures[structure].columns.unloading(force, drift);
+        }
+    }
+
+    /// Changes the sign of the elastic part of the drift of columns that yield smoothly.
+    pub(super) fn straighten(&mut self, structure: usize) {
+        if let Branch::Smooth { side } = &mut self.structures[structure].branch {
+            *side = -*side;
         }
     }
 
@@ -124,6 +141,10 @@ impl Phases {
             let direction = sign(unknowns[velocity(index)]);
             if direction * self.structures[index].direction < 0.0 {
                 self.turn(index, model, unknowns);
+            }
+            let drifting = sign(model.drift_rate(index, unknowns));
+            if drifting * self.structures[index].drift_direction < 0.0 {
+                self.turn_drift(index, model, unknowns);
             }
         }
         for index in 0..self.pairs.len() {

@@ -10,7 +10,7 @@ use super::state::State;
 pub struct Response {
     /// Collisions of each pair, in the order of time.
     pub collisions: Vec<Vec<Collision>>,
-    /// What happened to each structure or wall, from left to right.
+    /// What happened to each structure, floor or wall, in the order of the row's nodes.
     pub structures: Vec<StructureResponse>,
     /// Steps that were kept, a count of work.
     pub steps: u64,
@@ -38,19 +38,23 @@ pub struct Peak {
     pub time: f64,
 }
 
-/// What happened to one structure.
+/// What happened to one structure, or to one floor and the storey below it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StructureResponse {
     /// ∫ |net pounding force| dt, or the sum over instants of |net impulse| \[N·s\].
     pub transferred_momentum: f64,
     /// Peak displacement \[m\].
     pub displacement: Peak,
-    /// Peak restoring force \[N\].
+    /// Peak drift of the storey below \[m\]; on the ground the peak displacement.
+    pub drift: Peak,
+    /// Peak restoring force of the storey below \[N\].
     pub restoring_force: Peak,
     /// Displacement at the end of the run \[m\].
     pub end_displacement: f64,
     /// Velocity at the end of the run \[m/s\].
     pub end_velocity: f64,
+    /// Restoring force of the storey below at the end of the run \[N\].
+    pub end_restoring_force: f64,
 }
 
 /// Keeps the response while it is found.
@@ -79,9 +83,11 @@ impl Record {
     /// Sees the state at the end of a step, in the phases of the step.
     pub(super) fn observe(&mut self, motion: &Motion, y: &[f64], time: f64) {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
-            let limit = motion.model.structures[index].yield_force;
-            let force = motion.restoring_force(index, y).clamp(-limit, limit);
+            let columns = &motion.model.structures[index].columns;
+            let drift = motion.model.drift(index, y);
+            let force = columns.bounded(motion.restoring_force(index, y), drift);
             take(&mut structure.displacement, y[displacement(index)], time);
+            take(&mut structure.drift, drift, time);
             take(&mut structure.restoring_force, force, time);
         }
         for (index, phase) in motion.phases.pairs.iter().enumerate() {
@@ -170,6 +176,7 @@ impl Record {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             structure.end_displacement = state.high[displacement(index)];
             structure.end_velocity = state.high[velocity(index)];
+            structure.end_restoring_force = motion.restoring_force(index, &state.high);
         }
         self.response
     }

@@ -51,6 +51,10 @@ impl Runner {
         for (index, structure) in model.structures.iter().enumerate() {
             state.set(displacement(index), structure.initial_displacement);
             state.set(velocity(index), structure.initial_velocity);
+            if let Some(smooth) = structure.columns.smooth {
+                let drift = model.initial_drift(structure);
+                state.set(smooth.unknown, structure.columns.loaded(smooth, drift));
+            }
         }
         let longest_step = interval / f64::from(fineness.steps_per_sample);
         let motion = Motion {
@@ -314,7 +318,9 @@ impl Runner {
                     }
                 },
                 Event::Turn(_)
+                | Event::DriftTurn(_)
                 | Event::Yield(_)
+                | Event::Straight(_)
                 | Event::Balance(_)
                 | Event::Reversal(_)
                 | Event::ForcePeak(_)

@@ -54,10 +54,37 @@ impl Scales {
                 *size = size.max(gained);
             }
         }
+        self.share(model, velocity);
         for index in 0..model.structures.len() {
             let moved = self.sizes[velocity(index)] * self.longest_step;
             let size = &mut self.sizes[displacement(index)];
             *size = size.max(moved);
+        }
+        self.share(model, displacement);
+        for (index, smooth) in model.smooth() {
+            let moved = self.sizes[velocity(index)] * self.longest_step;
+            let largest = &mut self.largest[smooth.unknown];
+            *largest = largest.max(y[smooth.unknown].abs());
+            self.sizes[smooth.unknown] = largest.max(moved);
+        }
+    }
+
+    /// Gives all floors of a building the size of the largest.
+    ///
+    /// Drifts are differences of displacements; and a floor that the one below wakes begins to move like a higher power
+    /// of time than a structure that is hit.
+    fn share(&mut self, model: &Model, unknown: fn(usize) -> usize) {
+        let storeys = || {
+            (0..model.structures.len())
+                .filter_map(|index| Some((index, model.structures[index].below?)))
+        };
+        for (floor, below) in storeys().rev() {
+            let size = self.sizes[unknown(floor)];
+            let carrier = &mut self.sizes[unknown(below)];
+            *carrier = carrier.max(size);
+        }
+        for (floor, below) in storeys() {
+            self.sizes[unknown(floor)] = self.sizes[unknown(below)];
         }
     }
 }

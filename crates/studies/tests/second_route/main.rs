@@ -4,7 +4,11 @@ mod closed_forms;
 mod impacts;
 mod laws;
 mod limits;
+mod loops;
+mod opensees;
 mod scenes;
+mod stepping;
+mod storeys;
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{Elastic, Excitation, Hysteretic, Node, Pair, Row};
