@@ -84,28 +84,33 @@ impl Eliminated {
 /// Solves (1 + h/2 M⁻¹C) x = known, for steps h that may change and differ between buildings.
 #[derive(Debug)]
 pub(crate) struct Dashpots {
-    floors: Vec<Floors>,
+    floors: Vec<FloorEquation>,
     /// What is known, for every floor in the order of [`Buildings`]; then x.
     pub(crate) values: Vec<f64>,
 }
 
 /// A floor, and its equation for the step that its building took last.
 #[derive(Debug)]
-struct Floors {
+struct FloorEquation {
     rates: DampingRates,
     step: f64,
     equation: Eliminated,
-    /// What of x of the floor below is added.
-    share: f64,
+    /// 1/pivot, and what of the floors above and below is added after it: a division for every floor, each of which waits
+    /// for the one before, would take longer than all the rest.
+    solve: f64,
+    from_above: f64,
+    from_below: f64,
 }
 
 impl Dashpots {
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
-        let floor = |index: &usize| Floors {
+        let floor = |index: &usize| FloorEquation {
             rates: DampingRates::new(row, *index),
             step: 0.0,
             equation: Eliminated::default(),
-            share: 0.0,
+            solve: 0.0,
+            from_above: 0.0,
+            from_below: 0.0,
         };
         Self {
             floors: buildings.floors().iter().map(floor).collect(),
@@ -120,14 +125,19 @@ impl Dashpots {
         if (step - floors[0].step).abs() > 0.0 {
             eliminate(floors, step);
         }
+        if let ([floor], [value]) = (&*floors, &mut *values) {
+            // A building of one storey has the bits of a structure of one storey.
+            *value /= floor.equation.pivot;
+            return values;
+        }
         let mut above = 0.0;
         for (floor, value) in floors.iter().zip(values.iter_mut()).rev() {
-            *value = (*value + floor.equation.above * above) / floor.equation.pivot;
+            *value = floor.solve * *value + floor.from_above * above;
             above = *value;
         }
         let mut below = 0.0;
         for (floor, value) in floors.iter().zip(values.iter_mut()) {
-            *value += floor.share * below;
+            *value += floor.from_below * below;
             below = *value;
         }
         values
@@ -135,13 +145,15 @@ impl Dashpots {
 }
 
 /// Makes the equations of a building for a step.
-fn eliminate(floors: &mut [Floors], step: f64) {
+fn eliminate(floors: &mut [FloorEquation], step: f64) {
     let mut above = None;
     for (level, floor) in floors.iter_mut().enumerate().rev() {
         let weigh = |rate| 0.5 * step * rate;
         let rates = (&floor.rates, level == 0);
         floor.equation = Eliminated::new(rates, above.as_ref(), 1.0, weigh);
-        floor.share = floor.equation.below / floor.equation.pivot;
+        floor.solve = 1.0 / floor.equation.pivot;
+        floor.from_above = floor.equation.above * floor.solve;
+        floor.from_below = floor.equation.below * floor.solve;
         floor.step = step;
         above = Some(floor.equation);
     }
