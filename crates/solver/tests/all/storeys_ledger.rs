@@ -7,6 +7,9 @@ use pounding_solver::{
     RunError, Smoothness, Span, Support, TransferredMomentum, modes,
 };
 
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseError;
+
 use crate::allocations::allocations;
 use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, book, clock, ground, slope};
 use crate::towers::{Rayleigh, Tower, row};
@@ -494,4 +497,74 @@ fn reference_the_critical_time_step_of_a_tower() {
         RK4.critical_time_step_of(&modes::<Elastic>(&[]).unwrap()),
         None
     );
+}
+
+/// Towers of random storeys: mass \[kg\], period of the floor on its columns \[s\], yield force over mass \[m/s²\].
+type Random = Vec<Vec<(f64, f64, f64)>>;
+
+fn balances_at_random<Column: Hysteretic>(
+    towers: &Random,
+    law: ContactLaw,
+    column: impl Fn(f64, f64) -> Column,
+) -> Result<(), TestCaseError> {
+    let build = |storeys: &Vec<(f64, f64, f64)>| -> Tower<Column> {
+        let floor = |&(mass, period, yields): &(f64, f64, f64)| {
+            let omega = 2.0 * std::f64::consts::PI / period;
+            (mass, column(mass * omega * omega, yields * mass))
+        };
+        storeys.iter().map(floor).collect()
+    };
+    let buildings: Vec<_> = towers.iter().map(build).collect();
+    let (row, _) = row(&buildings, DAMPING, |_, _, [left, right]| {
+        let gap = 0.005;
+        Some(Pair {
+            left,
+            right,
+            gap,
+            law,
+        })
+    });
+    let limits = row.buildings().map(|building| {
+        let modes = row.modes(building).expect("a building");
+        RK4.critical_time_step_of(&modes).expect("a limit")
+    });
+    let time_step = 0.2 * limits.fold(0.005, f64::min);
+    let samples = ground();
+    let ledger = book(&row, RK4, &samples, clock(time_step, 2.0));
+    prop_assert!(ledger.identity() < 1e-12, "{:e}", ledger.identity());
+    prop_assert!(ledger.momentum() < 1e-12, "{:e}", ledger.momentum());
+    let allowed = match ledger.verdict() {
+        // The steps follow the towers, not every contact.
+        Ok(_) | Err(LedgerError::GainInContact { .. }) => true,
+        Err(_) => false,
+    };
+    prop_assert!(allowed, "{:?}", ledger.verdict());
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn limit_random_towers_balance(
+        towers in prop::collection::vec(
+            prop::collection::vec((1e4..1e6_f64, 0.05..0.5_f64, 0.3..10.0_f64), 1..6),
+            1..5,
+        ),
+        compliant in prop::bool::ANY,
+        hardening in 0.0..0.6_f64,
+        exponent in 1..8_u32,
+        unloading in 0.0..=1.0_f64,
+    ) {
+        let law = if compliant { VISCOELASTIC } else { STEREOMECHANICAL };
+        let smoothness = Smoothness { exponent, unloading };
+        balances_at_random(&towers, law, elastic)?;
+        balances_at_random(&towers, law, plastic)?;
+        balances_at_random(&towers, law, |k, force| Bilinear { hardening, ..bilinear(k, force) })?;
+        balances_at_random(&towers, law, |k, force| BoucWen {
+            hardening,
+            smoothness,
+            ..smooth(k, force)
+        })?;
+    }
 }
