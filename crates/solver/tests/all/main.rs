@@ -24,6 +24,7 @@ mod random_rows;
 mod refusals;
 mod slow_touches;
 mod storeys;
+mod storeys_faults;
 mod storeys_ledger;
 mod touches;
 mod towers;
