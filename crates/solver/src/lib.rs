@@ -57,6 +57,7 @@ mod row;
 mod span;
 mod support;
 mod together;
+mod turning;
 mod verlet;
 mod work;
 

@@ -203,7 +203,7 @@ fn rise(coefficients: &[f64], x: f64) -> f64 {
 
 impl Series<'_> {
     /// x at an instant \[s\].
-    fn x(&self, time: f64) -> f64 {
+    pub(crate) fn x(&self, time: f64) -> f64 {
         self.power.root((time - self.origin).max(0.0))
     }
 
@@ -216,15 +216,6 @@ impl Series<'_> {
                 velocity: value(velocity, x),
             }),
         }
-    }
-
-    /// d(acceleration)/dx of the floor on ground whose acceleration changes at `slope` \[m/s³\].
-    fn jerk(&self, x: f64, slope: f64) -> f64 {
-        let terms = self.acceleration.iter().enumerate().skip(1).rev();
-        let own = terms.fold(0.0, |sum, (n, coefficient)| {
-            sum * x + n as f64 * coefficient
-        });
-        own + slope * self.power.rate(x)
     }
 
     /// State at x.
@@ -245,8 +236,6 @@ impl Series<'_> {
     }
 }
 
-/// Steps after which a search is ended; it needs about ten.
-const MOST_STEPS: u32 = 100;
 /// Terms of a series up to which products of two are integrated to rounding by the rule of eight nodes.
 const FEW: usize = 15;
 
@@ -312,45 +301,6 @@ impl Span<'_> {
             (None, _) => floor,
             (Some(ends), Path::Cubic(_)) => floor.since(self.cubic_between(ends, time)),
             (Some(_), Path::Series(series)) => series.drift(floor, series.x(time)),
-        }
-    }
-
-    /// The instant inside the span at which a quantity passes through zero that has opposite signs at its ends; nothing
-    /// in a step, of which only the ends are known.
-    ///
-    /// Regula falsi (Illinois) to the rounding of the time.
-    pub(crate) fn crossing(
-        &self,
-        [mut low, mut high]: [f64; 2],
-        quantity: impl Fn(f64) -> f64,
-    ) -> Option<f64> {
-        let same = low == 0.0 || high == 0.0 || (low < 0.0) == (high < 0.0);
-        if same || matches!(self.path, Path::Cubic(_)) {
-            return None;
-        }
-        let (mut from, mut to) = (self.start_time, self.end_time);
-        for _ in 0..MOST_STEPS {
-            let time = from + (to - from) * (low / (low - high));
-            let value = quantity(time);
-            if value == 0.0 || time <= from.min(to) || time >= from.max(to) {
-                return Some(time);
-            }
-            if (value < 0.0) == (high < 0.0) {
-                low *= 0.5;
-            } else {
-                (from, low) = (to, high);
-            }
-            (to, high) = (time, value);
-        }
-        Some(to)
-    }
-
-    /// Rate at which the absolute acceleration changes, on ground whose acceleration changes at `slope` \[m/s³\], but for a
-    /// positive factor; nothing in a step.
-    pub(crate) fn jerk(&self, time: f64, slope: f64) -> f64 {
-        match self.path {
-            Path::Cubic(_) => 0.0,
-            Path::Series(series) => series.jerk(series.x(time), slope),
         }
     }
 

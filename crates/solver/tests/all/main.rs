@@ -25,6 +25,7 @@ mod random_rows;
 mod refusals;
 mod slow_touches;
 mod storeys;
+mod storeys_faults;
 mod storeys_ledger;
 mod storeys_explicit;
 mod touches;
