@@ -18,7 +18,7 @@
 
 use crate::error::require;
 use crate::impacts::impulsive;
-use crate::newmark::{Scratch, balance, begin, commit};
+use crate::newmark::{Scratch, arrive, balance, begin, commit};
 use crate::newton::{self, Slopes};
 use crate::span::Load;
 use crate::together::Together;
@@ -87,24 +87,23 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     for (step, at_ends) in (1..).zip(ground.windows(2)) {
         let instant = (at_ends[1], clock.time(step));
         contacts.solve(row, &mut scratch, (slopes, instant), &mut work)?;
-        contacts.release(row, &mut scratch, at_ends[1]);
-        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
-            let node = &row.nodes()[structure];
-            // The smooth forces at the end are those of the velocity after the impulses.
-            let jump = node.inverse_mass * contacts.net[structure];
-            let load = |index: usize, jump: f64| {
-                let state: &State = &ends[index];
-                Load::at(
-                    state,
-                    (
-                        state.restoring_force,
-                        node.damping * (state.velocity + jump),
-                    ),
-                    at_ends[index],
-                )
+        arrive(&mut scratch, (clock, step))?;
+        contacts.release(row, &mut scratch.ends, at_ends[1]);
+        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+            // The smooth forces at the end are those of the velocities after the impulses.
+            let after = |node: usize| {
+                ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
             };
-            ((dt, [1.0 - theta, theta]), [load(0, 0.0), load(1, jump)])
-        })?;
+            let forces = (
+                row.restoring_force(node, ends[1]),
+                row.damping_at(node, after),
+            );
+            let end = Load::at(&ends[1][node], forces, at_ends[1]);
+            (
+                (dt, [1.0 - theta, theta]),
+                [row.load(node, ends[0], at_ends[0]), end],
+            )
+        });
         work.touching_steps += contacts.n_touching(row, &scratch);
         if contacts.impulses.iter().any(|impulse| *impulse > 0.0) {
             let Scratch {
@@ -285,16 +284,25 @@ impl Contacts {
     }
 
     /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
+    ///
+    /// Accelerations follow, also of the floors that a damper joins to one that was hit.
     fn release<Column: RestoringForce>(
         &self,
         row: &Row<Column>,
-        scratch: &mut Scratch<Column::Memory>,
+        ends: &mut [State],
         ground: f64,
     ) {
-        let bodies = row.nodes().iter().zip(&mut scratch.trials);
-        for ((node, trial), net) in bodies.zip(&self.net).filter(|(_, net)| net.abs() > 0.0) {
-            trial.velocity -= node.inverse_mass * net;
-            trial.acceleration = node.acceleration(&trial.state(), ground);
+        let is_hit = |node: usize| self.net[node].abs() > 0.0;
+        for (index, (node, end)) in row.nodes().iter().zip(&mut *ends).enumerate() {
+            if is_hit(index) {
+                end.velocity -= node.inverse_mass * self.net[index];
+            }
+        }
+        for (index, node) in row.nodes().iter().enumerate() {
+            let (below, above) = (node.support.below(), row.above(index));
+            if is_hit(index) || below.is_some_and(is_hit) || above.is_some_and(is_hit) {
+                ends[index].acceleration = row.acceleration(index, ends, ground);
+            }
         }
     }
 
