@@ -10,7 +10,7 @@
 //! give the two structures of a compliant pair different impulses when one of them is hit by its other neighbour.
 
 use crate::error::require;
-use crate::newmark::{arrive, balance, begin, commit};
+use crate::newmark::{arrive, balance, begin, commit, load};
 use crate::newton::Slopes;
 use crate::span::Load;
 use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Work};
@@ -68,7 +68,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
         arrive(&mut scratch, (clock, step))?;
         commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
-            let load = |index: usize| row.load(node, ends[index], at_ends[index]);
+            let load = |index: usize| load::<_, R>(row, node, ends[index], at_ends[index]);
             let (start, end) = (load(0), load(1));
             // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.
             let before = earlier[node].replace(start);

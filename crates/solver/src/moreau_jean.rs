@@ -18,9 +18,9 @@
 
 use crate::error::require;
 use crate::impacts::impulsive;
-use crate::newmark::{Scratch, arrive, balance, begin, commit};
+use crate::joint::Joint;
+use crate::newmark::{Scratch, arrive, balance, begin, commit, load, load_at};
 use crate::newton::{self, Slopes};
-use crate::span::Load;
 use crate::together::Together;
 use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
 
@@ -46,22 +46,24 @@ impl MoreauJean {
 }
 
 /// What the impulses of a step need.
-struct Contacts {
+pub(crate) struct Contacts {
     /// Pairs that take part in this step.
-    closed: Vec<bool>,
+    pub(crate) closed: Vec<bool>,
     /// Impulse of every pair \[N·s\].
-    impulses: Vec<f64>,
+    pub(crate) impulses: Vec<f64>,
     /// Net impulse on every structure \[N·s\].
     net: Vec<f64>,
     /// Velocity a unit impulse gives to each structure, its smooth forces included \[1/kg\].
-    mobilities: Vec<f64>,
+    pub(crate) mobilities: Vec<f64>,
     /// Relative velocity at which each pair is to separate at least \[m/s\].
-    bounce: Vec<f64>,
+    pub(crate) bounce: Vec<f64>,
     /// Pairs that do not yet meet the law of impact.
     lacking: Vec<bool>,
     /// Relative velocity each pair has to lose \[m/s\].
     demand: Vec<f64>,
     together: Together,
+    /// Of clusters with storeys; nothing in a row of structures of one storey.
+    joint: Option<Joint>,
 }
 
 /// Integrates a row; the shared signature of all methods. Clusters of compliant pairs form as in Newmark's method.
@@ -82,30 +84,28 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         time_step: dt,
     };
     let mut scratch = begin(row, ground[0]);
-    let mut contacts = Contacts::new(row.nodes().len(), row.pairs().len());
+    let size = (row.nodes().len(), row.pairs().len());
+    let mut contacts = Contacts::new(size, scratch.clusters.is_some());
     let mut work = Work::default();
     for (step, at_ends) in (1..).zip(ground.windows(2)) {
         let instant = (at_ends[1], clock.time(step));
         contacts.solve(row, &mut scratch, (slopes, instant), &mut work)?;
         arrive(&mut scratch, (clock, step))?;
-        contacts.release(row, &mut scratch.ends, at_ends[1]);
+        let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
+        if hit {
+            contacts.release(row, &mut scratch.ends, at_ends[1]);
+        }
         commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
             // The smooth forces at the end are those of the velocities after the impulses.
             let after = |node: usize| {
                 ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
             };
-            let forces = (
-                row.restoring_force(node, ends[1]),
-                row.damping_at(node, after),
-            );
-            let end = Load::at(&ends[1][node], forces, at_ends[1]);
-            (
-                (dt, [1.0 - theta, theta]),
-                [row.load(node, ends[0], at_ends[0]), end],
-            )
+            let start = load::<_, R>(row, node, ends[0], at_ends[0]);
+            let end = load_at::<_, R>(row, node, ends[1], (at_ends[1], after));
+            ((dt, [1.0 - theta, theta]), [start, end])
         });
         work.touching_steps += contacts.n_touching(row, &scratch);
-        if contacts.impulses.iter().any(|impulse| *impulse > 0.0) {
+        if hit {
             let Scratch {
                 states, impacts, ..
             } = &mut scratch;
@@ -117,7 +117,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 impl Contacts {
-    fn new(n_structures: usize, n_pairs: usize) -> Self {
+    fn new((n_structures, n_pairs): (usize, usize), has_storeys: bool) -> Self {
         Self {
             closed: vec![false; n_pairs],
             impulses: vec![0.0; n_pairs],
@@ -127,6 +127,7 @@ impl Contacts {
             lacking: vec![false; n_pairs],
             demand: vec![0.0; n_pairs],
             together: Together::new(n_pairs),
+            joint: has_storeys.then(|| Joint::new(n_structures, n_pairs)),
         }
     }
 
@@ -211,14 +212,32 @@ impl Contacts {
     fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        slopes: Slopes,
+    ) -> bool {
+        newton::mobilities(row.nodes(), &scratch.trials, &mut self.mobilities);
+        let mut lacked = false;
+        // Out of the struct while it changes the rest of it.
+        if let Some(mut joint) = self.joint.take() {
+            lacked = joint.correct(row, self, scratch, slopes);
+            self.joint = Some(joint);
+        }
+        lacked | self.correct_lines(row, scratch, slopes)
+    }
+
+    /// The same for clusters of structures of one storey.
+    fn correct_lines<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
         slopes: Slopes,
     ) -> bool {
         let trials = &scratch.trials;
-        newton::mobilities(row.nodes(), trials, &mut self.mobilities);
+        let uncertain = |node: usize| slopes.velocity * trials[node].uncertain_acceleration();
         let mut lacks = false;
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.lacking[index] = self.closed[index] && self.lacks(index, pair, scratch, slopes);
+            self.lacking[index] =
+                self.is_in_line(index) && self.lacks(index, pair, scratch, uncertain);
             lacks |= self.lacking[index];
         }
         if !lacks {
@@ -226,7 +245,7 @@ impl Contacts {
         }
         let taken = |index: usize| self.mobilities[index] * self.net[index];
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.demand[index] = if self.closed[index] {
+            self.demand[index] = if self.is_in_line(index) {
                 let rate = trials[pair.left].velocity - trials[pair.right].velocity;
                 // Without the impulses found so far, which are to be replaced.
                 rate + self.bounce[index] + (taken(pair.right) - taken(pair.left))
@@ -238,16 +257,22 @@ impl Contacts {
         true
     }
 
+    /// Whether a pair takes part whose impulse is found with mobilities: one of structures of one storey.
+    fn is_in_line(&self, pair: usize) -> bool {
+        let member = |joint: &Joint| joint.members[pair];
+        self.closed[pair] && !self.joint.as_ref().is_some_and(member)
+    }
+
     /// Whether a closed pair does not meet 0 ≤ v⁺ + e v ⟂ P ≥ 0, beyond what balance and rounding leave open.
     ///
     /// Judged by velocities, not by the change of impulses: on a light structure between heavy ones rounding of the
     /// heavy velocities moves both impulses far, and together, for ever.
-    fn lacks<Memory: Copy + Default>(
+    pub(crate) fn lacks<Memory: Copy + Default>(
         &self,
         index: usize,
         pair: &Pair,
         scratch: &Scratch<Memory>,
-        slopes: Slopes,
+        uncertain: impl Fn(usize) -> f64,
     ) -> bool {
         let Scratch { states, trials, .. } = scratch;
         let impulse = self.impulses[index];
@@ -255,7 +280,7 @@ impl Contacts {
             let (trial, mobility) = (&trials[node], self.mobilities[node]);
             let pushed = mobility * (self.net[node].abs() + impulse);
             let terms = states[node].velocity.abs() + trial.velocity.abs() + pushed;
-            slopes.velocity * trial.uncertain_acceleration() + ROUNDING * terms
+            uncertain(node) + ROUNDING * terms
         });
         let rate = trials[pair.left].velocity - trials[pair.right].velocity;
         let lacking = rate + self.bounce[index];

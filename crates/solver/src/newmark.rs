@@ -103,7 +103,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
         arrive(&mut scratch, (clock, step))?;
         commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
-            let load = |index: usize| row.load(node, ends[index], at_ends[index]);
+            let load = |index: usize| load::<_, R>(row, node, ends[index], at_ends[index]);
             (weights, [load(0), load(1)])
         });
         work.touching_steps += row.n_overlaps(&scratch.states);
@@ -327,6 +327,50 @@ pub(crate) fn arrive<Memory: Copy>(
     Ok(())
 }
 
+/// What acts on a node, as much of it as a recorder reads.
+#[inline]
+pub(crate) fn load<Column: RestoringForce, R: Recorder>(
+    row: &Row<Column>,
+    node: usize,
+    states: &[State],
+    ground: f64,
+) -> Load {
+    let velocity = |index: usize| states[index].velocity;
+    load_at::<_, R>(row, node, states, (ground, velocity))
+}
+
+/// The same with damping at other velocities than those of the states.
+#[inline]
+pub(crate) fn load_at<Column: RestoringForce, R: Recorder>(
+    row: &Row<Column>,
+    node: usize,
+    states: &[State],
+    (ground, velocity): (f64, impl Fn(usize) -> f64),
+) -> Load {
+    let state = &states[node];
+    let forces = if !R::READS_WEIGHED {
+        (0.0, 0.0)
+    } else if row.stands_alone(node) {
+        let damping = row.nodes()[node].damping;
+        (state.restoring_force, damping * velocity(node))
+    } else {
+        storeys(row, node, states, velocity)
+    };
+    Load::at(state, forces, ground)
+}
+
+/// Restoring and damping force of the storeys below and above a floor.
+#[inline(never)]
+fn storeys<Column: RestoringForce>(
+    row: &Row<Column>,
+    node: usize,
+    states: &[State],
+    velocity: impl Fn(usize) -> f64,
+) -> (f64, f64) {
+    let damping = row.damping_at(node, velocity);
+    (row.restoring_force(node, states), damping)
+}
+
 /// Accepts the end of a step and reports its spans; of each node, in the states at both ends, what the method made of
 /// which loads.
 pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
@@ -340,8 +384,9 @@ pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     let all: [&[State]; 2] = [&scratch.states, &scratch.ends];
     for (node, (start, end)) in all[0].iter().zip(all[1]).enumerate() {
         let (weights, loads) = weighed(node, all);
-        let span = Span::step::<R, N>(node, times, [*start, *end], weights, loads);
-        recorder.span(&span.over(row.below(node, all)));
+        let mut span = Span::step::<R, N>(node, times, [*start, *end], weights, loads);
+        span.below = row.below(node, all);
+        recorder.span(&span);
     }
     std::mem::swap(&mut scratch.states, &mut scratch.ends);
     for trial in &mut scratch.trials {
