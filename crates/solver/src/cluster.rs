@@ -340,7 +340,8 @@ impl Clusters {
         }
         for pair in &self.pushing {
             let pair = &row.pairs()[*pair];
-            self.profile.join(self.place[pair.left], self.place[pair.right]);
+            self.profile
+                .join(self.place[pair.left], self.place[pair.right]);
         }
         self.profile.lay_out();
         Joined {

@@ -73,7 +73,10 @@ impl Complementarity {
     pub(crate) fn taken(&self, pair: usize, impulses: impl Iterator<Item = f64>) -> f64 {
         let n = self.demand.len();
         let row = &self.matrix[pair * n..(pair + 1) * n];
-        row.iter().zip(impulses).map(|(by, impulse)| by * impulse).sum()
+        row.iter()
+            .zip(impulses)
+            .map(|(by, impulse)| by * impulse)
+            .sum()
     }
 
     /// Finds the impulses.

@@ -72,7 +72,8 @@ impl Joint {
     ) -> bool {
         let pairs = clusters.pairs.iter().copied();
         self.pairs.clear();
-        self.pairs.extend(pairs.filter(|pair| contacts.closed[*pair]));
+        self.pairs
+            .extend(pairs.filter(|pair| contacts.closed[*pair]));
         if self.pairs.is_empty() {
             return false;
         }

@@ -311,12 +311,7 @@ impl Contacts {
     /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
     ///
     /// Accelerations follow, also of the floors that a damper joins to one that was hit.
-    fn release<Column: RestoringForce>(
-        &self,
-        row: &Row<Column>,
-        ends: &mut [State],
-        ground: f64,
-    ) {
+    fn release<Column: RestoringForce>(&self, row: &Row<Column>, ends: &mut [State], ground: f64) {
         let is_hit = |node: usize| self.net[node].abs() > 0.0;
         for (index, (node, end)) in row.nodes().iter().zip(&mut *ends).enumerate() {
             if is_hit(index) {

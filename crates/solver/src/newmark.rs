@@ -203,14 +203,8 @@ struct Equation<'a, Column: RestoringForce> {
 impl<Column: RestoringForce> Equation<'_, Column> {
     #[inline]
     fn solve<C: Cluster>(&mut self, mut cluster: C) -> Result<(), RunError> {
-        newton::solve(
-            self.row,
-            self.trials,
-            &mut cluster,
-            self.step,
-            self.work,
-        )
-        .map_err(|failure| self.error(failure, &cluster))
+        newton::solve(self.row, self.trials, &mut cluster, self.step, self.work)
+            .map_err(|failure| self.error(failure, &cluster))
     }
 
     /// Equilibrium of structures that touch.

@@ -107,10 +107,7 @@ impl Profile {
                 let (own, other) = (start + column - first, self.start[column]);
                 let [mut below, mut above] = [self.lower[own], self.upper[own]];
                 for inner in from..column {
-                    let (mine, its) = (
-                        start + inner - first,
-                        other + inner - self.first[column],
-                    );
+                    let (mine, its) = (start + inner - first, other + inner - self.first[column]);
                     below -= self.lower[mine] * self.upper[its];
                     above -= self.lower[its] * self.upper[mine];
                 }
@@ -118,7 +115,9 @@ impl Profile {
                 self.lower[own] = below / self.diagonal[column];
             }
             let elements = start..start + row - first;
-            let taken = self.lower[elements.clone()].iter().zip(&self.upper[elements]);
+            let taken = self.lower[elements.clone()]
+                .iter()
+                .zip(&self.upper[elements]);
             for (below, above) in taken {
                 self.diagonal[row] -= below * above;
             }

@@ -24,6 +24,7 @@ mod random_rows;
 mod refusals;
 mod slow_touches;
 mod storeys;
+mod storeys_implicit;
 mod touches;
 mod towers;
 mod very_start;
