@@ -14,7 +14,10 @@
 //! Smooth forces are implicit, compliant pairs among them; columns that yield and pairs of both kinds side by side are
 //! met by repeating the solution with the tangents of the last one.
 //!
-//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give.
+//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give. Where
+//! buildings are hit on several levels the jumps of one instant create no energy together: the matrix of the step lets
+//! velocities follow impulses no further than free masses. One of them alone may seem to, at a large step: its pair
+//! was turned round by what storeys passed on from other levels.
 
 use crate::error::require;
 use crate::impacts::impulsive;

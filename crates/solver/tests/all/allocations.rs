@@ -13,7 +13,7 @@ struct Counting;
 
 thread_local! {
     /// Allocations of this thread: other tests run beside this one.
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+    pub(crate) static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
 #[expect(
