@@ -2,18 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use pounding_contact::{ContactLaw, LinearSpring};
+use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
 use pounding_solver::{
     Bilinear, BoucWen, Clock, Elastic, ElastoPlastic, Excitation, Histories, Hysteretic, Impact,
     Integrator, Levels, Node, Pair, Path, Recorder, Row, Smoothness, Span, State, Storey,
     TransferredMomentum, Work,
 };
 
+use proptest::collection::vec;
+use proptest::prelude::*;
+
 use crate::allocations::ALLOCATIONS;
 use crate::common::{
     AVERAGE, HHT, LINEAR, MOREAU_JEAN, RK4, STEREOMECHANICAL, VISCOELASTIC, clock, ground,
     moreau_jean, slope,
 };
+use crate::random_rows::config;
 use crate::towers::{Rayleigh, Tower, row, uniform};
 
 const IMPLICIT: [(&str, Integrator); 4] = [
@@ -441,7 +445,7 @@ impl Recorder for Steps {
 
 /// Two or three undamped towers that meet on several levels at once; the restitution of their pairs.
 fn meeting(n: usize, gap: f64, restitution: f64) -> (Row<Elastic>, Levels) {
-    let law = ContactLaw::Stereomechanical(pounding_contact::Stereomechanical { restitution });
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
     let towers = [
         uniform(4, 1e5, elastic(5e7)),
         uniform(3, 3e5, elastic(4e8)),
@@ -497,15 +501,9 @@ fn check_energy(row: &Row<Elastic>, levels: &Levels, (steps, theta): (&Steps, f6
         .windows(2)
         .map(|pair| pair[1] - pair[0])
         .fold(f64::NEG_INFINITY, f64::max);
-    let of = |impact: &Impact| {
-        let [before, after] = [impact.before, impact.after].map(|pair| pair.left - pair.right);
-        -0.5 * impact.impulse * (before + after)
-    };
-    let most = steps
-        .impacts
-        .values()
-        .map(|at_once| at_once.iter().map(|(impact, _)| of(impact)).sum())
-        .fold(f64::NEG_INFINITY, f64::max);
+    let instants = steps.impacts.values();
+    let most = instants.map(|at_once| created(at_once).0);
+    let most = most.fold(f64::NEG_INFINITY, f64::max);
     let together = most / energies[0];
     let gained = gained / energies[0];
     assert!(together < 1e-14, "{place}: created {together:e}");
@@ -648,4 +646,70 @@ fn limit_a_step_of_buildings_allocates_nothing() {
             );
         }
     }
+}
+
+/// Mass \[kg\] and columns of a storey: masses over four decades, periods from 0.02 to 2 s.
+fn any_storey() -> impl Strategy<Value = (f64, ElastoPlastic)> {
+    (3.0..7.0_f64, -2.0..2.0_f64, 1e-4..0.1_f64).prop_map(|(mass, stiff, yields)| {
+        let mass = libm::pow(10.0, mass);
+        let omega = 30.0 * libm::pow(10.0, 0.5 * stiff);
+        let stiffness = mass * omega * omega;
+        let column = ElastoPlastic {
+            stiffness,
+            yield_force: yields * stiffness / omega,
+        };
+        (mass, column)
+    })
+}
+
+fn any_towers() -> impl Strategy<Value = Vec<Tower<ElastoPlastic>>> {
+    vec(vec(any_storey(), 1..5), 2..5)
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    #[test]
+    fn extreme_any_row_of_towers_gets_its_impulses(
+        towers in any_towers(),
+        restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
+        gap in prop_oneof![Just(0.0), 1e-4..1e-2_f64],
+        theta in prop_oneof![Just(0.5), Just(1.0), 0.5..1.0_f64],
+        time_step in prop_oneof![Just(1e-2), Just(1e-3)],
+    ) {
+        let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
+        let (row, _) = row(&towers, DAMPING, facing(gap, law));
+        let momentum = Momentum {
+            masses: row.nodes().iter().map(|node| 1.0 / node.inverse_mass).collect(),
+            worst: 0.0,
+        };
+        let steps = Steps {
+            states: vec![],
+            n: row.nodes().len(),
+            impacts: BTreeMap::new(),
+        };
+        let (ground, clock) = (ground(), clock(time_step, 2.0));
+        let excitation = Excitation::new(0.01, &ground).expect("a finite ground motion");
+        let mut recorder = (momentum, steps);
+        let outcome = moreau_jean(theta).run(&row, excitation, clock, &mut recorder);
+        prop_assert!(outcome.is_ok(), "{:?}", outcome);
+        let (momentum, steps) = recorder;
+        prop_assert!(momentum.worst < 1e-10, "{}", momentum.worst);
+        for at_once in steps.impacts.values() {
+            let (created, scale) = created(at_once);
+            prop_assert!(created < 1e-11 * scale, "{created} of {scale}: {at_once:?}");
+        }
+    }
+}
+
+/// Energy that impacts of one instant create, and the sum of its parts \[J\].
+fn created(at_once: &[(Impact, f64)]) -> (f64, f64) {
+    let (mut sum, mut scale) = (0.0, 0.0);
+    for (impact, _) in at_once {
+        let [before, after] = [impact.before, impact.after].map(|pair| pair.left - pair.right);
+        sum -= 0.5 * impact.impulse * (before + after);
+        let speeds = [impact.before, impact.after].map(|pair| pair.left.abs() + pair.right.abs());
+        scale += impact.impulse * (speeds[0] + speeds[1]);
+    }
+    (sum, scale)
 }
