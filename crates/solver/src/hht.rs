@@ -10,10 +10,10 @@
 //! give the two structures of a compliant pair different impulses when one of them is hit by its other neighbour.
 
 use crate::error::require;
-use crate::newmark::{balance, begin, commit};
+use crate::newmark::{arrive, balance, begin, commit, load};
 use crate::newton::Slopes;
 use crate::span::Load;
-use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, State, Work};
+use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Work};
 
 /// Settings of the HHT-α method: it damps what the time step cannot follow. Order 2, no critical time step.
 ///
@@ -66,19 +66,12 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         }
         let time = clock.time(step);
         balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
-        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
-            let damping = row.nodes()[structure].damping;
-            let load = |index: usize| {
-                let state: &State = &ends[index];
-                Load::at(
-                    state,
-                    (state.restoring_force, damping * state.velocity),
-                    at_ends[index],
-                )
-            };
+        arrive(&mut scratch, (clock, step))?;
+        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+            let load = |index: usize| load::<_, R>(row, node, ends[index], at_ends[index]);
             let (start, end) = (load(0), load(1));
             // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.
-            let before = earlier[structure].replace(start);
+            let before = earlier[node].replace(start);
             let carried = if before.is_some() { -alpha } else { 0.0 };
             let weights = [
                 (1.0 - gamma) * carried,
@@ -86,14 +79,16 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 gamma * (1.0 + alpha),
             ];
             ((dt, weights), [before.unwrap_or(start), start, end])
-        })?;
+        });
         work.touching_steps += row.n_overlaps(&scratch.states);
         let (states, instant) = (&mut scratch.states, (at_ends[1], time));
         if scratch.impacts.after_step(row, states, instant, recorder) {
-            let trials = scratch.trials.iter().zip(&mut earlier);
-            for ((node, state), (trial, earlier)) in row.nodes().iter().zip(states).zip(trials) {
-                let change = node.damping * (state.velocity - trial.velocity);
-                state.acceleration = trial.acceleration - node.inverse_mass * change;
+            let trials = &scratch.trials;
+            for (index, (trial, earlier)) in trials.iter().zip(&mut earlier).enumerate() {
+                let jump = |node: usize| states[node].velocity - trials[node].velocity;
+                let change = row.damping_at(index, jump);
+                let inverse_mass = row.nodes()[index].inverse_mass;
+                states[index].acceleration = trial.acceleration - inverse_mass * change;
                 if let Some(earlier) = earlier {
                     earlier.damping += change;
                 }

@@ -14,13 +14,16 @@
 //! Smooth forces are implicit, compliant pairs among them; columns that yield and pairs of both kinds side by side are
 //! met by repeating the solution with the tangents of the last one.
 //!
-//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give.
+//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give. Where
+//! buildings are hit on several levels the jumps of one instant create no energy together: the matrix of the step lets
+//! velocities follow impulses no further than free masses. One of them alone may seem to, at a large step: its pair
+//! was turned round by what storeys passed on from other levels.
 
 use crate::error::require;
 use crate::impacts::impulsive;
-use crate::newmark::{Scratch, balance, begin, commit};
+use crate::joint::Joint;
+use crate::newmark::{Scratch, arrive, balance, begin, commit, load, load_at};
 use crate::newton::{self, Slopes};
-use crate::span::Load;
 use crate::together::Together;
 use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
 
@@ -46,22 +49,24 @@ impl MoreauJean {
 }
 
 /// What the impulses of a step need.
-struct Contacts {
+pub(crate) struct Contacts {
     /// Pairs that take part in this step.
-    closed: Vec<bool>,
+    pub(crate) closed: Vec<bool>,
     /// Impulse of every pair \[N·s\].
-    impulses: Vec<f64>,
+    pub(crate) impulses: Vec<f64>,
     /// Net impulse on every structure \[N·s\].
     net: Vec<f64>,
     /// Velocity a unit impulse gives to each structure, its smooth forces included \[1/kg\].
-    mobilities: Vec<f64>,
+    pub(crate) mobilities: Vec<f64>,
     /// Relative velocity at which each pair is to separate at least \[m/s\].
-    bounce: Vec<f64>,
+    pub(crate) bounce: Vec<f64>,
     /// Pairs that do not yet meet the law of impact.
     lacking: Vec<bool>,
     /// Relative velocity each pair has to lose \[m/s\].
     demand: Vec<f64>,
     together: Together,
+    /// Of clusters with storeys; nothing in a row of structures of one storey.
+    joint: Option<Joint>,
 }
 
 /// Integrates a row; the shared signature of all methods. Clusters of compliant pairs form as in Newmark's method.
@@ -82,31 +87,28 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         time_step: dt,
     };
     let mut scratch = begin(row, ground[0]);
-    let mut contacts = Contacts::new(row.nodes().len(), row.pairs().len());
+    let size = (row.nodes().len(), row.pairs().len());
+    let mut contacts = Contacts::new(size, scratch.clusters.is_some());
     let mut work = Work::default();
     for (step, at_ends) in (1..).zip(ground.windows(2)) {
         let instant = (at_ends[1], clock.time(step));
         contacts.solve(row, &mut scratch, (slopes, instant), &mut work)?;
-        contacts.release(row, &mut scratch, at_ends[1]);
-        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
-            let node = &row.nodes()[structure];
-            // The smooth forces at the end are those of the velocity after the impulses.
-            let jump = node.inverse_mass * contacts.net[structure];
-            let load = |index: usize, jump: f64| {
-                let state: &State = &ends[index];
-                Load::at(
-                    state,
-                    (
-                        state.restoring_force,
-                        node.damping * (state.velocity + jump),
-                    ),
-                    at_ends[index],
-                )
+        arrive(&mut scratch, (clock, step))?;
+        let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
+        if hit {
+            contacts.release(row, &mut scratch.ends, at_ends[1]);
+        }
+        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+            // The smooth forces at the end are those of the velocities after the impulses.
+            let after = |node: usize| {
+                ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
             };
-            ((dt, [1.0 - theta, theta]), [load(0, 0.0), load(1, jump)])
-        })?;
+            let start = load::<_, R>(row, node, ends[0], at_ends[0]);
+            let end = load_at::<_, R>(row, node, ends[1], (at_ends[1], after));
+            ((dt, [1.0 - theta, theta]), [start, end])
+        });
         work.touching_steps += contacts.n_touching(row, &scratch);
-        if contacts.impulses.iter().any(|impulse| *impulse > 0.0) {
+        if hit {
             let Scratch {
                 states, impacts, ..
             } = &mut scratch;
@@ -118,7 +120,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 impl Contacts {
-    fn new(n_structures: usize, n_pairs: usize) -> Self {
+    fn new((n_structures, n_pairs): (usize, usize), has_storeys: bool) -> Self {
         Self {
             closed: vec![false; n_pairs],
             impulses: vec![0.0; n_pairs],
@@ -128,6 +130,7 @@ impl Contacts {
             lacking: vec![false; n_pairs],
             demand: vec![0.0; n_pairs],
             together: Together::new(n_pairs),
+            joint: has_storeys.then(|| Joint::new(n_structures, n_pairs)),
         }
     }
 
@@ -212,14 +215,32 @@ impl Contacts {
     fn correct<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        slopes: Slopes,
+    ) -> bool {
+        newton::mobilities(row.nodes(), &scratch.trials, &mut self.mobilities);
+        let mut lacked = false;
+        // Out of the struct while it changes the rest of it.
+        if let Some(mut joint) = self.joint.take() {
+            lacked = joint.correct(row, self, scratch, slopes);
+            self.joint = Some(joint);
+        }
+        lacked | self.correct_lines(row, scratch, slopes)
+    }
+
+    /// The same for clusters of structures of one storey.
+    fn correct_lines<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
         slopes: Slopes,
     ) -> bool {
         let trials = &scratch.trials;
-        newton::mobilities(row.nodes(), trials, &mut self.mobilities);
+        let uncertain = |node: usize| slopes.velocity * trials[node].uncertain_acceleration();
         let mut lacks = false;
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.lacking[index] = self.closed[index] && self.lacks(index, pair, scratch, slopes);
+            self.lacking[index] =
+                self.is_in_line(index) && self.lacks(index, pair, scratch, uncertain);
             lacks |= self.lacking[index];
         }
         if !lacks {
@@ -227,7 +248,7 @@ impl Contacts {
         }
         let taken = |index: usize| self.mobilities[index] * self.net[index];
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.demand[index] = if self.closed[index] {
+            self.demand[index] = if self.is_in_line(index) {
                 let rate = trials[pair.left].velocity - trials[pair.right].velocity;
                 // Without the impulses found so far, which are to be replaced.
                 rate + self.bounce[index] + (taken(pair.right) - taken(pair.left))
@@ -239,16 +260,22 @@ impl Contacts {
         true
     }
 
+    /// Whether a pair takes part whose impulse is found with mobilities: one of structures of one storey.
+    fn is_in_line(&self, pair: usize) -> bool {
+        let member = |joint: &Joint| joint.members[pair];
+        self.closed[pair] && !self.joint.as_ref().is_some_and(member)
+    }
+
     /// Whether a closed pair does not meet 0 ≤ v⁺ + e v ⟂ P ≥ 0, beyond what balance and rounding leave open.
     ///
     /// Judged by velocities, not by the change of impulses: on a light structure between heavy ones rounding of the
     /// heavy velocities moves both impulses far, and together, for ever.
-    fn lacks<Memory: Copy + Default>(
+    pub(crate) fn lacks<Memory: Copy + Default>(
         &self,
         index: usize,
         pair: &Pair,
         scratch: &Scratch<Memory>,
-        slopes: Slopes,
+        uncertain: impl Fn(usize) -> f64,
     ) -> bool {
         let Scratch { states, trials, .. } = scratch;
         let impulse = self.impulses[index];
@@ -256,7 +283,7 @@ impl Contacts {
             let (trial, mobility) = (&trials[node], self.mobilities[node]);
             let pushed = mobility * (self.net[node].abs() + impulse);
             let terms = states[node].velocity.abs() + trial.velocity.abs() + pushed;
-            slopes.velocity * trial.uncertain_acceleration() + ROUNDING * terms
+            uncertain(node) + ROUNDING * terms
         });
         let rate = trials[pair.left].velocity - trials[pair.right].velocity;
         let lacking = rate + self.bounce[index];
@@ -285,16 +312,20 @@ impl Contacts {
     }
 
     /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
-    fn release<Column: RestoringForce>(
-        &self,
-        row: &Row<Column>,
-        scratch: &mut Scratch<Column::Memory>,
-        ground: f64,
-    ) {
-        let bodies = row.nodes().iter().zip(&mut scratch.trials);
-        for ((node, trial), net) in bodies.zip(&self.net).filter(|(_, net)| net.abs() > 0.0) {
-            trial.velocity -= node.inverse_mass * net;
-            trial.acceleration = node.acceleration(&trial.state(), ground);
+    ///
+    /// Accelerations follow, also of the floors that a damper joins to one that was hit.
+    fn release<Column: RestoringForce>(&self, row: &Row<Column>, ends: &mut [State], ground: f64) {
+        let is_hit = |node: usize| self.net[node].abs() > 0.0;
+        for (index, (node, end)) in row.nodes().iter().zip(&mut *ends).enumerate() {
+            if is_hit(index) {
+                end.velocity -= node.inverse_mass * self.net[index];
+            }
+        }
+        for (index, node) in row.nodes().iter().enumerate() {
+            let (below, above) = (node.support.below(), row.above(index));
+            if is_hit(index) || below.is_some_and(is_hit) || above.is_some_and(is_hit) {
+                ends[index].acceleration = row.acceleration(index, ends, ground);
+            }
         }
     }
 

@@ -4,10 +4,12 @@
 //! paper compares itself with a result of this method at Δt = 0.005 s.
 
 use crate::approach::speed;
+use crate::cluster::{Alone, Clusters, Line};
 use crate::error::require;
 use crate::impacts::Impacts;
-use crate::newton::{self, Failure, Slopes, Trial};
+use crate::newton::{self, Cluster, Failure, Slopes};
 use crate::span::Load;
+use crate::trial::{TOLERANCE, Trial};
 use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
@@ -54,15 +56,19 @@ impl Newmark {
 pub(crate) struct Scratch<Memory> {
     /// State at the start of the step, after impacts.
     pub(crate) states: Vec<State>,
+    /// State at its end, before impacts.
+    pub(crate) ends: Vec<State>,
     pub(crate) trials: Vec<Trial<Memory>>,
     /// Which pairs overlap during the step.
-    touching: Vec<bool>,
+    pub(crate) touching: Vec<bool>,
+    /// Nothing in a row of structures of one storey.
+    pub(crate) clusters: Option<Clusters>,
     pub(crate) impacts: Impacts,
 }
 
 /// Integrates a row; the shared signature of all methods.
 ///
-/// Each structure finds its equilibrium alone; those that then overlap do it again together. A cluster grows while it
+/// Each building finds its equilibrium alone; those that then overlap do it again together. A cluster grows while it
 /// overlaps further neighbours, and nothing outside a cluster changes its bits. Impulsive laws act at the end of the
 /// step in which an overlap with approach is found, as a jump of the velocities.
 pub(crate) fn run<Column: RestoringForce, R: Recorder>(
@@ -95,18 +101,11 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         }
         let time = clock.time(step);
         balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
-        commit(&mut scratch, (clock, step), recorder, |structure, ends| {
-            let damping = row.nodes()[structure].damping;
-            let load = |index: usize| {
-                let state: &State = &ends[index];
-                Load::at(
-                    state,
-                    (state.restoring_force, damping * state.velocity),
-                    at_ends[index],
-                )
-            };
+        arrive(&mut scratch, (clock, step))?;
+        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+            let load = |index: usize| load::<_, R>(row, node, ends[index], at_ends[index]);
             (weights, [load(0), load(1)])
-        })?;
+        });
         work.touching_steps += row.n_overlaps(&scratch.states);
         let instant = (at_ends[1], time);
         scratch
@@ -129,73 +128,156 @@ pub(crate) fn begin<Column: RestoringForce>(
         trial.acceleration = state.acceleration;
     }
     Scratch {
+        ends: states.clone(),
         states,
         trials,
         touching: vec![false; row.pairs().len()],
+        clusters: Clusters::new(row),
         impacts: Impacts::new(row),
     }
 }
 
-/// Equilibrium at the end of a step: every structure alone first, then the clusters that touch.
+/// Equilibrium at the end of a step: every building alone first, then the clusters that touch.
 pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-    (slopes, ground): (Slopes, f64),
+    step: (Slopes, f64),
     time: f64,
     work: &mut Work,
 ) -> Result<(), RunError> {
-    let mut solve = |trials: &mut [Trial<Column::Memory>], first, last| {
-        newton::solve(row, trials, (first, last), (slopes, ground), work).map_err(|failure| {
-            match failure {
-                Failure::NotFinite { structure } => RunError::Diverged {
-                    structure,
-                    time,
-                    time_step: slopes.time_step,
-                },
-                Failure::NotConverged {
-                    iterations,
-                    residual,
-                } => RunError::NotConverged {
-                    first,
-                    last,
-                    time,
-                    iterations,
-                    residual,
-                    allowed: newton::TOLERANCE,
-                },
-            }
-        })
+    let Scratch {
+        states,
+        trials,
+        touching,
+        clusters,
+        ..
+    } = scratch;
+    let mut equation = Equation {
+        row,
+        trials,
+        step,
+        time,
+        work,
     };
-    for index in 0..scratch.trials.len() {
-        solve(&mut scratch.trials, index, index)?;
-    }
-    for pair in row.pairs() {
-        if pair.deformation(&scratch.states) <= 0.0 {
-            scratch.trials[pair.left].approach_speed = None;
+    match clusters {
+        None => {
+            for index in 0..row.nodes().len() {
+                equation.solve(Line {
+                    nodes: index..index + 1,
+                    pairs: 0..0,
+                })?;
+            }
+        }
+        Some(Clusters { buildings, .. }) => {
+            for building in 0..buildings.len() {
+                let floors = buildings.floors(building);
+                equation.solve(Alone { floors })?;
+            }
         }
     }
-    scratch.touching.fill(false);
-    while mark_overlaps(row, &mut scratch.trials, &mut scratch.touching) {
-        let mut pair = 0;
-        while pair < row.pairs().len() {
-            if !scratch.touching[pair] {
-                pair += 1;
-                continue;
-            }
-            let first = row.pairs()[pair].left;
-            let mut last = row.pairs()[pair].right;
-            pair += 1;
-            while pair < row.pairs().len()
-                && scratch.touching[pair]
-                && row.pairs()[pair].left == last
-            {
-                last = row.pairs()[pair].right;
-                pair += 1;
-            }
-            solve(&mut scratch.trials, first, last)?;
+    for pair in row.pairs() {
+        if pair.deformation(states) <= 0.0 {
+            equation.trials[pair.left].approach_speed = None;
+        }
+    }
+    touching.fill(false);
+    while mark_overlaps(row, equation.trials, touching) {
+        match clusters {
+            None => equation.solve_lines(touching)?,
+            Some(clusters) => equation.solve_clusters(clusters, touching)?,
         }
     }
     Ok(())
+}
+
+/// What every cluster of a step is solved with.
+struct Equation<'a, Column: RestoringForce> {
+    row: &'a Row<Column>,
+    trials: &'a mut [Trial<Column::Memory>],
+    /// The step and the ground acceleration at its end.
+    step: (Slopes, f64),
+    time: f64,
+    work: &'a mut Work,
+}
+
+impl<Column: RestoringForce> Equation<'_, Column> {
+    #[inline]
+    fn solve<C: Cluster>(&mut self, mut cluster: C) -> Result<(), RunError> {
+        newton::solve(self.row, self.trials, &mut cluster, self.step, self.work)
+            .map_err(|failure| self.error(failure, &cluster))
+    }
+
+    /// Equilibrium of structures that touch.
+    fn solve_lines(&mut self, touching: &[bool]) -> Result<(), RunError> {
+        let pairs = self.row.pairs();
+        let mut pair = 0;
+        while pair < pairs.len() {
+            if !touching[pair] {
+                pair += 1;
+                continue;
+            }
+            let start = pair;
+            let first = pairs[pair].left;
+            let mut last = pairs[pair].right;
+            pair += 1;
+            while pair < pairs.len() && touching[pair] && pairs[pair].left == last {
+                last = pairs[pair].right;
+                pair += 1;
+            }
+            self.solve(Line {
+                nodes: first..last + 1,
+                pairs: start..pair,
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Equilibrium of buildings that touch.
+    fn solve_clusters(
+        &mut self,
+        clusters: &mut Clusters,
+        touching: &[bool],
+    ) -> Result<(), RunError> {
+        clusters.join(marked(self.row, touching));
+        for building in 0..clusters.buildings.len() {
+            if clusters.gather(building, |pair| touching[pair]) {
+                self.solve(clusters.joined(self.row, |_| true))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Why a run ends that did not find the equilibrium of a cluster.
+    fn error(&self, failure: Failure, cluster: &impl Cluster) -> RunError {
+        let time = self.time;
+        match failure {
+            Failure::NotFinite { structure } => RunError::Diverged {
+                structure,
+                time,
+                time_step: self.step.0.time_step,
+            },
+            Failure::NotConverged {
+                iterations,
+                residual,
+            } => RunError::NotConverged {
+                first: cluster.nodes().min().unwrap_or(0),
+                last: cluster.nodes().max().unwrap_or(0),
+                time,
+                iterations,
+                residual,
+                allowed: TOLERANCE,
+            },
+        }
+    }
+}
+
+/// Both nodes of the pairs that are marked.
+pub(crate) fn marked<Column: RestoringForce>(
+    row: &Row<Column>,
+    marks: &[bool],
+) -> impl Iterator<Item = (usize, usize)> {
+    let pairs = row.pairs().iter().zip(marks);
+    pairs.filter_map(|(pair, marked)| marked.then_some((pair.left, pair.right)))
 }
 
 /// Marks the compliant pairs that overlap and were not marked yet; true when there are any.
@@ -220,34 +302,88 @@ fn mark_overlaps<Column: RestoringForce>(
     grown
 }
 
-/// Accepts the end of a step and reports its spans; of each structure with these ends, what the method made of which
-/// loads.
-pub(crate) fn commit<Memory: Copy, R: Recorder, const N: usize>(
+/// Takes over the states at the end of a step.
+pub(crate) fn arrive<Memory: Copy>(
     scratch: &mut Scratch<Memory>,
     (clock, step): (Clock, usize),
-    recorder: &mut R,
-    mut weighed: impl FnMut(usize, &[State; 2]) -> ((f64, [f64; N]), [Load; N]),
 ) -> Result<(), RunError> {
-    let times = (clock.time(step - 1), clock.time(step));
-    for (structure, (state, trial)) in scratch
-        .states
-        .iter_mut()
-        .zip(&mut scratch.trials)
-        .enumerate()
-    {
-        let end = trial.state();
+    let ends = scratch.ends.iter_mut().zip(&scratch.trials);
+    for (structure, (end, trial)) in ends.enumerate() {
+        *end = trial.state();
         if !end.displacement.is_finite() {
             return Err(RunError::Diverged {
                 structure,
-                time: times.1,
+                time: clock.time(step),
                 time_step: clock.time_step,
             });
         }
-        let ends = [*state, end];
-        let (weights, loads) = weighed(structure, &ends);
-        recorder.span(&Span::step::<R, N>(structure, times, ends, weights, loads));
-        *state = end;
-        trial.memory = trial.response.memory;
     }
     Ok(())
+}
+
+/// What acts on a node, as much of it as a recorder reads.
+#[inline]
+pub(crate) fn load<Column: RestoringForce, R: Recorder>(
+    row: &Row<Column>,
+    node: usize,
+    states: &[State],
+    ground: f64,
+) -> Load {
+    let velocity = |index: usize| states[index].velocity;
+    load_at::<_, R>(row, node, states, (ground, velocity))
+}
+
+/// The same with damping at other velocities than those of the states.
+#[inline]
+pub(crate) fn load_at<Column: RestoringForce, R: Recorder>(
+    row: &Row<Column>,
+    node: usize,
+    states: &[State],
+    (ground, velocity): (f64, impl Fn(usize) -> f64),
+) -> Load {
+    let state = &states[node];
+    let forces = if !R::READS_WEIGHED {
+        (0.0, 0.0)
+    } else if row.stands_alone(node) {
+        let damping = row.nodes()[node].damping;
+        (state.restoring_force, damping * velocity(node))
+    } else {
+        storeys(row, node, states, velocity)
+    };
+    Load::at(state, forces, ground)
+}
+
+/// Restoring and damping force of the storeys below and above a floor.
+#[inline(never)]
+fn storeys<Column: RestoringForce>(
+    row: &Row<Column>,
+    node: usize,
+    states: &[State],
+    velocity: impl Fn(usize) -> f64,
+) -> (f64, f64) {
+    let damping = row.damping_at(node, velocity);
+    (row.restoring_force(node, states), damping)
+}
+
+/// Accepts the end of a step and reports its spans; of each node, in the states at both ends, what the method made of
+/// which loads.
+pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
+    row: &Row<Column>,
+    scratch: &mut Scratch<Column::Memory>,
+    (clock, step): (Clock, usize),
+    recorder: &mut R,
+    mut weighed: impl FnMut(usize, [&[State]; 2]) -> ((f64, [f64; N]), [Load; N]),
+) {
+    let times = (clock.time(step - 1), clock.time(step));
+    let all: [&[State]; 2] = [&scratch.states, &scratch.ends];
+    for (node, (start, end)) in all[0].iter().zip(all[1]).enumerate() {
+        let (weights, loads) = weighed(node, all);
+        let mut span = Span::step::<R, N>(node, times, [*start, *end], weights, loads);
+        span.below = row.below(node, all);
+        recorder.span(&span);
+    }
+    std::mem::swap(&mut scratch.states, &mut scratch.ends);
+    for trial in &mut scratch.trials {
+        trial.memory = trial.response.memory;
+    }
 }

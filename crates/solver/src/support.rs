@@ -74,6 +74,12 @@ pub(crate) fn floors_above<Column>(
 }
 
 impl<Column: RestoringForce> Row<Column> {
+    /// Whether a node is a structure of one storey, or a wall: it stands on the ground and nothing stands on it.
+    #[inline]
+    pub(crate) fn stands_alone(&self, node: usize) -> bool {
+        matches!(self.nodes()[node].support, Support::Ground) && self.above(node).is_none()
+    }
+
     /// Drift of the storey below a node \[m\]: its displacement relative to what it stands on.
     #[inline]
     pub(crate) fn drift(&self, node: usize, states: &[State]) -> f64 {

@@ -28,6 +28,7 @@ mod storeys;
 mod storeys_faults;
 mod storeys_ledger;
 mod storeys_explicit;
+mod storeys_implicit;
 mod touches;
 mod towers;
 mod very_start;

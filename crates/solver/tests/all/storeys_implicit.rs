@@ -1,0 +1,715 @@
+//! Buildings of several storeys by the implicit methods.
+
+use std::collections::BTreeMap;
+
+use pounding_contact::{ContactLaw, LinearSpring, Stereomechanical};
+use pounding_solver::{
+    Bilinear, BoucWen, Clock, Elastic, ElastoPlastic, Excitation, Histories, Hysteretic, Impact,
+    Integrator, Levels, Node, Pair, Path, Recorder, Row, Smoothness, Span, State, Storey,
+    TransferredMomentum, Work,
+};
+
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+use crate::allocations::ALLOCATIONS;
+use crate::common::{
+    AVERAGE, HHT, LINEAR, MOREAU_JEAN, RK4, STEREOMECHANICAL, VISCOELASTIC, clock, ground,
+    moreau_jean, slope,
+};
+use crate::random_rows::config;
+use crate::towers::{Rayleigh, Tower, row, uniform};
+
+const IMPLICIT: [(&str, Integrator); 4] = [
+    ("Newmark 1/4", AVERAGE),
+    ("Newmark 1/6", LINEAR),
+    ("HHT -0.1", HHT),
+    ("Moreau-Jean 1/2", MOREAU_JEAN),
+];
+const DAMPING: Rayleigh = Rayleigh {
+    alpha: 0.3,
+    beta: 0.002,
+};
+const SPRING: ContactLaw = ContactLaw::LinearSpring(LinearSpring {
+    impact_stiffness: 9.35e7,
+});
+
+/// All levels that face each other, with one gap and one law.
+fn facing(gap: f64, law: ContactLaw) -> impl Fn(usize, usize, [usize; 2]) -> Option<Pair> {
+    move |_, _, [left, right]| {
+        Some(Pair {
+            left,
+            right,
+            gap,
+            law,
+        })
+    }
+}
+
+/// A tower of three floors and a stiffer, heavier one of two.
+fn towers<Column: Copy>(column: impl Fn(f64) -> Column) -> [Tower<Column>; 2] {
+    [uniform(3, 1e5, column(5e7)), uniform(2, 3e5, column(4e8))]
+}
+
+fn elastic(stiffness: f64) -> Elastic {
+    Elastic { stiffness }
+}
+
+fn plastic(stiffness: f64) -> ElastoPlastic {
+    let yield_force = 0.006 * stiffness;
+    ElastoPlastic {
+        stiffness,
+        yield_force,
+    }
+}
+
+fn bilinear(stiffness: f64) -> Bilinear {
+    Bilinear {
+        stiffness,
+        yield_force: 0.006 * stiffness,
+        hardening: 0.05,
+    }
+}
+
+fn smooth(stiffness: f64) -> BoucWen {
+    BoucWen {
+        stiffness,
+        yield_force: 0.006 * stiffness,
+        hardening: 0.05,
+        smoothness: Smoothness {
+            exponent: 2,
+            unloading: 0.5,
+        },
+    }
+}
+
+fn run<Column: Hysteretic, R: Recorder>(
+    row: &Row<Column>,
+    method: Integrator,
+    (ground, clock): (&[f64], Clock),
+    recorder: &mut R,
+) -> Work {
+    let excitation = Excitation::new(0.01, ground).expect("a finite ground motion");
+    method
+        .run(row, excitation, clock, recorder)
+        .unwrap_or_else(|error| panic!("{method:?}: {error}"))
+}
+
+/// States of every node every 0.02 s.
+fn sampled<Column: Hysteretic>(
+    row: &Row<Column>,
+    method: Integrator,
+    ground: &[f64],
+    clock: Clock,
+) -> (Vec<Vec<State>>, Work) {
+    let n = row.nodes().len();
+    let duration = clock.time_step * clock.n_steps as f64;
+    let mut histories = Histories::new(n, 0.02, duration);
+    let work = run(row, method, (ground, clock), &mut histories);
+    let states = |node: usize| histories.of(node).states.clone();
+    ((0..n).map(states).collect(), work)
+}
+
+/// Largest difference of displacements.
+fn apart(one: &[Vec<State>], other: &[Vec<State>]) -> f64 {
+    let states = one.iter().flatten().zip(other.iter().flatten());
+    states
+        .map(|(one, other)| (one.displacement - other.displacement).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn order_without_contact_is_two() {
+    let (row, _) = row(&[uniform(3, 1e5, elastic(5e7))], DAMPING, |_, _, _| None);
+    let (truth, _) = sampled(&row, RK4, &ground(), clock(2e-4, 5.0));
+    let steps = [0.01, 0.005, 0.0025, 0.00125];
+    for (name, method) in IMPLICIT {
+        let error = |step: &f64| {
+            apart(
+                &sampled(&row, method, &ground(), clock(*step, 5.0)).0,
+                &truth,
+            )
+        };
+        let errors: Vec<_> = steps.iter().map(error).collect();
+        let slope = slope(&steps, &errors);
+        assert!((slope - 2.0).abs() < 0.15, "{name}: {slope} {errors:?}");
+    }
+}
+
+/// Momentum transferred by all pairs of a row \[N·s\], step by step smaller, and that of the Runge–Kutta method at last.
+fn totals<Column: Hysteretic>(row: &Row<Column>, method: Integrator, step: f64) -> Vec<f64> {
+    let mut momentum = TransferredMomentum::new(row.nodes().len());
+    let work = run(row, method, (&ground(), clock(step, 2.0)), &mut momentum);
+    assert!(work.touching_steps > 0, "the row must collide");
+    (0..row.nodes().len())
+        .map(|node| momentum.of(node))
+        .collect()
+}
+
+/// Largest difference of totals relative to the largest of them.
+fn off(found: &[f64], wanted: &[f64]) -> f64 {
+    let largest = wanted
+        .iter()
+        .fold(0.0, |most: f64, total| most.max(total.abs()));
+    let pairs = found.iter().zip(wanted);
+    pairs
+        .map(|(found, wanted)| (found - wanted).abs() / largest)
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn order_pounding_towers_converge_to_the_totals_of_the_runge_kutta_method() {
+    for (law, allowed) in [(SPRING, 1e-4), (VISCOELASTIC, 1e-3)] {
+        let (row, _) = row(&towers(elastic), DAMPING, facing(0.005, law));
+        let truth = totals(&row, RK4, 1e-5);
+        for (name, method) in IMPLICIT {
+            let errors = [1e-3, 1e-4].map(|step| off(&totals(&row, method, step), &truth));
+            assert!(
+                errors[1] < allowed && errors[1] < 0.3 * errors[0],
+                "{name}: {errors:?}"
+            );
+        }
+    }
+}
+
+/// The implicit methods against the Runge–Kutta method at a small step.
+fn compare<Column: Hysteretic>(name: &str, column: impl Fn(f64) -> Column, allowed: f64) {
+    let (row, _) = row(&towers(column), DAMPING, facing(0.005, SPRING));
+    let truth = sampled(&row, RK4, &ground(), clock(1e-5, 2.0)).0;
+    for (method_name, method) in IMPLICIT {
+        let errors = [1e-3, 1e-4].map(|step| {
+            let (states, work) = sampled(&row, method, &ground(), clock(step, 2.0));
+            assert!(work.touching_steps > 0, "the row must collide");
+            apart(&states, &truth)
+        });
+        assert!(
+            errors[1] < allowed && errors[1] < 0.5 * errors[0],
+            "{name}, {method_name}: {errors:?}"
+        );
+    }
+}
+
+#[test]
+fn order_yielding_storeys_converge() {
+    compare("elastic", elastic, 1e-5);
+    compare("perfectly plastic", plastic, 1e-5);
+    compare("bilinear", bilinear, 1e-5);
+    compare("Bouc-Wen", smooth, 1e-5);
+}
+
+/// Keeps how far each step is from its own balance of momentum.
+struct Momentum {
+    masses: Vec<f64>,
+    worst: f64,
+}
+
+impl Recorder for Momentum {
+    const READS_WEIGHED: bool = true;
+
+    fn span(&mut self, span: &Span<'_>) {
+        let Path::Cubic(weighed) = span.path else {
+            return;
+        };
+        let mass = self.masses[span.structure];
+        let terms = [
+            weighed.restoring,
+            weighed.damping,
+            -mass * weighed.ground_velocity,
+            span.impulse_from_left,
+            span.impulse_from_right,
+            -mass * span.end.velocity,
+            mass * span.start.velocity,
+        ];
+        let scale = terms.iter().map(|term| term.abs()).sum::<f64>().max(1.0);
+        self.worst = self.worst.max(terms.iter().sum::<f64>().abs() / scale);
+    }
+
+    fn impact(&mut self, _: &Impact) {}
+}
+
+#[test]
+fn limit_every_floor_keeps_its_balance_of_momentum() {
+    for law in [SPRING, VISCOELASTIC, STEREOMECHANICAL] {
+        let (row, _) = row(&towers(bilinear), DAMPING, facing(0.005, law));
+        for (name, method) in IMPLICIT
+            .into_iter()
+            .chain([("Moreau-Jean 1", moreau_jean(1.0))])
+        {
+            let mut momentum = Momentum {
+                masses: row
+                    .nodes()
+                    .iter()
+                    .map(|node| 1.0 / node.inverse_mass)
+                    .collect(),
+                worst: 0.0,
+            };
+            run(&row, method, (&ground(), clock(2e-3, 5.0)), &mut momentum);
+            assert!(momentum.worst < 1e-11, "{name}: {:e}", momentum.worst);
+        }
+    }
+}
+
+/// The four implicit methods and the most damped Moreau–Jean.
+fn all() -> impl Iterator<Item = (&'static str, Integrator)> {
+    IMPLICIT
+        .into_iter()
+        .chain([("Moreau-Jean 1", moreau_jean(1.0))])
+}
+
+#[test]
+fn limit_one_storey_beside_towers_is_a_structure() {
+    // Three structures of one storey, and the same with a tower out of reach, which makes them buildings.
+    let kinds = [(75e3, 2.056e6), (3e6, 1.316e9), (120e3, 5e6)];
+    let structures: Vec<Tower<ElastoPlastic>> = kinds
+        .iter()
+        .map(|&(mass, stiffness)| vec![(mass, plastic(stiffness))])
+        .collect();
+    let mut beside = structures.clone();
+    beside.push(uniform(4, 1e5, plastic(5e7)));
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let near = |left: usize, _, [a, b]: [usize; 2]| {
+            let gap = if left < 2 { 0.01 } else { 10.0 };
+            facing(gap, law)(left, 0, [a, b])
+        };
+        let (lean, _) = row(&structures, DAMPING, near);
+        let (rich, levels) = row(&beside, DAMPING, near);
+        let plain = kinds.iter().map(|&(mass, stiffness)| {
+            let damping = DAMPING.alpha * mass + DAMPING.beta * stiffness;
+            Node::structure(mass, damping, plastic(stiffness))
+        });
+        assert_eq!(
+            lean.nodes(),
+            plain.collect::<Vec<_>>(),
+            "the nodes themselves"
+        );
+        let alone = row(&beside[3..], DAMPING, near).0;
+        for (name, method) in all() {
+            let run = |row| sampled(row, method, &ground(), clock(5e-3, 10.0));
+            let ((lean, work), (rich, _), (alone, _)) = (run(&lean), run(&rich), run(&alone));
+            assert!(work.touching_steps > 0, "{name}: the row must collide");
+            assert_eq!(lean[..], rich[..3], "{name}");
+            let tower: Vec<_> = levels
+                .of(3)
+                .iter()
+                .map(|node| rich[*node].clone())
+                .collect();
+            assert_eq!(tower, alone, "{name}: the tower");
+        }
+    }
+}
+
+#[test]
+fn limit_buildings_out_of_reach_change_nothing() {
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let [left, right] = towers(plastic);
+        let far = uniform(5, 2e5, plastic(6e7));
+        let pair = |building: usize, _, nodes| {
+            let gap = if building == 0 { 0.005 } else { 10.0 };
+            facing(gap, law)(building, 0, nodes)
+        };
+        let (two, levels) = row(&[left.clone(), right.clone()], DAMPING, pair);
+        let (three, more) = row(&[left, right, far], DAMPING, pair);
+        for (name, method) in all() {
+            let run = |row| sampled(row, method, &ground(), clock(5e-3, 10.0));
+            let ((two, work), (three, _)) = (run(&two), run(&three));
+            assert!(work.touching_steps > 0, "{name}: the row must collide");
+            for building in 0..2 {
+                for (one, other) in levels.of(building).iter().zip(more.of(building)) {
+                    assert_eq!(two[*one], three[*other], "{name}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn limit_a_mirrored_row_of_towers_mirrors() {
+    let reversed: Vec<f64> = ground().iter().map(|sample| -sample).collect();
+    for law in [STEREOMECHANICAL, SPRING, VISCOELASTIC] {
+        let towers = towers(plastic);
+        let mirrored: Vec<_> = towers.iter().rev().cloned().collect();
+        let (there, levels) = row(&towers, DAMPING, facing(0.005, law));
+        let (back, other) = row(&mirrored, DAMPING, facing(0.005, law));
+        for (name, method) in all() {
+            let (there, work) = sampled(&there, method, &ground(), clock(5e-3, 10.0));
+            let (back, _) = sampled(&back, method, &reversed, clock(5e-3, 10.0));
+            assert!(work.touching_steps > 0, "{name}: the row must collide");
+            let mut apart: f64 = 0.0;
+            for building in 0..2 {
+                let floors = levels.of(building).iter().zip(other.of(1 - building));
+                for (left, right) in floors {
+                    for (left, right) in there[*left].iter().zip(&back[*right]) {
+                        apart = apart.max((left.displacement + right.displacement).abs());
+                    }
+                }
+            }
+            let allowed = if law == STEREOMECHANICAL { 0.0 } else { 1e-12 };
+            assert!(apart <= allowed, "{law:?} {name}: {apart:e}");
+        }
+    }
+}
+
+/// Newton iterations do not grow with the stiffness of the contact.
+#[test]
+fn limit_newton_iterations_up_to_a_thousand_times_the_stiffness() {
+    for factor in [1.0, 10.0, 100.0, 1000.0] {
+        for (kind, law) in [
+            (
+                "spring",
+                ContactLaw::LinearSpring(LinearSpring {
+                    impact_stiffness: 9.35e7 * factor,
+                }),
+            ),
+            (
+                "viscoelastic",
+                ContactLaw::NonlinearViscoelastic(pounding_contact::NonlinearViscoelastic {
+                    impact_stiffness: 2.75e9 * factor,
+                    impact_damping_ratio: 0.35,
+                }),
+            ),
+        ] {
+            let (row, _) = row(&towers(smooth), DAMPING, facing(0.005, law));
+            for (name, method) in [
+                ("Newmark", AVERAGE),
+                ("HHT", HHT),
+                ("Moreau-Jean", MOREAU_JEAN),
+            ] {
+                let work = run(&row, method, (&ground(), clock(1e-3, 5.0)), &mut ());
+                let each =
+                    work.newton_iterations as f64 / (2 * work.steps + work.touching_steps) as f64;
+                assert!(each < 6.0, "{kind} {factor} {name}: {each}");
+            }
+        }
+    }
+}
+
+/// A building whose floors are nodes of a row as [`Levels`] numbers them, moving as a whole.
+fn moving(row: &Row<Elastic>, levels: &Levels, velocities: &[f64]) -> Row<Elastic> {
+    let node = |(index, node): (usize, &Node<Elastic>)| Node {
+        initial_velocity: velocities[levels.place(index).0],
+        ..*node
+    };
+    let nodes = row.nodes().iter().enumerate().map(node).collect();
+    Row::new(nodes, row.pairs().to_vec()).expect("a valid row")
+}
+
+/// Kinetic and elastic energy in states of all nodes \[J\].
+fn energy(row: &Row<Elastic>, levels: &Levels, states: &[State]) -> f64 {
+    let mut sum = 0.0;
+    for (index, node) in row.nodes().iter().enumerate() {
+        let (building, storey) = levels.place(index);
+        let below = storey
+            .checked_sub(1)
+            .map_or(0.0, |lower| states[levels.of(building)[lower]].displacement);
+        let drift = states[index].displacement - below;
+        sum += 0.5 * node.column.stiffness * drift * drift;
+        if !node.is_wall() {
+            sum += 0.5 * states[index].velocity * states[index].velocity / node.inverse_mass;
+        }
+    }
+    sum
+}
+
+/// Keeps states after every step, impacts included, and what impacts say.
+struct Steps {
+    states: Vec<Vec<State>>,
+    n: usize,
+    /// Impacts of every instant, each with the rate of its pair at the start of the step \[m/s\].
+    impacts: BTreeMap<usize, Vec<(Impact, f64)>>,
+}
+
+impl Recorder for Steps {
+    fn span(&mut self, span: &Span<'_>) {
+        if self.states.is_empty() {
+            self.states.push(vec![State::default(); self.n]);
+        }
+        if span.start_time == 0.0 {
+            self.states[0][span.structure] = span.start;
+        }
+        if span.structure == 0 {
+            self.states.push(vec![State::default(); self.n]);
+        }
+        self.states.last_mut().expect("pushed above")[span.structure] = span.end;
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        let last = self.states.last_mut().expect("spans come first");
+        last[impact.left].velocity = impact.after.left;
+        last[impact.right].velocity = impact.after.right;
+        let step = self.states.len() - 1;
+        let before = &self.states[step - 1];
+        let rate = before[impact.left].velocity - before[impact.right].velocity;
+        self.impacts.entry(step).or_default().push((*impact, rate));
+    }
+}
+
+/// Two or three undamped towers that meet on several levels at once; the restitution of their pairs.
+fn meeting(n: usize, gap: f64, restitution: f64) -> (Row<Elastic>, Levels) {
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
+    let towers = [
+        uniform(4, 1e5, elastic(5e7)),
+        uniform(3, 3e5, elastic(4e8)),
+        uniform(5, 2e5, elastic(1e8)),
+    ];
+    let still = Rayleigh {
+        alpha: 0.0,
+        beta: 0.0,
+    };
+    let (row, levels) = row(&towers[..n], still, facing(gap, law));
+    let row = moving(&row, &levels, &[0.6, 0.0, -0.5][..n]);
+    (row, levels)
+}
+
+#[test]
+fn limit_moreau_jean_between_towers_creates_no_energy() {
+    let ground = [0.0, 0.0];
+    for n in [2, 3] {
+        for theta in [0.5, 1.0] {
+            for restitution in [0.0, 0.65, 1.0] {
+                for time_step in [2e-2, 5e-3, 5e-4] {
+                    let (row, levels) = meeting(n, 0.003, restitution);
+                    let mut steps = Steps {
+                        states: vec![],
+                        n: row.nodes().len(),
+                        impacts: BTreeMap::new(),
+                    };
+                    let clock = clock(time_step, 2.0);
+                    run(&row, moreau_jean(theta), (&ground, clock), &mut steps);
+                    let place =
+                        format!("{n} towers, theta {theta}, e {restitution}, step {time_step}");
+                    assert!(!steps.impacts.is_empty(), "{place}: they must meet");
+                    check_energy(&row, &levels, (&steps, theta), &place);
+                    check_law(&row, &steps, restitution, &place);
+                }
+            }
+        }
+    }
+}
+
+/// Impacts of one instant create no energy together (one may get what another gives), and no step gains any where
+/// θ = 1/2.
+///
+/// With more θ a step weighs the force at its end, which an impulse then does not meet half way: it gains or loses to the
+/// first order in the step, hit or not.
+fn check_energy(row: &Row<Elastic>, levels: &Levels, (steps, theta): (&Steps, f64), place: &str) {
+    let energies: Vec<_> = steps
+        .states
+        .iter()
+        .map(|states| energy(row, levels, states))
+        .collect();
+    let gained = energies
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .fold(f64::NEG_INFINITY, f64::max);
+    let instants = steps.impacts.values();
+    let most = instants.map(|at_once| created(at_once).0);
+    let most = most.fold(f64::NEG_INFINITY, f64::max);
+    let together = most / energies[0];
+    let gained = gained / energies[0];
+    assert!(together < 1e-14, "{place}: created {together:e}");
+    assert!(theta > 0.5 || gained < 1e-14, "{place}: gained {gained:e}");
+}
+
+/// Pairs that push part, and not faster than their law says; jumps and impulses agree.
+fn check_law(row: &Row<Elastic>, steps: &Steps, restitution: f64, place: &str) {
+    let mut net = vec![0.0; row.nodes().len()];
+    for at_once in steps.impacts.values() {
+        net.fill(0.0);
+        for (impact, approach) in at_once {
+            net[impact.left] -= impact.impulse;
+            net[impact.right] += impact.impulse;
+            assert!(impact.impulse > 0.0, "{place}: {impact:?}");
+            let after = impact.after.left - impact.after.right;
+            let allowed = 1e-10 * (1.0 + approach);
+            assert!(*approach >= -allowed, "{place}: {impact:?}");
+            assert!(after < allowed, "{place}: {after:e}");
+            assert!(
+                after > -restitution * approach - allowed,
+                "{place}: {after:e} of {approach:e}"
+            );
+        }
+        for (impact, _) in at_once {
+            for (node, jump) in [
+                (impact.left, impact.after.left - impact.before.left),
+                (impact.right, impact.after.right - impact.before.right),
+            ] {
+                let wanted = net[node] * row.nodes()[node].inverse_mass;
+                assert!(
+                    (jump - wanted).abs() < 1e-12 * (1.0 + wanted.abs()),
+                    "{place}: {jump}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn order_moreau_jean_between_towers_converges_to_velocity_jumps() {
+    let ground = [0.0, 0.0];
+    for (n, restitution) in [(2, 0.65), (3, 0.65), (2, 1.0), (2, 0.0)] {
+        let (row, _) = meeting(n, 0.003, restitution);
+        let total = |method, step| {
+            let mut momentum = TransferredMomentum::new(row.nodes().len());
+            run(&row, method, (&ground, clock(step, 0.1)), &mut momentum);
+            let of = (0..row.nodes().len()).map(|node| momentum.of(node));
+            of.collect::<Vec<_>>()
+        };
+        let truth = total(RK4, 2e-7);
+        for theta in [0.5, 1.0] {
+            let errors =
+                [1e-4, 1e-5, 1e-6].map(|step| off(&total(moreau_jean(theta), step), &truth));
+            assert!(errors[2] < 1e-2, "{theta}, e {restitution}: {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn extreme_moreau_jean_with_yielding_storeys_and_compliant_neighbours() {
+    for theta in [0.5, 0.75, 1.0] {
+        for time_step in [2e-2, 5e-3, 1e-3] {
+            let mut towers = towers(plastic).to_vec();
+            towers.push(uniform(4, 2e4, plastic(1e7)));
+            let pair = |left: usize, storey: usize, nodes| {
+                let law = if (left + storey).is_multiple_of(2) {
+                    STEREOMECHANICAL
+                } else {
+                    VISCOELASTIC
+                };
+                facing(0.004, law)(left, storey, nodes)
+            };
+            let (row, _) = row(&towers, DAMPING, pair);
+            let work = run(
+                &row,
+                moreau_jean(theta),
+                (&ground(), clock(time_step, 10.0)),
+                &mut (),
+            );
+            assert!(work.touching_steps > 0, "the row must collide");
+        }
+    }
+}
+
+#[test]
+fn extreme_towers_against_a_wall_on_every_level() {
+    let columns = uniform(3, 1e5, elastic(5e7));
+    let levels = Levels::new(&[3, 3]);
+    let node = |index: usize| match levels.place(index) {
+        (0, storey) => {
+            let (mass, column) = columns[storey];
+            levels.floor(
+                index,
+                Storey {
+                    mass,
+                    damping: 1e5,
+                    ground_damping: 3e4,
+                    column,
+                },
+            )
+        }
+        _ => Node::wall(elastic(1.0)),
+    };
+    let nodes: Vec<_> = (0..6).map(node).collect();
+    for law in [SPRING, VISCOELASTIC, STEREOMECHANICAL] {
+        let pairs = levels
+            .facing(0)
+            .filter_map(|(a, b)| facing(0.003, law)(0, 0, [a, b]));
+        let row = Row::new(nodes.clone(), pairs.collect()).expect("a valid row");
+        for (name, method) in all() {
+            let (states, work) = sampled(&row, method, &ground(), clock(2e-3, 5.0));
+            assert!(work.touching_steps > 0, "{name}: the row must collide");
+            for (_, wall) in levels.facing(0) {
+                assert!(
+                    states[wall].iter().all(|state| state.displacement == 0.0),
+                    "a wall stands still"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn limit_a_step_of_buildings_allocates_nothing() {
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let (row, _) = row(&towers(plastic), DAMPING, facing(0.005, law));
+        for (name, method) in all() {
+            let count = |duration| {
+                let before = ALLOCATIONS.get();
+                let clock = clock(5e-3, duration);
+                let work = run(&row, method, (&ground(), clock), &mut ());
+                (ALLOCATIONS.get() - before, work)
+            };
+            let ((short, _), (long, work)) = (count(1.0), count(10.0));
+            assert!(work.touching_steps > 0, "{name}: the row must collide");
+            assert_eq!(
+                short, long,
+                "{name}: ten times the steps, the same allocations"
+            );
+        }
+    }
+}
+
+/// Mass \[kg\] and columns of a storey: masses over four decades, periods from 0.02 to 2 s.
+fn any_storey() -> impl Strategy<Value = (f64, ElastoPlastic)> {
+    (3.0..7.0_f64, -2.0..2.0_f64, 1e-4..0.1_f64).prop_map(|(mass, stiff, yields)| {
+        let mass = libm::pow(10.0, mass);
+        let omega = 30.0 * libm::pow(10.0, 0.5 * stiff);
+        let stiffness = mass * omega * omega;
+        let column = ElastoPlastic {
+            stiffness,
+            yield_force: yields * stiffness / omega,
+        };
+        (mass, column)
+    })
+}
+
+fn any_towers() -> impl Strategy<Value = Vec<Tower<ElastoPlastic>>> {
+    vec(vec(any_storey(), 1..5), 2..5)
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    #[test]
+    fn extreme_any_row_of_towers_gets_its_impulses(
+        towers in any_towers(),
+        restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
+        gap in prop_oneof![Just(0.0), 1e-4..1e-2_f64],
+        theta in prop_oneof![Just(0.5), Just(1.0), 0.5..1.0_f64],
+        time_step in prop_oneof![Just(1e-2), Just(1e-3)],
+    ) {
+        let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
+        let (row, _) = row(&towers, DAMPING, facing(gap, law));
+        let momentum = Momentum {
+            masses: row.nodes().iter().map(|node| 1.0 / node.inverse_mass).collect(),
+            worst: 0.0,
+        };
+        let steps = Steps {
+            states: vec![],
+            n: row.nodes().len(),
+            impacts: BTreeMap::new(),
+        };
+        let (ground, clock) = (ground(), clock(time_step, 2.0));
+        let excitation = Excitation::new(0.01, &ground).expect("a finite ground motion");
+        let mut recorder = (momentum, steps);
+        let outcome = moreau_jean(theta).run(&row, excitation, clock, &mut recorder);
+        prop_assert!(outcome.is_ok(), "{:?}", outcome);
+        let (momentum, steps) = recorder;
+        prop_assert!(momentum.worst < 1e-10, "{}", momentum.worst);
+        for at_once in steps.impacts.values() {
+            let (created, scale) = created(at_once);
+            prop_assert!(created < 1e-11 * scale, "{created} of {scale}: {at_once:?}");
+        }
+    }
+}
+
+/// Energy that impacts of one instant create, and the sum of its parts \[J\].
+fn created(at_once: &[(Impact, f64)]) -> (f64, f64) {
+    let (mut sum, mut scale) = (0.0, 0.0);
+    for (impact, _) in at_once {
+        let [before, after] = [impact.before, impact.after].map(|pair| pair.left - pair.right);
+        sum -= 0.5 * impact.impulse * (before + after);
+        let speeds = [impact.before, impact.after].map(|pair| pair.left.abs() + pair.right.abs());
+        scale += impact.impulse * (speeds[0] + speeds[1]);
+    }
+    (sum, scale)
+}
