@@ -2,6 +2,7 @@
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::noise::{clean, noise};
+use crate::exact::storey::rate_of_drift;
 use crate::exact::{CHATTER, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
@@ -15,13 +16,28 @@ const MOST_BOUNCES: u32 = 100_000;
 /// Coefficients that decide whether a pair presses or parts, from that of the acceleration on.
 const DECISIVE: usize = 12;
 
+/// A chain of impulsive pairs that touch at one instant.
+struct Hit {
+    /// The first and the last pair.
+    first: usize,
+    last: usize,
+    /// The leftmost node.
+    left: usize,
+    /// Velocities of the nodes and rates of the pairs before.
+    before: Vec<f64>,
+    rates: Vec<f64>,
+    /// Pairs that come to rest instead of bouncing on.
+    plastic: Vec<bool>,
+    /// Impulse of every pair.
+    impulses: Vec<f64>,
+}
+
 impl<R: Recorder> Run<'_, R> {
     /// Resolves every chain of pairs that touch now.
     pub(super) fn resolve(&mut self, time: f64) -> Result<(), RunError> {
-        let mut pair = 0;
-        while pair < self.contacts.len() {
-            if !self.touches_now(pair, time) {
-                pair += 1;
+        self.settled.fill(false);
+        for pair in 0..self.contacts.len() {
+            if self.settled[pair] || !self.touches_now(pair, time) {
                 continue;
             }
             if self.contacts[pair].restitution().is_none() {
@@ -31,22 +47,77 @@ impl<R: Recorder> Run<'_, R> {
                 if contact.rate >= 0.0 {
                     contact.begin();
                 }
-                pair += 1;
                 continue;
             }
-            let mut last = pair;
-            while last + 1 < self.contacts.len()
-                && self.lefts[last + 1] == self.lefts[last] + 1
-                && self.touches_now(last + 1, time)
-                && self.contacts[last + 1].restitution().is_some()
-            {
-                last += 1;
-            }
-            self.collide(pair, last, time)?;
-            pair = last + 1;
+            let hits = self.hits_with(pair, time);
+            self.collide(hits, time)?;
         }
         self.regroup();
         Ok(())
+    }
+
+    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does.
+    fn hits_with(&self, pair: usize, time: f64) -> Vec<Hit> {
+        let hit = self.hit(pair, time);
+        let mut next = hit.last + 1;
+        let mut hits = vec![hit];
+        if self.members.iter().all(|member| member.storey.is_none()) {
+            return hits;
+        }
+        let mut others = Vec::new();
+        while next < self.contacts.len() {
+            if !self.settled[next] && self.hits(next, time) {
+                let hit = self.hit(next, time);
+                next = hit.last;
+                others.push(hit);
+            }
+            next += 1;
+        }
+        let mut index = 0;
+        while let Some(hit) = hits.get(index) {
+            let (joined, apart): (Vec<_>, Vec<_>) = others
+                .into_iter()
+                .partition(|other| self.share_a_building(hit, other));
+            hits.extend(joined);
+            others = apart;
+            index += 1;
+        }
+        hits.sort_by_key(|hit| hit.first);
+        hits
+    }
+
+    /// The chain of touching pairs that begins with a pair.
+    fn hit(&self, first: usize, time: f64) -> Hit {
+        let mut last = first;
+        while last + 1 < self.contacts.len()
+            && self.lefts[last + 1] == self.lefts[last] + 1
+            && self.hits(last + 1, time)
+        {
+            last += 1;
+        }
+        let contacts = &self.contacts[first..=last];
+        let again = |contact: &Contact| time - contact.hit < CHATTER && contact.burst >= BURST;
+        let left = self.lefts[first];
+        let members = &self.members[left..=self.lefts[last] + 1];
+        Hit {
+            first,
+            last,
+            left,
+            before: members.iter().map(|member| member.state.velocity).collect(),
+            rates: contacts.iter().map(|contact| contact.rate).collect(),
+            plastic: contacts.iter().map(again).collect(),
+            impulses: vec![0.0; contacts.len()],
+        }
+    }
+
+    fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
+        let buildings = |hit: &Hit| &self.buildings[hit.left..hit.left + hit.before.len()];
+        buildings(a).iter().any(|building| buildings(b).contains(building))
+    }
+
+    /// Whether an impulsive pair touches now.
+    fn hits(&self, pair: usize, time: f64) -> bool {
+        self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
 
     /// Whether a pair has landed with its gap closed, in need of a decision.
@@ -63,45 +134,38 @@ impl<R: Recorder> Run<'_, R> {
         landed && closed && open && (contact.restitution().is_some() || contact.touching)
     }
 
-    /// Impacts of a chain of touching pairs, then rest or parting.
-    fn collide(&mut self, first: usize, last: usize, time: f64) -> Result<(), RunError> {
-        let nodes = self.lefts[first]..=self.lefts[last] + 1;
-        let before: Vec<f64> = nodes
-            .clone()
-            .map(|node| self.members[node].state.velocity)
-            .collect();
-        let rates: Vec<f64> = (first..=last)
-            .map(|pair| self.contacts[pair].rate)
-            .collect();
-        let mut plastic: Vec<bool> = (first..=last)
-            .map(|pair| {
-                let contact = &mut self.contacts[pair];
-                let again = time - contact.hit < CHATTER;
-                again && contact.burst >= BURST
-            })
-            .collect();
+    /// Impacts of chains of touching pairs, then rest or parting.
+    fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
         loop {
-            self.give_impulses((first, last), &before, &rates, &plastic);
-            self.rest_or_part(first, last, time);
+            for hit in &mut hits {
+                self.give_impulses(hit);
+            }
+            self.unload(&hits);
+            self.rest_or_part(&hits, time);
             let mut grown = false;
-            for pair in first..=last {
-                let index = pair - first;
-                if !plastic[index] && self.chatters(pair, rates[index]) {
-                    plastic[index] = true;
-                    grown = true;
+            for hit in &mut hits {
+                for pair in hit.first..=hit.last {
+                    let index = pair - hit.first;
+                    if !hit.plastic[index] && self.chatters(pair, hit.rates[index]) {
+                        hit.plastic[index] = true;
+                        grown = true;
+                    }
                 }
             }
             if !grown {
                 break;
             }
         }
-        self.push_neighbours((first, last), &before);
-        for pair in first..=last {
-            let impulse = self.chain.impulses[pair - first];
-            if impulse > 0.0 {
-                self.report_impact(pair, impulse, time, (first, &before));
+        for hit in &hits {
+            self.push_neighbours(hit);
+            for pair in hit.first..=hit.last {
+                self.settled[pair] = true;
+                let impulse = hit.impulses[pair - hit.first];
+                if impulse > 0.0 {
+                    self.report_impact(pair, time, hit);
+                }
+                self.count_bounce(pair, impulse > 0.0, time)?;
             }
-            self.count_bounce(pair, impulse > 0.0, time)?;
         }
         Ok(())
     }
@@ -127,9 +191,9 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// The jumps at both ends of a chain change the rates of the pairs beyond.
-    fn push_neighbours(&mut self, (first, last): (usize, usize), before: &[f64]) {
-        let (start, end) = (self.lefts[first], self.lefts[last] + 1);
-        let jump = |node: usize| self.members[node].state.velocity - before[node - start];
+    fn push_neighbours(&mut self, hit: &Hit) {
+        let (start, end) = (hit.left, hit.left + hit.before.len() - 1);
+        let jump = |node: usize| self.members[node].state.velocity - hit.before[node - start];
         let (at_start, at_end) = (jump(start), jump(end));
         if let Some(pair) = start
             .checked_sub(1)
@@ -143,22 +207,15 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Velocities and rates after the impacts of a chain.
-    fn give_impulses(
-        &mut self,
-        (first, last): (usize, usize),
-        velocities: &[f64],
-        rates: &[f64],
-        plastic: &[bool],
-    ) {
-        let left = self.lefts[first];
+    fn give_impulses(&mut self, hit: &mut Hit) {
         let chain = &mut self.chain;
         chain.clear();
-        chain.velocities.extend_from_slice(velocities);
-        chain.rates.extend_from_slice(rates);
-        for index in 0..velocities.len() {
-            chain.masses.push(self.members[left + index].mass);
-        }
-        for (contact, plastic) in self.contacts[first..=last].iter().zip(plastic) {
+        chain.velocities.extend_from_slice(&hit.before);
+        chain.rates.extend_from_slice(&hit.rates);
+        let contacts = &mut self.contacts[hit.first..=hit.last];
+        let members = &mut self.members[hit.left..hit.left + hit.before.len()];
+        chain.masses.extend(members.iter().map(|member| member.mass));
+        for (contact, plastic) in contacts.iter().zip(&hit.plastic) {
             let restitution = if *plastic {
                 0.0
             } else {
@@ -167,14 +224,38 @@ impl<R: Recorder> Run<'_, R> {
             chain.restitutions.push(restitution);
         }
         chain.collide(self.settings.simultaneous_impacts);
-        for (index, velocity) in chain.velocities.iter().enumerate() {
-            let member = &mut self.members[left + index];
+        for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
-            member.unload();
         }
-        for (contact, rate) in self.contacts[first..=last].iter_mut().zip(&chain.rates) {
+        for (contact, rate) in contacts.iter_mut().zip(&chain.rates) {
             contact.rate = *rate;
         }
+        hit.impulses.copy_from_slice(&chain.impulses);
+    }
+
+    /// Columns below and above floors that were hit yield no longer where their drift has turned.
+    fn unload(&mut self, hits: &[Hit]) {
+        for hit in hits {
+            for (node, before) in (hit.left..).zip(&hit.before) {
+                let jumped = (self.members[node].state.velocity - before).abs() > 0.0;
+                for storey in self.storeys_at(node) {
+                    if let (true, Some(drift)) = (jumped, &mut self.members[storey].storey) {
+                        drift.still = false;
+                    }
+                }
+            }
+        }
+        for node in hits.iter().flat_map(|hit| (hit.left..).take(hit.before.len())) {
+            for storey in self.storeys_at(node) {
+                let rate = rate_of_drift(&self.members, storey);
+                self.members[storey].unload(rate);
+            }
+        }
+    }
+
+    /// The storeys below and above a floor.
+    fn storeys_at(&self, node: usize) -> impl Iterator<Item = usize> + use<R> {
+        [Some(node), self.members[node].above].into_iter().flatten()
     }
 
     /// Whether bounces that have just begun will be over within the shortest remainder, the pair closing all the while.
@@ -188,13 +269,7 @@ impl<R: Recorder> Run<'_, R> {
         closing > 0.0 && -2.0 * contact.rate < CHATTER * closing * (1.0 - restitution)
     }
 
-    fn report_impact(
-        &mut self,
-        pair: usize,
-        impulse: f64,
-        time: f64,
-        (first, before): (usize, &[f64]),
-    ) {
+    fn report_impact(&mut self, pair: usize, time: f64, hit: &Hit) {
         let left = self.lefts[pair];
         let contact = &mut self.contacts[pair];
         contact.burst = if time - contact.hit < CHATTER {
@@ -203,16 +278,16 @@ impl<R: Recorder> Run<'_, R> {
             0
         };
         contact.hit = time;
-        let index = pair - first;
+        let index = pair - hit.first;
         let impact = Impact {
             pair,
             left,
             right: left + 1,
             time,
-            impulse,
+            impulse: hit.impulses[index],
             before: Velocities {
-                left: before[index],
-                right: before[index + 1],
+                left: hit.before[index],
+                right: hit.before[index + 1],
             },
             after: Velocities {
                 left: self.members[left].state.velocity,
@@ -224,19 +299,31 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Decides which of the touching pairs without a rate press against each other: those whose free motion would
     /// overlap, found by growing their set, each by the first coefficient of its deformation that is not rounding.
-    fn rest_or_part(&mut self, first: usize, last: usize, time: f64) {
-        for contact in &mut self.contacts[first..=last] {
-            contact.link = Link::Apart;
+    ///
+    /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
+    /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
+    /// go first whose coefficient does.
+    fn rest_or_part(&mut self, hits: &[Hit], time: f64) {
+        let pairs = || hits.iter().flat_map(|hit| hit.first..=hit.last);
+        for pair in pairs() {
+            self.contacts[pair].link = Link::Apart;
         }
         loop {
             self.regroup();
             self.expand_landed(time);
+            let order = |pair: usize| match self.press(pair) {
+                Some((order, true)) => Some(order),
+                Some((_, false)) | None => None,
+            };
+            let soonest = match hits {
+                [_] => Some(usize::MAX),
+                _ => pairs().filter(|pair| self.may_press(*pair)).filter_map(order).min(),
+            };
             let mut grown = false;
-            for pair in first..=last {
-                if self.contacts[pair].link == Link::Apart
-                    && self.contacts[pair].rate == 0.0
-                    && self.presses(pair) == Some(true)
-                {
+            for pair in pairs() {
+                let presses =
+                    || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
+                if self.may_press(pair) && presses() {
                     self.join(pair);
                     grown = true;
                 }
@@ -246,13 +333,18 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         // Neighbours that move alike without a force stay together.
-        for pair in first..=last {
-            let alike = self.contacts[pair].rate == 0.0 && self.presses(pair).is_none();
-            if alike && self.contacts[pair].link == Link::Apart {
+        for pair in pairs() {
+            if self.may_press(pair) && self.press(pair).is_none() {
                 self.join(pair);
             }
         }
         self.regroup();
+    }
+
+    /// Whether a pair that touches is neither at rest nor parting with a rate.
+    fn may_press(&self, pair: usize) -> bool {
+        let contact = &self.contacts[pair];
+        contact.link == Link::Apart && contact.rate == 0.0
     }
 
     fn join(&mut self, pair: usize) {
@@ -268,10 +360,11 @@ impl<R: Recorder> Run<'_, R> {
         self.members[left + 1].state.velocity = velocity;
     }
 
-    /// Whether the free motion of a pair overlaps; nothing where rounding hides it.
-    fn presses(&self, pair: usize) -> Option<bool> {
+    /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
+    /// hides it.
+    fn press(&self, pair: usize) -> Option<(usize, bool)> {
         let left = self.lefts[pair];
-        let powers = [left, left + 1].map(|node| self.bodies[self.body_of[node]].power.order());
+        let powers = [left, left + 1].map(|node| self.bodies[self.groups.body_of[node]].power.order());
         let p = powers[0].max(powers[1]);
         // A series in t beside one in its fourth root.
         let coefficient = |side: usize, n: usize| {
@@ -291,42 +384,31 @@ impl<R: Recorder> Run<'_, R> {
                 let noise = noise(&self.members[left..left + 2], *values, p, *n);
                 (values[0] - values[1]).abs() > noise
             })
-            .map(|(_, [left, right])| left > right)
+            .map(|(n, [left, right])| (4 * n / p, left > right))
     }
 
     /// Expands the bodies that have landed.
     fn expand_landed(&mut self, time: f64) {
-        let mut first = 0;
-        while first < self.body_of.len() {
-            let mut last = first;
-            while last + 1 < self.body_of.len() && self.body_of[last + 1] == first {
-                last += 1;
-            }
-            if self.landed[first] {
-                let (power, _) = self.expand((first, last), time);
+        for first in 0..self.bodies.len() {
+            if self.groups.body_of[first] == first && self.landed[first] {
+                let (power, _) = self.expand(first, time);
                 self.bodies[first].power = power;
-                self.clean((first, last), time, power);
+                self.clean(first, time, power);
             }
-            first = last + 1;
         }
     }
 
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
-    pub(super) fn clean(&mut self, (first, last): (usize, usize), time: f64, power: Power) {
-        let within = self.pairs_within(first, last);
-        let ground = self.excitation.segment(time);
-        let (members, contacts) = (&mut self.members[first..=last], &mut self.contacts[within]);
-        clean(members, contacts, (ground, time), power.order());
+    pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
+        let ground = self.segment(time);
+        let system = (&mut self.members[..], &mut self.contacts[..]);
+        clean(self.groups.of(first), system, (ground, time), power.order());
     }
 
     /// Bodies anew, from the links.
     fn regroup(&mut self) {
-        for node in 0..self.body_of.len() {
-            let joined = node.checked_sub(1).is_some_and(|left| {
-                self.pair_right_of[left].is_some_and(|pair| self.contacts[pair].link != Link::Apart)
-            });
-            self.body_of[node] = if joined { self.body_of[node - 1] } else { node };
-        }
+        self.groups
+            .update(&self.members, &self.contacts, &self.pair_right_of);
     }
 }
 
