@@ -6,6 +6,8 @@
 
 use crate::Smoothness;
 use crate::exact::roots::CAPACITY;
+use crate::exact::watch::{LOST, SHORTEST};
+use crate::span::{Power, value};
 
 /// Products that |y|ⁿ takes for n up to 31 at most.
 const PRODUCTS: usize = 8;
@@ -93,29 +95,55 @@ impl Bend {
     }
 
     /// Length up to which the series has converged to the tolerance; nothing where there is none.
-    pub(super) fn reach(&self, len: usize, (length, tolerance): (f64, f64)) -> Option<f64> {
+    pub(super) fn reach(
+        &self,
+        (power, len): (Power, usize),
+        (length, tolerance): (f64, f64),
+    ) -> Option<f64> {
         let mut x = length;
-        while x > length * SHORTEST {
-            let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
-            for (n, coefficient) in self.force[..len].iter().enumerate() {
-                let term = n as f64 * weight * coefficient.abs();
-                sum += term;
-                if n + len / 4 >= len {
-                    tail += term;
-                }
-                weight *= x;
-            }
-            if tail <= tolerance * sum {
+        loop {
+            let tail = self.tail(len, x);
+            if tail <= tolerance && self.is_bent(len, x, tolerance) {
                 return Some(x);
+            }
+            if power.time(x) < SHORTEST {
+                return (tail <= LOST).then_some(x);
             }
             x *= 0.85;
         }
-        None
+    }
+
+    /// Last quarter of the series at x as a part of the whole.
+    fn tail(&self, len: usize, x: f64) -> f64 {
+        let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
+        for (n, coefficient) in self.force[..len].iter().enumerate() {
+            let term = n as f64 * weight * coefficient.abs();
+            sum += term;
+            if n + len / 4 >= len {
+                tail += term;
+            }
+            weight *= x;
+        }
+        // What a storey that has hardly begun to move is known by may lie in the last coefficients alone.
+        if tail > NOTHING * self.limit {
+            tail / sum
+        } else {
+            0.0
+        }
+    }
+
+    /// Whether the series of |y|ⁿ is that power at x: from y = 0 on it may begin beyond its last coefficient.
+    fn is_bent(&self, len: usize, x: f64, tolerance: f64) -> bool {
+        let at = |index: usize| value(&self.powers[index][..len], x);
+        let (first, exponent) = (at(0), self.smoothness.exponent);
+        let power = (0..exponent).fold(1.0, |power, _| power * first);
+        let rounding = 8.0 * f64::EPSILON * f64::from(exponent);
+        (power - at(self.products.len())).abs() <= tolerance.max(rounding)
     }
 }
 
-/// Part of a piece below which the series of a column is none.
-const SHORTEST: f64 = 1e-12;
+/// Part of the yield force that is none.
+const NOTHING: f64 = 1e-20;
 
 fn sign(number: f64) -> f64 {
     if number > 0.0 {
@@ -130,7 +158,6 @@ fn sign(number: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::span::value;
 
     #[test]
     fn reference_loading_in_closed_form() {

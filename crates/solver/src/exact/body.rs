@@ -168,7 +168,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         for &node in group.followed() {
             if let Some(bend) = &self.members[node].bend {
-                let reach = bend.reach(len, limits);
+                let reach = bend.reach((power, len), limits);
                 let error = RunError::OutOfNumbers {
                     structure: node,
                     time,

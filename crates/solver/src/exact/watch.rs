@@ -256,7 +256,9 @@ fn watch_columns(watch: &mut Watch, (node, member): (usize, &Member), len: usize
 }
 
 /// Part of a series that its last quarter may be where nothing shorter can be told apart.
-const LOST: f64 = 1e-3;
+pub(super) const LOST: f64 = 1e-3;
+/// The shortest piece that time can tell apart \[s\].
+pub(super) const SHORTEST: f64 = 1e-18;
 
 /// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
 pub(super) fn reach(
@@ -282,8 +284,8 @@ pub(super) fn reach(
         if tail <= tolerance * sum {
             return Some(x);
         }
-        // The shortest piece that time can tell apart ends the search; what still grows there is no series of this motion.
-        if power.time(x) < 1e-18 {
+        // What still grows there is no series of this motion.
+        if power.time(x) < SHORTEST {
             return (tail <= LOST * sum).then_some(x);
         }
         x *= 0.85;
