@@ -8,6 +8,8 @@ use crate::excitation::Segment;
 
 /// Orders in time of a force at rest that are looked at for rounding.
 const ORDERS: usize = 8;
+/// The same between floors of buildings of several storeys, which feel each other two orders later from floor to floor.
+const ORDERS_OF_FLOORS: usize = 13;
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -144,7 +146,8 @@ impl Contact {
     /// Clears the first coefficients of a force at rest that are rounding, and all when the first ones are.
     fn clear_rounding(&mut self, (before, after): (&[Member], &[Member]), p: usize) {
         let mut rounding = true;
-        for order in 0..ORDERS {
+        let tied = before.iter().chain(after).any(Member::is_tied);
+        for order in 0..if tied { ORDERS_OF_FLOORS } else { ORDERS } {
             let need = |side: &[Member]| {
                 let need = |member: &Member| {
                     let ground = if order == 0 {

@@ -2,6 +2,7 @@
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::noise::{clean, noise};
+use crate::exact::roots::CAPACITY;
 use crate::exact::storey::rate_of_drift;
 use crate::exact::{CHATTER, Run};
 use crate::span::Power;
@@ -15,6 +16,8 @@ const BURST: u32 = 50;
 const MOST_BOUNCES: u32 = 100_000;
 /// Coefficients that decide whether a pair presses or parts, from that of the acceleration on.
 const DECISIVE: usize = 12;
+/// Coefficients of displacements that every expansion finds, in orders of time.
+const FEWEST: usize = 15;
 
 /// A chain of impulsive pairs that touch at one instant.
 struct Hit {
@@ -376,7 +379,14 @@ impl<R: Recorder> Run<'_, R> {
             }
         };
         let contact = &self.contacts[pair];
-        (2 * p..2 * p + DECISIVE)
+        // What happens on one floor is felt two orders later on the next.
+        let tied = (left..=left + 1).any(|node| self.members[node].is_tied());
+        let last = if tied {
+            (FEWEST * p).min(CAPACITY)
+        } else {
+            2 * p + DECISIVE
+        };
+        (2 * p..last)
             .map(|n| (n, [coefficient(0, n), coefficient(1, n)]))
             // A force that has just faded leaves no closing acceleration.
             .filter(|(n, [left, right])| !(contact.faded && *n == 2 * p && left > right))
