@@ -89,7 +89,10 @@ impl Bend {
         self.powers[0][n] = self.signs.0 * self.force[n] / self.limit;
         for (index, again) in self.products.iter().enumerate() {
             let (known, rest) = self.powers.split_at_mut(index + 1);
-            let (before, factor) = (&known[index], if *again { &known[0] } else { &known[index] });
+            let (before, factor) = (
+                &known[index],
+                if *again { &known[0] } else { &known[index] },
+            );
             rest[0][n] = (0..=n).map(|m| before[m] * factor[n - m]).sum();
         }
     }
@@ -175,7 +178,10 @@ mod tests {
                 bend.find(&drift, n);
             }
             let found = value(&bend.force[..40], 0.3) / 1e3;
-            assert!((found / wanted - 1.0).abs() < 1e-15, "{exponent}: {found} {wanted}");
+            assert!(
+                (found / wanted - 1.0).abs() < 1e-15,
+                "{exponent}: {found} {wanted}"
+            );
         }
     }
 
@@ -187,7 +193,11 @@ mod tests {
                 unloading: 0.5,
             };
             let mut bend = Bend::new(smoothness, 1.0, 1.0);
-            assert!(bend.products.len() <= PRODUCTS, "{exponent}: {:?}", bend.products);
+            assert!(
+                bend.products.len() <= PRODUCTS,
+                "{exponent}: {:?}",
+                bend.products
+            );
             bend.begin(-0.9);
             bend.find(&[0.0; CAPACITY], 0);
             let wanted = (0..exponent).fold(1.0, |power, _| power * 0.9);

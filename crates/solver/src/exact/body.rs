@@ -63,7 +63,10 @@ impl<R: Recorder> Run<'_, R> {
         let group = self.groups.of(first);
         let any = |asked: fn(&Contact) -> bool| {
             let contact = |pair: usize| &self.contacts[pair];
-            group.pairs().iter().any(|joined| asked(contact(joined.pair)))
+            group
+                .pairs()
+                .iter()
+                .any(|joined| asked(contact(joined.pair)))
         };
         let bends = |node: &usize| self.members[*node].bend.is_some();
         let (power, len) = if any(begins) {

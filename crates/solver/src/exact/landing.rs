@@ -13,11 +13,7 @@ impl<R: Recorder> Run<'_, R> {
             return;
         }
         let body = &self.bodies[first];
-        let (x, full, advanced) = (
-            body.position(time),
-            time >= body.end,
-            time > body.start,
-        );
+        let (x, full, advanced) = (body.position(time), time >= body.end, time > body.start);
         for place in self.groups.nodes_of(first) {
             self.landed[self.groups.node(place)] = true;
         }
@@ -141,12 +137,8 @@ impl<R: Recorder> Run<'_, R> {
                 displacement: &member.displacement[..body.len],
                 velocity: &member.velocity[..body.len],
                 acceleration: &member.acceleration[..body.len],
-                below: below.map(|below| {
-                    [
-                        &below.displacement[..body.len],
-                        &below.velocity[..body.len],
-                    ]
-                }),
+                below: below
+                    .map(|below| [&below.displacement[..body.len], &below.velocity[..body.len]]),
                 restoring_force: (member.state.restoring_force, tangent),
                 bent,
                 force_from_left: force(left),

@@ -30,7 +30,7 @@ pub(super) struct Member {
     /// The floor that stands on it.
     pub(super) above: Option<usize>,
     /// Of a floor that stands on another one: which, and the drift.
-    pub(super) storey: Option<Box<Drift>>,
+    pub(super) storey: Option<Box<Upper>>,
     /// Neither tied to another floor nor yielding smoothly: the columns' force is a line over the displacement.
     pub(super) plain: bool,
     /// k \[N/m\].
@@ -60,9 +60,9 @@ pub(super) struct Member {
     pub(super) acceleration: [f64; CAPACITY],
 }
 
-/// Drift of a storey that stands on a floor, as series in the variable of its body.
+/// A storey that stands on a floor, and its drift as series in the variable of its body.
 #[derive(Debug, Clone)]
-pub(super) struct Drift {
+pub(super) struct Upper {
     /// The floor below.
     pub(super) below: usize,
     /// The rate of the drift is known to be zero at the start of the piece: its difference would be rounding.
@@ -79,27 +79,18 @@ impl Member {
         initial: &[State],
     ) -> Self {
         let floor = &row.nodes()[node];
-        let Hysteresis {
+        let Columns {
             stiffness,
-            mut hardening,
-            yield_force,
-            knee,
-        } = floor.column.hysteresis();
-        // What never yields is elastic.
-        let smooth = match knee {
-            Knee::Smooth(smoothness) if yield_force.is_finite() => Some(smoothness),
-            Knee::Smooth(_) | Knee::Sharp => None,
-        };
-        if yield_force.is_infinite() {
-            hardening = 0.0;
-        }
+            hardened_stiffness,
+            hysteretic_stiffness,
+            limit,
+            bend,
+        } = Columns::new(floor.column.hysteresis());
         let force = if floor.is_wall() {
             0.0
         } else {
             initial[node].restoring_force
         };
-        let (hardened_stiffness, limit) = (hardening * stiffness, (1.0 - hardening) * yield_force);
-        let hysteretic_stiffness = (1.0 - hardening) * stiffness;
         let state = State {
             displacement: initial[node].displacement,
             velocity: initial[node].velocity,
@@ -111,7 +102,7 @@ impl Member {
             Support::Floor(Floor {
                 below,
                 ground_damping,
-            }) => (Some(Box::new(Drift::over(below))), ground_damping),
+            }) => (Some(Box::new(Upper::over(below))), ground_damping),
         };
         let mut member = Self {
             inverse_mass: floor.inverse_mass,
@@ -125,8 +116,7 @@ impl Member {
             hardened_stiffness,
             hysteretic_stiffness,
             limit,
-            bend: smooth
-                .map(|smoothness| Box::new(Bend::new(smoothness, hysteretic_stiffness, limit))),
+            bend,
             branch: Branch::Elastic,
             fastest_rate: fastest_rate(row, node),
             balanced: false,
@@ -257,6 +247,45 @@ impl Member {
     }
 }
 
+/// The numbers of a loop as a [`Member`] has them.
+struct Columns {
+    stiffness: f64,
+    hardened_stiffness: f64,
+    hysteretic_stiffness: f64,
+    limit: f64,
+    bend: Option<Box<Bend>>,
+}
+
+impl Columns {
+    fn new(hysteresis: Hysteresis) -> Self {
+        let Hysteresis {
+            stiffness,
+            mut hardening,
+            yield_force,
+            knee,
+        } = hysteresis;
+        // What never yields is elastic.
+        if yield_force.is_infinite() {
+            hardening = 0.0;
+        }
+        let hysteretic_stiffness = (1.0 - hardening) * stiffness;
+        let limit = (1.0 - hardening) * yield_force;
+        let bend = match knee {
+            Knee::Smooth(smoothness) if yield_force.is_finite() => {
+                Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit)))
+            }
+            Knee::Smooth(_) | Knee::Sharp => None,
+        };
+        Self {
+            stiffness,
+            hardened_stiffness: hardening * stiffness,
+            hysteretic_stiffness,
+            limit,
+            bend,
+        }
+    }
+}
+
 /// A member and the floor it stands on, which comes before it.
 pub(super) fn with_below(
     members: &mut [Member],
@@ -304,7 +333,7 @@ fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
     0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
 }
 
-impl Drift {
+impl Upper {
     fn over(below: usize) -> Self {
         Self {
             below,

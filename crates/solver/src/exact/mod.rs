@@ -15,6 +15,7 @@ mod bend;
 mod body;
 mod contact;
 mod groups;
+mod hits;
 mod impacts;
 mod landing;
 mod look_ahead;
@@ -130,7 +131,9 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         )
     };
     let (initial, _) = row.initial(0.0);
-    let members: Vec<_> = (0..n).map(|node| Member::new(row, node, &initial)).collect();
+    let members: Vec<_> = (0..n)
+        .map(|node| Member::new(row, node, &initial))
+        .collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let groups = Groups::new(&members, &contacts, &pair_right_of);
     let mut run = Run {

@@ -77,7 +77,9 @@ fn share(group: Group<'_>, members: &mut [Member]) {
     }
     let largest = |value: fn(&Member) -> f64| {
         let nodes = group.nodes().iter();
-        nodes.fold(0.0, |largest: f64, node| largest.max(value(&members[*node])))
+        nodes.fold(0.0, |largest: f64, node| {
+            largest.max(value(&members[*node]))
+        })
     };
     let (around, rate) = (
         largest(|member| member.terms.acceleration),

@@ -1,6 +1,7 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
 use crate::exact::contact::{Contact, Link};
+use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
 use crate::exact::roots::CAPACITY;
 use crate::exact::storey::rate_of_drift;
@@ -8,8 +9,6 @@ use crate::exact::{CHATTER, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 
-/// Impacts of a pair within the shortest remainder after which the next one is plastic.
-const BURST: u32 = 50;
 /// Impacts of a pair without coming to rest after which a run gives up: with e = 1 neighbours that press bounce for ever.
 ///
 /// With e = 0.999 a bounce of 0.1 m/s is over after 25 000.
@@ -18,22 +17,6 @@ const MOST_BOUNCES: u32 = 100_000;
 const DECISIVE: usize = 12;
 /// Coefficients of displacements that every expansion finds, in orders of time.
 const FEWEST: usize = 15;
-
-/// A chain of impulsive pairs that touch at one instant.
-struct Hit {
-    /// The first and the last pair.
-    first: usize,
-    last: usize,
-    /// The leftmost node.
-    left: usize,
-    /// Velocities of the nodes and rates of the pairs before.
-    before: Vec<f64>,
-    rates: Vec<f64>,
-    /// Pairs that come to rest instead of bouncing on.
-    plastic: Vec<bool>,
-    /// Impulse of every pair.
-    impulses: Vec<f64>,
-}
 
 impl<R: Recorder> Run<'_, R> {
     /// Resolves every chain of pairs that touch now.
@@ -59,72 +42,8 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does.
-    fn hits_with(&self, pair: usize, time: f64) -> Vec<Hit> {
-        let hit = self.hit(pair, time);
-        let mut next = hit.last + 1;
-        let mut hits = vec![hit];
-        if self.members.iter().all(|member| member.storey.is_none()) {
-            return hits;
-        }
-        let mut others = Vec::new();
-        while next < self.contacts.len() {
-            if !self.settled[next] && self.hits(next, time) {
-                let hit = self.hit(next, time);
-                next = hit.last;
-                others.push(hit);
-            }
-            next += 1;
-        }
-        let mut index = 0;
-        while let Some(hit) = hits.get(index) {
-            let (joined, apart): (Vec<_>, Vec<_>) = others
-                .into_iter()
-                .partition(|other| self.share_a_building(hit, other));
-            hits.extend(joined);
-            others = apart;
-            index += 1;
-        }
-        hits.sort_by_key(|hit| hit.first);
-        hits
-    }
-
-    /// The chain of touching pairs that begins with a pair.
-    fn hit(&self, first: usize, time: f64) -> Hit {
-        let mut last = first;
-        while last + 1 < self.contacts.len()
-            && self.lefts[last + 1] == self.lefts[last] + 1
-            && self.hits(last + 1, time)
-        {
-            last += 1;
-        }
-        let contacts = &self.contacts[first..=last];
-        let again = |contact: &Contact| time - contact.hit < CHATTER && contact.burst >= BURST;
-        let left = self.lefts[first];
-        let members = &self.members[left..=self.lefts[last] + 1];
-        Hit {
-            first,
-            last,
-            left,
-            before: members.iter().map(|member| member.state.velocity).collect(),
-            rates: contacts.iter().map(|contact| contact.rate).collect(),
-            plastic: contacts.iter().map(again).collect(),
-            impulses: vec![0.0; contacts.len()],
-        }
-    }
-
-    fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
-        let buildings = |hit: &Hit| &self.buildings[hit.left..hit.left + hit.before.len()];
-        buildings(a).iter().any(|building| buildings(b).contains(building))
-    }
-
-    /// Whether an impulsive pair touches now.
-    fn hits(&self, pair: usize, time: f64) -> bool {
-        self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
-    }
-
     /// Whether a pair has landed with its gap closed, in need of a decision.
-    fn touches_now(&self, pair: usize, time: f64) -> bool {
+    pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
         let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
         let landed = self.landed[left] && self.landed[left + 1];
         let closed = contact.time >= time && contact.deformation == 0.0;
@@ -217,7 +136,9 @@ impl<R: Recorder> Run<'_, R> {
         chain.rates.extend_from_slice(&hit.rates);
         let contacts = &mut self.contacts[hit.first..=hit.last];
         let members = &mut self.members[hit.left..hit.left + hit.before.len()];
-        chain.masses.extend(members.iter().map(|member| member.mass));
+        chain
+            .masses
+            .extend(members.iter().map(|member| member.mass));
         for (contact, plastic) in contacts.iter().zip(&hit.plastic) {
             let restitution = if *plastic {
                 0.0
@@ -248,7 +169,10 @@ impl<R: Recorder> Run<'_, R> {
                 }
             }
         }
-        for node in hits.iter().flat_map(|hit| (hit.left..).take(hit.before.len())) {
+        for node in hits
+            .iter()
+            .flat_map(|hit| (hit.left..).take(hit.before.len()))
+        {
             for storey in self.storeys_at(node) {
                 let rate = rate_of_drift(&self.members, storey);
                 self.members[storey].unload(rate);
@@ -320,12 +244,14 @@ impl<R: Recorder> Run<'_, R> {
             };
             let soonest = match hits {
                 [_] => Some(usize::MAX),
-                _ => pairs().filter(|pair| self.may_press(*pair)).filter_map(order).min(),
+                _ => pairs()
+                    .filter(|pair| self.may_press(*pair))
+                    .filter_map(order)
+                    .min(),
             };
             let mut grown = false;
             for pair in pairs() {
-                let presses =
-                    || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
+                let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
                     self.join(pair);
                     grown = true;
@@ -367,7 +293,8 @@ impl<R: Recorder> Run<'_, R> {
     /// hides it.
     fn press(&self, pair: usize) -> Option<(usize, bool)> {
         let left = self.lefts[pair];
-        let powers = [left, left + 1].map(|node| self.bodies[self.groups.body_of[node]].power.order());
+        let powers =
+            [left, left + 1].map(|node| self.bodies[self.groups.body_of[node]].power.order());
         let p = powers[0].max(powers[1]);
         // A series in t beside one in its fourth root.
         let coefficient = |side: usize, n: usize| {

@@ -1,6 +1,6 @@
 //! Forces of storeys on the floors above and below them, coefficient by coefficient.
 
-use crate::exact::member::{Drift, Member};
+use crate::exact::member::{Member, Upper};
 use crate::exact::roots::CAPACITY;
 
 /// Clears the drifts of these nodes; none of their coefficients is known.
@@ -31,14 +31,17 @@ pub(super) fn follow(members: &mut [Member], nodes: &[usize], (p, n): (usize, us
             );
             storey.find(motion, (p, n));
         }
-        let drift = member.storey.as_ref().map_or(&member.displacement, |storey| &storey.drift);
+        let drift = member
+            .storey
+            .as_ref()
+            .map_or(&member.displacement, |storey| &storey.drift);
         if let Some(bend) = &mut member.bend {
             bend.find(drift, n);
         }
     }
 }
 
-impl Drift {
+impl Upper {
     fn find(&mut self, (drift, rate): (f64, f64), (p, n): (usize, usize)) {
         self.drift[n] = if self.still && n == p { 0.0 } else { drift };
         self.rate[n] = if self.still && n == 0 { 0.0 } else { rate };
