@@ -121,6 +121,10 @@ impl<'a> Books<'a> {
             let force = (span.end.restoring_force - line).abs();
             self.beyond = self.beyond.max(force / limit - 1.0);
         }
+        // Instants of shorter spans are rounded to others beyond their end.
+        if span.duration() < 1e-12 {
+            return;
+        }
         for part in [0.0, 0.01, 0.2, 0.5, 0.8, 0.99] {
             let state = span.at(span.start_time + part * span.duration());
             let (left, right) = (state.force_from_left, state.force_from_right);
