@@ -62,8 +62,8 @@ mod row;
 mod span;
 mod support;
 mod together;
-mod turning;
 mod trial;
+mod turning;
 mod verlet;
 mod work;
 

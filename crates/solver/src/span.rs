@@ -144,6 +144,9 @@ pub struct Series<'a> {
     pub(crate) below: Option<[&'a [f64]; 2]>,
     /// Restoring force where the displacement is the first coefficient \[N\], and its tangent \[N/m\].
     pub(crate) restoring_force: (f64, f64),
+    /// Of columns that yield smoothly the part of the force that is no line over the drift, (1 − a) k z \[N\], whose start is
+    /// in `restoring_force` too; empty for all others.
+    pub(crate) bent: &'a [f64],
     /// Magnitude of the pounding force from either side \[N\].
     pub(crate) force_from_left: &'a [f64],
     pub(crate) force_from_right: &'a [f64],
@@ -197,7 +200,7 @@ pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
 }
 
 /// What a polynomial has risen since x = 0.
-fn rise(coefficients: &[f64], x: f64) -> f64 {
+pub(crate) fn rise(coefficients: &[f64], x: f64) -> f64 {
     x * value(coefficients.get(1..).unwrap_or_default(), x)
 }
 
@@ -225,11 +228,16 @@ impl Series<'_> {
             None => rise,
             Some([below, _]) => rise - self::rise(below, x),
         };
+        let line = self.restoring_force.0 + self.restoring_force.1 * drift;
         State {
             displacement: self.displacement.first().unwrap_or(&0.0) + rise,
             velocity: value(self.velocity, x),
             acceleration: value(self.acceleration, x),
-            restoring_force: self.restoring_force.0 + self.restoring_force.1 * drift,
+            restoring_force: if self.bent.is_empty() {
+                line
+            } else {
+                line + self::rise(self.bent, x)
+            },
             force_from_left: value(self.force_from_left, x),
             force_from_right: -value(self.force_from_right, x),
         }
@@ -449,6 +457,7 @@ mod tests {
             acceleration: &[],
             below: None,
             restoring_force: (0.0, 0.0),
+            bent: &[],
             force_from_left: &[],
             force_from_right: &[],
         });

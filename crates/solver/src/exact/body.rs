@@ -1,19 +1,16 @@
-//! Pieces of the structures that move together, and their launch.
-
-use std::ops::Range;
+//! Pieces of the floors that move together, and their launch.
 
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link, Phase};
-use crate::exact::member::Member;
+use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
-/// Structures that move together, and the piece of their motion under way.
+/// The piece of the motion under way of floors that move together.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
-    pub(super) last: usize,
     pub(super) start: f64,
     pub(super) end: f64,
     pub(super) power: Power,
@@ -37,10 +34,9 @@ const LARGEST: f64 = 1e250;
 const MOST_IN_CONTACT: u32 = 100_000;
 
 impl Body {
-    /// A structure alone at t = 0.
-    pub(super) fn at_start(node: usize) -> Self {
+    /// At t = 0.
+    pub(super) fn at_start() -> Self {
         Self {
-            last: node,
             start: 0.0,
             end: 0.0,
             power: Power::One,
@@ -61,79 +57,72 @@ impl Body {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Pairs inside the body of nodes `first` ..= `last`.
-    pub(super) fn pairs_within(&self, first: usize, last: usize) -> Range<usize> {
-        match self.pair_right_of[first] {
-            Some(pair) if last > first => pair..pair + (last - first),
-            _ => 0..0,
-        }
-    }
-
     /// Expands the motion of a body from now on; returns the number of coefficients.
-    pub(super) fn expand(&mut self, (first, last): (usize, usize), time: f64) -> (Power, usize) {
-        let within = self.pairs_within(first, last);
-        let contacts = &mut self.contacts[within];
-        let touching = |contact: &Contact| matches!(contact.link, Link::Touching(_));
-        let begins = |contact: &Contact| touching(contact) && contact.deformation <= 0.0;
-        let segment = self.excitation.segment(time);
-        let members = &mut self.members[first..=last];
-        let (power, len) = if contacts.iter().any(begins) {
+    pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
+        let segment = self.segment(time);
+        let group = self.groups.of(first);
+        let any = |asked: fn(&Contact) -> bool| {
+            let contact = |pair: usize| &self.contacts[pair];
+            group
+                .pairs()
+                .iter()
+                .any(|joined| asked(contact(joined.pair)))
+        };
+        let bends = |node: &usize| self.members[*node].bend.is_some();
+        let (power, len) = if any(begins) {
             (Power::Four, AT_TOUCH)
-        } else if contacts.iter().any(touching) {
+        } else if any(touching) || group.followed().iter().any(bends) {
             (Power::One, IN_CONTACT)
         } else {
-            let part = (segment.end.min(self.end) - time) / series::radius(members);
+            let radius = series::radius(&self.members, group.nodes());
+            let part = (segment.end.min(self.end) - time) / radius;
             let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
             (Power::One, enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len))
         };
-        series::expand(members, contacts, segment, power, len);
+        let system = (&mut self.members[..], &mut self.contacts[..]);
+        series::expand(group, system, segment, power, len);
         let tame = |n: &usize| {
-            let moves = |member: &Member| {
+            let moves = |node: &usize| {
                 let Member {
                     displacement: u,
                     velocity: v,
                     acceleration: a,
                     ..
-                } = member;
+                } = &self.members[*node];
                 u[*n].abs() < LARGEST && v[*n].abs() < LARGEST && a[*n].abs() < LARGEST
             };
             let pushes = |contact: &Contact| {
                 let pulls = contact.can_pull() && contact.pull[*n].abs() >= LARGEST;
                 contact.force[*n].abs() < LARGEST && !pulls
             };
-            members.iter().all(moves)
-                && contacts
-                    .iter()
-                    .all(|contact| !touching(contact) || pushes(contact))
+            let tame = |contact: &Contact| !touching(contact) || pushes(contact);
+            let mut pairs = group.pairs().iter();
+            group.nodes().iter().all(moves) && pairs.all(|joined| tame(&self.contacts[joined.pair]))
         };
         (power, (0..len).take_while(tame).count())
     }
 
     /// Begins the next piece of a body that has landed.
     pub(super) fn launch(&mut self, first: usize, time: f64) -> Result<(), RunError> {
-        let mut last = first;
-        while last + 1 < self.body_of.len() && self.body_of[last + 1] == first {
-            last += 1;
-        }
         if time >= self.end {
             (self.bodies[first].start, self.bodies[first].end) = (time, f64::INFINITY);
             return Ok(());
         }
-        self.find_partings(first, last);
-        self.count_pieces(first, last, time)?;
-        let (power, len) = self.expand_corrected((first, last), time);
-        for node in first..=last {
-            self.fill_start(node, time, (power, len))?;
+        self.find_partings(first);
+        self.count_pieces(first, time)?;
+        let (power, len) = self.expand_corrected(first, time);
+        for place in self.groups.nodes_of(first) {
+            self.fill_start(self.groups.node(place), time, (power, len))?;
         }
-        let members = &self.members[first..=last];
-        let stop = self.excitation.segment(time).end.min(self.end);
-        let wall = members.iter().all(Member::is_wall);
+        let stop = self.segment(time).end.min(self.end);
+        let nodes = self.groups.of(first).nodes();
+        let wall = nodes.iter().all(|node| self.members[*node].is_wall());
         let stop = if wall { self.end } else { stop };
         let mut length = power
-            .root(series::radius(members))
+            .root(series::radius(&self.members, nodes))
             .min(power.root(stop - time));
-        length = length.min(self.converged((first, last), (power, len), length, time)?);
-        self.work.segments += members.len() as u64;
+        self.work.segments += nodes.len() as u64;
+        length = length.min(self.converged(first, (power, len), length, time)?);
         let whole = length >= power.root(stop - time);
         let mut watch = Watch {
             start: time,
@@ -143,7 +132,7 @@ impl<R: Recorder> Run<'_, R> {
             events: std::mem::take(&mut self.bodies[first].events),
         };
         watch.events.clear();
-        self.watch(&mut watch, (first, last), (power, len));
+        self.watch(&mut watch, first, (power, len));
         let end = if whole && watch.events.is_empty() {
             stop
         } else {
@@ -151,7 +140,6 @@ impl<R: Recorder> Run<'_, R> {
         };
         let body = &mut self.bodies[first];
         *body = Body {
-            last,
             start: time,
             end,
             power,
@@ -163,61 +151,73 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Length up to which the series of every touching pair of a body have converged.
+    /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.
     fn converged(
         &self,
-        (first, last): (usize, usize),
+        first: usize,
         (power, len): (Power, usize),
         longest: f64,
         time: f64,
     ) -> Result<f64, RunError> {
         let mut length = longest;
+        let group = self.groups.of(first);
+        let limits = (longest, self.settings.tolerance);
         // Each from the same start, so that their order does not matter.
-        let contacts = &self.contacts[self.pairs_within(first, last)];
-        for (left, contact) in (first..).zip(contacts) {
-            let sides = &self.members[left..left + 2];
-            let limits = (longest, self.settings.tolerance);
+        for joined in group.pairs() {
+            let (left, right) = (joined.left, joined.left + 1);
+            let (contact, sides) = (&self.contacts[joined.pair], &self.members[left..=right]);
             let reach = reach(contact, sides, (power, len), limits);
-            length = length.min(reach.ok_or(RunError::NoSeries {
-                left,
-                right: left + 1,
-                time,
-            })?);
+            length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
+        }
+        for &node in group.followed() {
+            if let Some(bend) = &self.members[node].bend {
+                let reach = bend.reach((power, len), limits);
+                let error = RunError::OutOfNumbers {
+                    structure: node,
+                    time,
+                };
+                length = length.min(reach.ok_or(error)?);
+            }
         }
         Ok(length)
     }
 
     /// Expands a body; once more where the first expansion shows that columns unload, or what is but rounding.
-    fn expand_corrected(&mut self, (first, last): (usize, usize), time: f64) -> (Power, usize) {
-        let within = self.pairs_within(first, last);
-        for contact in &mut self.contacts[within.clone()] {
-            contact.alike = 0;
+    fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
+        for joined in self.groups.of(first).pairs() {
+            self.contacts[joined.pair].alike = 0;
         }
-        let (power, len) = self.expand((first, last), time);
-        self.clean((first, last), time, power);
-        let members = &mut self.members[first..=last];
+        let (power, len) = self.expand(first, time);
+        self.clean(first, time, power);
+        let group = self.groups.of(first);
+        let members = &mut self.members;
         let mut corrected = false;
-        for member in &mut *members {
-            corrected |= member.turns_back(power.order());
+        for node in group.nodes() {
+            if let Some((member, below)) = member::with_below(members, *node) {
+                corrected |= member.turns_back(below, power.order());
+            }
         }
-        for (index, contact) in self.contacts[within].iter_mut().enumerate() {
-            corrected |= contact.find_alike(&members[index..index + 2], power, len);
+        for joined in group.pairs() {
+            let sides = &members[joined.left..joined.left + 2];
+            corrected |= self.contacts[joined.pair].find_alike(sides, power, len);
         }
         if !corrected {
             return (power, len);
         }
-        let (power, len) = self.expand((first, last), time);
-        self.clean((first, last), time, power);
-        for member in &mut self.members[first..=last] {
-            member.clear_standstill(power.order());
+        let (power, len) = self.expand(first, time);
+        self.clean(first, time, power);
+        for node in self.groups.of(first).nodes() {
+            if let Some((member, below)) = member::with_below(&mut self.members, *node) {
+                member.clear_standstill(below, power.order());
+            }
         }
         (power, len)
     }
 
     /// Ends the run where a contact goes on and on: each piece is as short as the relaxation of its damper.
-    fn count_pieces(&mut self, first: usize, last: usize, time: f64) -> Result<(), RunError> {
-        let within = self.pairs_within(first, last);
-        for (contact, left) in self.contacts[within].iter_mut().zip(first..) {
+    fn count_pieces(&mut self, first: usize, time: f64) -> Result<(), RunError> {
+        for joined in self.groups.of(first).pairs() {
+            let (contact, left) = (&mut self.contacts[joined.pair], joined.left);
             if !(contact.law.knows_approach_speed() && matches!(contact.link, Link::Touching(_))) {
                 continue;
             }
@@ -237,9 +237,9 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Restitution whose remaining impulse is below the tolerance is over.
-    fn find_partings(&mut self, first: usize, last: usize) {
-        let within = self.pairs_within(first, last);
-        for contact in &mut self.contacts[within] {
+    fn find_partings(&mut self, first: usize) {
+        for joined in self.groups.of(first).pairs() {
+            let contact = &mut self.contacts[joined.pair];
             let Some(left) = contact.rough_remainder() else {
                 continue;
             };
@@ -275,7 +275,7 @@ impl<R: Recorder> Run<'_, R> {
         })
     }
 
-    /// First of the structures that share this one's velocity because they rest against each other.
+    /// First of the neighbours that share this one's velocity because they rest against each other.
     pub(super) fn leader(&self, node: usize) -> usize {
         let rests = |left: usize| {
             self.pair_right_of[left].is_some_and(|pair| self.contacts[pair].link == Link::Resting)
@@ -295,4 +295,13 @@ impl<R: Recorder> Run<'_, R> {
             .and_then(|left| self.pair_right_of[left]);
         (left.filter(joined), self.pair_right_of[node].filter(joined))
     }
+}
+
+fn touching(contact: &Contact) -> bool {
+    matches!(contact.link, Link::Touching(_))
+}
+
+/// Whether compliant contact has just begun.
+fn begins(contact: &Contact) -> bool {
+    touching(contact) && contact.deformation <= 0.0
 }

@@ -1,12 +1,10 @@
 //! The landing of a piece: what is reported of it, and the states at its end.
 
-use std::ops::Range;
-
 use crate::exact::Run;
-use crate::exact::member::Branch;
+use crate::exact::member::{Branch, Member};
 use crate::exact::watch::Event;
-use crate::span::{Power, Series, value};
-use crate::{Path, Recorder, Span, State};
+use crate::span::{Power, Series, rise, value};
+use crate::{Motion, Path, Recorder, Span, State};
 
 impl<R: Recorder> Run<'_, R> {
     /// Ends the piece of a body now: reports its spans and brings its state here.
@@ -15,25 +13,31 @@ impl<R: Recorder> Run<'_, R> {
             return;
         }
         let body = &self.bodies[first];
-        let (last, x, full) = (body.last, body.position(time), time >= body.end);
-        let advanced = time > body.start;
-        for node in first..=last {
-            self.landed[node] = true;
+        let (x, full, advanced) = (body.position(time), time >= body.end, time > body.start);
+        for place in self.groups.nodes_of(first) {
+            self.landed[self.groups.node(place)] = true;
         }
-        for pair in self.pairs_around(first, last) {
-            self.carry_deformation(pair, time);
+        for place in self.groups.around(first) {
+            self.carry_deformation(self.groups.pair(place), time);
         }
         let events = std::mem::take(&mut self.bodies[first].events);
-        for node in first..=last {
-            let end = self.end_state(node, x, if full { &events } else { &[] });
+        // From the ground up: floors report the motion of those below, which have their new state by then.
+        for place in self.groups.nodes_of(first) {
+            let node = self.groups.node(place);
+            let (end, hysteretic) = self.end_state(node, x, if full { &events } else { &[] });
             if advanced {
                 self.report(node, (first, time), x, end);
-                (self.members[node].balanced, self.members[node].peaked) = (false, false);
+                let member = &mut self.members[node];
+                (member.balanced, member.peaked) = (false, false);
+                if let Some(storey) = &mut member.storey {
+                    storey.still = false;
+                }
             }
-            self.members[node].state = end;
+            let member = &mut self.members[node];
+            (member.state, member.hysteretic_force) = (end, hysteretic);
         }
-        for pair in self.pairs_around(first, last) {
-            self.refresh_deformation(pair, time);
+        for place in self.groups.around(first) {
+            self.refresh_deformation(self.groups.pair(place), time);
         }
         if full {
             for event in &events {
@@ -43,29 +47,9 @@ impl<R: Recorder> Run<'_, R> {
         self.bodies[first].events = events;
     }
 
-    /// Pairs inside a body and on both sides of it.
-    fn pairs_around(&self, first: usize, last: usize) -> Range<usize> {
-        let left = first
-            .checked_sub(1)
-            .and_then(|left| self.pair_right_of[left]);
-        let within = self.pairs_within(first, last);
-        let right = self.pair_right_of[last];
-        let start = left.or(if within.is_empty() {
-            right
-        } else {
-            Some(within.start)
-        });
-        let end = right.map(|pair| pair + 1).or(if within.is_empty() {
-            left.map(|pair| pair + 1)
-        } else {
-            Some(within.end)
-        });
-        start.unwrap_or(0)..end.unwrap_or(0)
-    }
-
-    /// State of a node at the end of its piece.
-    fn end_state(&self, node: usize, x: f64, events: &[Event]) -> State {
-        let body = &self.bodies[self.body_of[node]];
+    /// State of a node at the end of its piece, and the hysteretic part of its force; those below it have theirs.
+    fn end_state(&self, node: usize, x: f64, events: &[Event]) -> (State, f64) {
+        let body = &self.bodies[self.groups.body_of[node]];
         let (member, len) = (&self.members[node], body.len);
         let (left, right) = self.forces_on(node);
         let force = |pair: Option<usize>| {
@@ -73,26 +57,29 @@ impl<R: Recorder> Run<'_, R> {
                 value(&self.contacts[pair].force[..len], x).max(0.0)
             })
         };
-        let rise = x * value(&member.displacement[1..len], x);
         let mut end = State {
-            displacement: member.displacement[0] + rise,
+            displacement: member.displacement[0] + rise(&member.displacement[..len], x),
             velocity: value(&member.velocity[..len], x),
             acceleration: value(&member.acceleration[..len], x),
-            restoring_force: member.state.restoring_force + member.tangent() * rise,
+            restoring_force: 0.0,
             force_from_left: force(left),
             force_from_right: -force(right),
         };
+        let mut hysteretic = member.hysteretic_end(len, x);
         for event in events {
             match *event {
                 Event::Turn(turning) if turning == self.leader(node) => end.velocity = 0.0,
                 Event::Yield(yielding, branch) if yielding == node => {
-                    end.restoring_force = match branch {
-                        Branch::Left => -member.yield_force,
-                        Branch::Right | Branch::Elastic => member.yield_force,
+                    hysteretic = match branch {
+                        Branch::Left => -member.limit,
+                        Branch::Right | Branch::Elastic => member.limit,
                     };
                 }
+                Event::Cross(crossing) if crossing == node => hysteretic = 0.0,
                 Event::Turn(_)
+                | Event::TurnOfDrift(_)
                 | Event::Yield(..)
+                | Event::Cross(_)
                 | Event::Balance(_)
                 | Event::Extremum(_)
                 | Event::Peak(_)
@@ -103,16 +90,31 @@ impl<R: Recorder> Run<'_, R> {
                 | Event::Part(_) => {}
             }
         }
-        end
+        end.restoring_force = if member.hardened_stiffness > 0.0 {
+            let drift = match &member.storey {
+                None => end.displacement,
+                Some(storey) => end.displacement - self.members[storey.below].state.displacement,
+            };
+            member.hardened_stiffness * drift + hysteretic
+        } else {
+            hysteretic
+        };
+        (end, hysteretic)
     }
 
     fn report(&mut self, node: usize, (first, time): (usize, f64), x: f64, end: State) {
         let body = &self.bodies[first];
         let (left, right) = self.forces_on(node);
         let member = &self.members[node];
+        let (tangent, bent) = match &member.bend {
+            None => (member.tangent(), &[][..]),
+            Some(bend) => (member.hardened_stiffness, &bend.force[..body.len]),
+        };
         let force = |pair: Option<usize>| {
             pair.map_or(&[][..], |pair| &self.contacts[pair].force[..body.len])
         };
+        let storey = member.storey.as_ref();
+        let below = storey.map(|storey| &self.members[storey.below]);
         let impulse = |pair| integral(force(pair), body.power, x);
         let span = Span {
             structure: node,
@@ -122,20 +124,39 @@ impl<R: Recorder> Run<'_, R> {
             end,
             impulse_from_left: impulse(left),
             impulse_from_right: -impulse(right),
-            below: None,
+            below: below.map(|below| {
+                let start = Motion {
+                    displacement: below.displacement[0],
+                    velocity: below.velocity[0],
+                };
+                [start, (&below.state).into()]
+            }),
             path: Path::Series(Series {
                 origin: body.start,
                 power: body.power,
                 displacement: &member.displacement[..body.len],
                 velocity: &member.velocity[..body.len],
                 acceleration: &member.acceleration[..body.len],
-                below: None,
-                restoring_force: (member.state.restoring_force, member.tangent()),
+                below: below
+                    .map(|below| [&below.displacement[..body.len], &below.velocity[..body.len]]),
+                restoring_force: (member.state.restoring_force, tangent),
+                bent,
                 force_from_left: force(left),
                 force_from_right: force(right),
             }),
         };
         self.recorder.span(&span);
+    }
+}
+
+impl Member {
+    /// The hysteretic part of the force at x.
+    fn hysteretic_end(&self, len: usize, x: f64) -> f64 {
+        self.hysteretic_force
+            + match &self.bend {
+                None => self.hysteretic_tangent() * rise(&self.drift()[..len], x),
+                Some(bend) => rise(&bend.force[..len], x),
+            }
     }
 }
 

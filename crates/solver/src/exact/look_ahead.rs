@@ -20,7 +20,7 @@ impl<R: Recorder> Run<'_, R> {
     /// Brings deformation and rate of a pair to this instant, from its own series.
     pub(super) fn carry_deformation(&mut self, pair: usize, time: f64) {
         let left = self.lefts[pair];
-        let body = &self.bodies[self.body_of[left]];
+        let body = &self.bodies[self.groups.body_of[left]];
         let contact = &self.contacts[pair];
         if contact.time >= time {
             return;
@@ -78,7 +78,7 @@ impl<R: Recorder> Run<'_, R> {
         if self.landed[node] {
             return (member.state.displacement, member.state.velocity);
         }
-        let body = &self.bodies[self.body_of[node]];
+        let body = &self.bodies[self.groups.body_of[node]];
         let x = body.position(time);
         (
             value(&member.displacement[..body.len], x),
@@ -96,7 +96,7 @@ impl<R: Recorder> Run<'_, R> {
 
     fn earlier_root(&self, pair: usize) -> Option<usize> {
         let left = self.lefts[pair];
-        let firsts = [self.body_of[left], self.body_of[left + 1]];
+        let firsts = [self.groups.body_of[left], self.groups.body_of[left + 1]];
         let [a, b] = firsts.map(|first| &self.bodies[first]);
         let rooted = a.power == Power::Four && b.power == Power::Four;
         match a.start.total_cmp(&b.start) {
@@ -110,7 +110,7 @@ impl<R: Recorder> Run<'_, R> {
     fn out_of_reach(&self, pair: usize) -> bool {
         let left = self.lefts[pair];
         let most = |node: usize, sign: f64| {
-            let (body, member) = (&self.bodies[self.body_of[node]], &self.members[node]);
+            let (body, member) = (&self.bodies[self.groups.body_of[node]], &self.members[node]);
             let series = &member.displacement[1..body.len];
             let bound = |sum: f64, c: &f64| sum * body.length + c.abs();
             sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
@@ -127,7 +127,7 @@ impl<R: Recorder> Run<'_, R> {
         power: Power,
         series: &mut [f64; CAPACITY],
     ) -> usize {
-        let (body, member) = (&self.bodies[self.body_of[node]], &self.members[node]);
+        let (body, member) = (&self.bodies[self.groups.body_of[node]], &self.members[node]);
         series[..body.len].copy_from_slice(&member.displacement[..body.len]);
         if body.power == Power::Four {
             if offset > 0.0 {
@@ -157,7 +157,7 @@ impl<R: Recorder> Run<'_, R> {
             self.contacts[pair].series.len = 0;
             return;
         }
-        let bodies = [left, left + 1].map(|node| &self.bodies[self.body_of[node]]);
+        let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
         let end = bodies[0].end.min(bodies[1].end);
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
         let (origin, power) = rooted.map_or((time, Power::One), |body| (body.start, Power::Four));

@@ -1,29 +1,51 @@
-//! A structure between events: its state, its branch, and its motion as a power series.
+//! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
+use crate::exact::bend::Bend;
 use crate::exact::noise::Terms;
 use crate::exact::roots::CAPACITY;
-use crate::{Hysteretic, Node, State};
+use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
 
 /// The branch of a piecewise-linear restoring force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Branch {
     Elastic,
-    /// Yielding with the force at +`f_y`.
+    /// Yielding to the right, under a force > 0 but for hardening.
     Right,
-    /// Yielding with the force at −`f_y`.
+    /// Yielding to the left.
     Left,
 }
 
-/// A structure or a wall.
+/// A floor with the storey below it, or a wall.
+///
+/// The columns' force is f = a k d + h: a line, and a part h with the stiffness (1 − a) k that yields at ±(1 − a) `f_y`.
 #[derive(Debug, Clone)]
 pub(super) struct Member {
     pub(super) inverse_mass: f64,
     /// Infinite for a wall.
     pub(super) mass: f64,
+    /// Damping of the storey; of a floor on the ground all its damping.
     pub(super) damping: f64,
-    pub(super) stiffness: f64,
-    pub(super) yield_force: f64,
+    /// Damping against the ground of a floor that stands on another one.
+    pub(super) ground_damping: f64,
+    /// The floor that stands on it.
+    pub(super) above: Option<usize>,
+    /// Of a floor that stands on another one: which, and the drift.
+    pub(super) storey: Option<Box<Upper>>,
+    /// Neither tied to another floor nor yielding smoothly: the columns' force is a line over the displacement.
+    pub(super) plain: bool,
+    /// k \[N/m\].
+    stiffness: f64,
+    /// a k \[N/m\].
+    pub(super) hardened_stiffness: f64,
+    /// (1 − a) k \[N/m\].
+    pub(super) hysteretic_stiffness: f64,
+    /// (1 − a) `f_y` \[N\].
+    pub(super) limit: f64,
+    /// Columns that yield smoothly.
+    pub(super) bend: Option<Box<Bend>>,
     pub(super) branch: Branch,
+    /// Its rate bounds the motion of a body together with those of all others; see [`fastest_rate`].
+    pub(super) fastest_rate: f64,
     /// The net pounding force is known to be zero.
     pub(super) balanced: bool,
     /// The net pounding force is known to have an extremum.
@@ -31,75 +53,151 @@ pub(super) struct Member {
     pub(super) terms: Terms,
     /// State at the start of the piece; displacement, velocity and restoring force lead, the rest follows.
     pub(super) state: State,
+    /// h at the start of the piece \[N\].
+    pub(super) hysteretic_force: f64,
     pub(super) displacement: [f64; CAPACITY],
     pub(super) velocity: [f64; CAPACITY],
     pub(super) acceleration: [f64; CAPACITY],
 }
 
+/// A storey that stands on a floor, and its drift as series in the variable of its body.
+#[derive(Debug, Clone)]
+pub(super) struct Upper {
+    /// The floor below.
+    pub(super) below: usize,
+    /// The rate of the drift is known to be zero at the start of the piece: its difference would be rounding.
+    pub(super) still: bool,
+    pub(super) drift: [f64; CAPACITY],
+    pub(super) rate: [f64; CAPACITY],
+}
+
 impl Member {
-    pub(super) fn new<Column: Hysteretic>(node: &Node<Column>) -> Self {
-        let response = node
-            .column
-            .respond(node.initial_displacement, Column::Memory::default());
-        let force = if node.is_wall() { 0.0 } else { response.force };
-        Self {
-            inverse_mass: node.inverse_mass,
-            mass: 1.0 / node.inverse_mass,
-            damping: node.damping,
-            stiffness: node.column.stiffness(),
-            yield_force: node.column.yield_force(),
+    /// A node of a row in its initial state, with the force of its columns there.
+    pub(super) fn new<Column: Hysteretic>(
+        row: &Row<Column>,
+        node: usize,
+        initial: &[State],
+    ) -> Self {
+        let floor = &row.nodes()[node];
+        let Columns {
+            stiffness,
+            hardened_stiffness,
+            hysteretic_stiffness,
+            limit,
+            bend,
+        } = Columns::new(floor.column.hysteresis());
+        let force = if floor.is_wall() {
+            0.0
+        } else {
+            initial[node].restoring_force
+        };
+        let state = State {
+            displacement: initial[node].displacement,
+            velocity: initial[node].velocity,
+            restoring_force: force,
+            ..State::default()
+        };
+        let (storey, ground_damping) = match floor.support {
+            Support::Ground => (None, 0.0),
+            Support::Floor(Floor {
+                below,
+                ground_damping,
+            }) => (Some(Box::new(Upper::over(below))), ground_damping),
+        };
+        let mut member = Self {
+            inverse_mass: floor.inverse_mass,
+            mass: 1.0 / floor.inverse_mass,
+            damping: floor.damping,
+            ground_damping,
+            above: row.above(node),
+            storey,
+            plain: true,
+            stiffness,
+            hardened_stiffness,
+            hysteretic_stiffness,
+            limit,
+            bend,
             branch: Branch::Elastic,
+            fastest_rate: fastest_rate(row, node),
             balanced: false,
             peaked: false,
             terms: Terms::default(),
-            state: State {
-                displacement: node.initial_displacement,
-                velocity: node.initial_velocity,
-                restoring_force: force,
-                ..State::default()
-            },
+            state,
+            hysteretic_force: force,
             displacement: [0.0; CAPACITY],
             velocity: [0.0; CAPACITY],
             acceleration: [0.0; CAPACITY],
+        };
+        member.plain = !member.is_tied() && member.bend.is_none();
+        if hardened_stiffness > 0.0 {
+            member.hysteretic_force = force - hardened_stiffness * row.drift(node, initial);
         }
+        member
     }
 
     pub(super) fn is_wall(&self) -> bool {
         self.inverse_mass == 0.0
     }
 
+    /// Whether it stands on a floor or carries one.
+    pub(super) fn is_tied(&self) -> bool {
+        self.storey.is_some() || self.above.is_some()
+    }
+
     /// Tangent stiffness of the branch \[N/m\].
     pub(super) fn tangent(&self) -> f64 {
         match self.branch {
             Branch::Elastic => self.stiffness,
+            Branch::Right | Branch::Left => self.hardened_stiffness,
+        }
+    }
+
+    /// The same of h; of columns that yield smoothly it says nothing.
+    pub(super) fn hysteretic_tangent(&self) -> f64 {
+        match self.branch {
+            Branch::Elastic => self.hysteretic_stiffness,
             Branch::Right | Branch::Left => 0.0,
         }
     }
 
+    /// Coefficients of the drift of the storey.
+    pub(super) fn drift(&self) -> &[f64; CAPACITY] {
+        self.storey
+            .as_ref()
+            .map_or(&self.displacement, |storey| &storey.drift)
+    }
+
+    /// Coefficients of its rate.
+    pub(super) fn drift_rate(&self) -> &[f64; CAPACITY] {
+        self.storey
+            .as_ref()
+            .map_or(&self.velocity, |storey| &storey.rate)
+    }
+
     /// Coefficient `n` of the restoring force.
     pub(super) fn restoring_force(&self, n: usize) -> f64 {
-        if n == 0 {
-            self.state.restoring_force
-        } else {
-            self.tangent() * self.displacement[n]
+        match &self.bend {
+            Some(bend) if n > 0 => self.hardened_stiffness * self.drift()[n] + bend.force[n],
+            Some(_) | None => self.force_of(self.drift()[n], n),
         }
     }
 
-    /// The rate ρ with ρ² = ρ c/m + k/m: coefficients of the motion fall at least like ρⁿ/n!.
-    pub(super) fn fastest_rate(&self) -> f64 {
-        let (damping, stiffness) = (
-            self.damping * self.inverse_mass,
-            self.stiffness * self.inverse_mass,
-        );
-        0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
+    /// The same of columns whose force is a line over this coefficient of the drift.
+    #[inline]
+    pub(super) fn force_of(&self, drift: f64, n: usize) -> f64 {
+        if n == 0 {
+            self.state.restoring_force
+        } else {
+            self.tangent() * drift
+        }
     }
 
     /// Ends yielding where the motion from a standstill leads back; true when it did.
-    pub(super) fn turns_back(&mut self, p: usize) -> bool {
-        let coefficients = self.velocity.iter().enumerate();
+    pub(super) fn turns_back(&mut self, below: Option<&Self>, p: usize) -> bool {
+        let coefficients = self.drift_rate().iter().enumerate();
         // Where the acceleration is zero by an event, rounding has no say in it.
         let leading = coefficients
-            .filter(|(n, coefficient)| coefficient.abs() > self.noise_of_velocity(p, *n))
+            .filter(|(n, coefficient)| coefficient.abs() > self.noise_of_rate(below, p, *n))
             .map(|(_, coefficient)| coefficient)
             .next();
         let back = match (self.branch, leading) {
@@ -113,11 +211,15 @@ impl Member {
         back
     }
 
-    /// Clears what rounding leaves of the first velocities from a standstill: columns would yield again at once.
-    pub(super) fn clear_standstill(&mut self, p: usize) {
+    /// Clears what rounding leaves of the first rates of the drift from a standstill: columns would yield again at once.
+    pub(super) fn clear_standstill(&mut self, below: Option<&Self>, p: usize) {
         for n in 0..CAPACITY - p {
-            if self.velocity[n].abs() > self.noise_of_velocity(p, n) {
+            if self.drift_rate()[n].abs() > self.noise_of_rate(below, p, n) {
                 return;
+            }
+            if let Some(storey) = &mut self.storey {
+                (storey.rate[n], storey.drift[n + p]) = (0.0, 0.0);
+                continue;
             }
             (self.velocity[n], self.displacement[n + p]) = (0.0, 0.0);
             if n >= p {
@@ -126,16 +228,118 @@ impl Member {
         }
     }
 
-    /// Columns yield no longer once the structure turns.
-    pub(super) fn unload(&mut self) {
-        let velocity = self.state.velocity;
+    /// Columns yield no longer once their drift, at this rate, turns.
+    pub(super) fn unload(&mut self, rate: f64) {
         let turned = match self.branch {
             Branch::Elastic => false,
-            Branch::Right => velocity < 0.0,
-            Branch::Left => velocity > 0.0,
+            Branch::Right => rate < 0.0,
+            Branch::Left => rate > 0.0,
         };
         if turned {
             self.branch = Branch::Elastic;
+        }
+    }
+
+    /// Rounding of coefficient `n` of the rate of the drift.
+    fn noise_of_rate(&self, below: Option<&Self>, p: usize, n: usize) -> f64 {
+        let own = self.noise_of_velocity(p, n);
+        below.map_or(own, |below| own + below.noise_of_velocity(p, n))
+    }
+}
+
+/// The numbers of a loop as a [`Member`] has them.
+struct Columns {
+    stiffness: f64,
+    hardened_stiffness: f64,
+    hysteretic_stiffness: f64,
+    limit: f64,
+    bend: Option<Box<Bend>>,
+}
+
+impl Columns {
+    fn new(hysteresis: Hysteresis) -> Self {
+        let Hysteresis {
+            stiffness,
+            mut hardening,
+            yield_force,
+            knee,
+        } = hysteresis;
+        // What never yields is elastic.
+        if yield_force.is_infinite() {
+            hardening = 0.0;
+        }
+        let hysteretic_stiffness = (1.0 - hardening) * stiffness;
+        let limit = (1.0 - hardening) * yield_force;
+        let bend = match knee {
+            Knee::Smooth(smoothness) if yield_force.is_finite() => {
+                Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit)))
+            }
+            Knee::Smooth(_) | Knee::Sharp => None,
+        };
+        Self {
+            stiffness,
+            hardened_stiffness: hardening * stiffness,
+            hysteretic_stiffness,
+            limit,
+            bend,
+        }
+    }
+}
+
+/// A member and the floor it stands on, which comes before it.
+pub(super) fn with_below(
+    members: &mut [Member],
+    node: usize,
+) -> Option<(&mut Member, Option<&Member>)> {
+    let (lower, upper) = members.split_at_mut(node);
+    let member = upper.first_mut()?;
+    let below = member
+        .storey
+        .as_ref()
+        .and_then(|storey| lower.get(storey.below));
+    Some((member, below))
+}
+
+/// The rate ρ with ρ² = ρ C + K, C and K the sums of the magnitudes in a row of M⁻¹C and M⁻¹K.
+///
+/// With the largest of its members coefficients of the motion of a body fall at least like ρⁿ/n!.
+fn fastest_rate<Column: Hysteretic>(row: &Row<Column>, node: usize) -> f64 {
+    let (nodes, floor) = (row.nodes(), &row.nodes()[node]);
+    let steepest = |node: usize| {
+        let Hysteresis {
+            stiffness,
+            hardening,
+            knee,
+            ..
+        } = nodes[node].column.hysteresis();
+        match knee {
+            Knee::Sharp => stiffness,
+            // Unloading beyond the elastic line.
+            Knee::Smooth(smoothness) => {
+                let bend = (2.0 * smoothness.unloading).max(1.0);
+                stiffness * (hardening + (1.0 - hardening) * bend)
+            }
+        }
+    };
+    let (mut damping, mut stiffness) = (floor.damping, steepest(node));
+    if let Support::Floor(Floor { ground_damping, .. }) = floor.support {
+        (damping, stiffness) = (2.0 * damping + ground_damping, 2.0 * stiffness);
+    }
+    if let Some(above) = row.above(node) {
+        damping += 2.0 * nodes[above].damping;
+        stiffness += 2.0 * steepest(above);
+    }
+    let (damping, stiffness) = (damping * floor.inverse_mass, stiffness * floor.inverse_mass);
+    0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
+}
+
+impl Upper {
+    fn over(below: usize) -> Self {
+        Self {
+            below,
+            still: false,
+            drift: [0.0; CAPACITY],
+            rate: [0.0; CAPACITY],
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Event-driven integration without a time step: power series between events, events found by bounds.
 //!
-//! Between two events the equation of motion of a structure is linear with a load that is linear in time; its solution
+//! Between two events the equation of motion of a floor is linear with a load that is linear in time; its solution
 //! is a power series whose coefficients follow from the equation itself, on pieces so short that some twenty of them
 //! reach rounding. Events are the samples of the record, velocity zeros (peaks and unloading), yielding, touching,
 //! parting, the fading of a contact force and the reversal of the rate of deformation. Impulsive contact is a jump of
@@ -11,8 +11,11 @@
 //! Sources: the relations of several simultaneous impacts follow M. Frémond and F. Pfeiffer's complementarity form with
 //! Newton's restitution; Taylor series as an integrator: À. Jorba and M. Zou, *Experimental Mathematics* 14 (2005) 99.
 
+mod bend;
 mod body;
 mod contact;
+mod groups;
+mod hits;
 mod impacts;
 mod landing;
 mod look_ahead;
@@ -21,13 +24,16 @@ mod noise;
 mod roots;
 mod series;
 mod settle;
+mod storey;
 mod watch;
 
 use crate::error::require;
+use crate::excitation::Segment;
 use crate::{Clock, Excitation, Hysteretic, Recorder, Row, RunError, Touch, Work};
 
 use body::Body;
 use contact::Contact;
+use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
@@ -76,6 +82,8 @@ const MOST_PIECES: f64 = 1e6;
 struct Run<'a, R> {
     settings: Exact,
     excitation: Excitation<'a>,
+    /// The piece of the ground motion that was last asked for, and when.
+    ground: (f64, Segment),
     end: f64,
     members: Vec<Member>,
     contacts: Vec<Contact>,
@@ -86,8 +94,12 @@ struct Run<'a, R> {
     gaps: Vec<f64>,
     /// The body that begins with this node.
     bodies: Vec<Body>,
-    /// First node of the body of this node.
-    body_of: Vec<usize>,
+    /// Who belongs to which body.
+    groups: Groups,
+    /// Node on the ground of the building of this node.
+    buildings: Vec<usize>,
+    /// Pairs of which this instant's impacts have been dealt with.
+    settled: Vec<bool>,
     /// Bodies that wait for their next piece.
     landed: Vec<bool>,
     chain: Chain,
@@ -118,30 +130,50 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
             left.initial_velocity - right.initial_velocity,
         )
     };
+    let (initial, _) = row.initial(0.0);
+    let members: Vec<_> = (0..n)
+        .map(|node| Member::new(row, node, &initial))
+        .collect();
+    let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
+    let groups = Groups::new(&members, &contacts, &pair_right_of);
     let mut run = Run {
         settings,
         excitation,
+        ground: (0.0, excitation.segment(0.0)),
         end: clock.time(clock.n_steps),
-        members: row.nodes().iter().map(Member::new).collect(),
-        contacts: row.pairs().iter().map(contact).collect(),
+        buildings: buildings(&members),
+        settled: vec![false; contacts.len()],
+        members,
+        contacts,
         lefts: row.pairs().iter().map(|pair| pair.left).collect(),
         pair_right_of,
         gaps: row.pairs().iter().map(|pair| pair.gap).collect(),
-        bodies: (0..n).map(Body::at_start).collect(),
-        body_of: (0..n).collect(),
+        bodies: vec![Body::at_start(); n],
+        groups,
         landed: vec![true; n],
         chain: Chain::default(),
         work: Work::default(),
         recorder,
     };
     for (structure, member) in run.members.iter().enumerate() {
-        let pieces = member.fastest_rate() * run.end;
+        let pieces = member.fastest_rate * run.end;
         if !member.is_wall() && pieces > MOST_PIECES {
             return Err(RunError::TooStiff { structure, pieces });
         }
     }
     run.run()?;
     Ok(run.work)
+}
+
+/// Node on the ground of every node's building.
+fn buildings(members: &[Member]) -> Vec<usize> {
+    let mut buildings: Vec<_> = (0..members.len()).collect();
+    for (node, member) in members.iter().enumerate() {
+        if let Some(storey) = &member.storey {
+            buildings[node] = buildings[storey.below];
+        }
+    }
+    buildings
 }
 
 impl<R: Recorder> Run<'_, R> {
@@ -169,18 +201,27 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
+    /// The ground motion from an instant on.
+    fn segment(&mut self, time: f64) -> Segment {
+        if self.ground.0.to_bits() != time.to_bits() {
+            self.ground = (time, self.excitation.segment(time));
+        }
+        self.ground.1
+    }
+
     /// The next instant at which a piece ends or a pair touches.
     fn next_event(&self) -> f64 {
         let firsts = self.bodies.iter().enumerate();
         let ends = firsts
-            .filter(|(first, _)| self.body_of[*first] == *first)
+            .filter(|(first, _)| self.groups.body_of[*first] == *first)
             .map(|(_, body)| body.end);
         let touches = self.contacts.iter().map(|contact| contact.meets);
         ends.chain(touches).fold(f64::INFINITY, f64::min)
     }
 
     fn bodies_at_end(&self) -> bool {
-        self.body_of
+        self.groups
+            .body_of
             .iter()
             .all(|&first| self.bodies[first].start >= self.end)
     }
@@ -188,7 +229,7 @@ impl<R: Recorder> Run<'_, R> {
     /// Ends every piece that ends at this instant, and those of the pairs that touch then.
     fn land_all(&mut self, time: f64) {
         for first in 0..self.bodies.len() {
-            if self.body_of[first] == first && self.bodies[first].end <= time {
+            if self.groups.body_of[first] == first && self.bodies[first].end <= time {
                 self.land(first, time);
             }
         }
@@ -196,8 +237,8 @@ impl<R: Recorder> Run<'_, R> {
             if self.contacts[pair].meets <= time {
                 let left = self.lefts[pair];
                 let rate = self.contacts[pair].rate_at_touch();
-                self.land(self.body_of[left], time);
-                self.land(self.body_of[left + 1], time);
+                self.land(self.groups.body_of[left], time);
+                self.land(self.groups.body_of[left + 1], time);
                 self.contacts[pair].touch(time, rate);
                 self.report_touch(pair, time);
             }
@@ -227,8 +268,8 @@ impl<R: Recorder> Run<'_, R> {
                 let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
                 let closed = contact.time >= time && contact.deformation == 0.0;
                 if closed && self.landed[left] != self.landed[left + 1] {
-                    self.land(self.body_of[left], time);
-                    self.land(self.body_of[left + 1], time);
+                    self.land(self.groups.body_of[left], time);
+                    self.land(self.groups.body_of[left + 1], time);
                     grown = true;
                 }
             }
@@ -239,7 +280,7 @@ impl<R: Recorder> Run<'_, R> {
     fn go_on(&mut self, time: f64) -> Result<(), RunError> {
         self.resolve(time)?;
         for first in 0..self.bodies.len() {
-            if self.body_of[first] == first && self.landed[first] {
+            if self.groups.body_of[first] == first && self.landed[first] {
                 self.launch(first, time)?;
             }
         }

@@ -1,11 +1,15 @@
 //! What rounding leaves of coefficients that are zero: what a pair at rest is judged by.
 
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::Contact;
+use crate::exact::groups::Group;
 use crate::exact::member::Member;
+use crate::exact::storey::magnitude;
 use crate::excitation::Segment;
 
 /// Orders in time of a force at rest that are looked at for rounding.
 const ORDERS: usize = 8;
+/// The same between floors of buildings of several storeys, which feel each other two orders later from floor to floor.
+const ORDERS_OF_FLOORS: usize = 13;
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -24,65 +28,89 @@ pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f
 
 /// Finds what rounding of the coefficients of a body is measured by; clears forces at rest that are rounding.
 pub(super) fn clean(
-    members: &mut [Member],
-    contacts: &mut [Contact],
+    group: Group<'_>,
+    (members, contacts): (&mut [Member], &mut [Contact]),
     (ground, time): (Segment, f64),
     p: usize,
 ) {
-    let mut first = 0;
-    while first < members.len() {
-        let mut last = first;
-        while last < contacts.len() && contacts[last].link == Link::Resting {
-            last += 1;
+    for block in group.blocks() {
+        let outside = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[0].abs());
+        let pushed = outside(block.left) + outside(block.right);
+        for node in block.first..=block.last {
+            members[node].terms.own = magnitude(members, node);
         }
-        let outside =
-            |contact: Option<&Contact>| contact.map_or(0.0, |contact| contact.force[0].abs());
-        let pushed =
-            outside(first.checked_sub(1).map(|left| &contacts[left])) + outside(contacts.get(last));
-        let block = &mut members[first..=last];
-        let own: f64 = block.iter().map(Member::magnitude).sum();
-        let mass: f64 = block.iter().map(|member| member.mass).sum();
-        let rate = block.iter().map(Member::fastest_rate).fold(0.0, f64::max);
-        for member in block.iter_mut() {
+        let nodes = &mut members[block.first..=block.last];
+        let own: f64 = nodes.iter().map(|member| member.terms.own).sum();
+        let mass: f64 = nodes.iter().map(|member| member.mass).sum();
+        let fastest = |rate: f64, member: &Member| rate.max(member.fastest_rate);
+        let rate = nodes.iter().fold(0.0, fastest);
+        let acceleration = if mass.is_finite() {
+            (own + pushed) / mass + ground.value.abs()
+        } else {
+            0.0
+        };
+        for member in nodes {
             member.terms = Terms {
-                acceleration: if mass.is_finite() {
-                    (own + pushed) / mass + ground.value.abs()
-                } else {
-                    0.0
-                },
+                own: member.terms.own,
+                acceleration,
+                around: acceleration,
                 ground: (ground.value.abs(), ground.slope.abs()),
                 rate,
                 time,
             };
         }
-        for (index, contact) in contacts[first..last].iter_mut().enumerate() {
-            contact.clear_rounding(block, index, p);
+    }
+    share(group, members);
+    for block in group.blocks() {
+        for index in 0..block.last - block.first {
+            let (before, after) = block.split(index);
+            let contact = &mut contacts[block.within + index];
+            contact.clear_rounding((&members[before], &members[after]), p);
         }
-        first = last + 1;
+    }
+}
+
+/// What storeys join rounds by the largest of its accelerations, from the next coefficient on.
+fn share(group: Group<'_>, members: &mut [Member]) {
+    if group.followed().is_empty() {
+        return;
+    }
+    let largest = |value: fn(&Member) -> f64| {
+        let nodes = group.nodes().iter();
+        nodes.fold(0.0, |largest: f64, node| {
+            largest.max(value(&members[*node]))
+        })
+    };
+    let (around, rate) = (
+        largest(|member| member.terms.acceleration),
+        largest(|member| member.terms.rate),
+    );
+    for node in group.nodes() {
+        let member = &mut members[*node];
+        if member.is_tied() {
+            (member.terms.around, member.terms.rate) = (around, rate);
+        }
     }
 }
 
 /// What the first coefficients of an acceleration are sums of.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Terms {
+    /// Magnitude of the terms of the own forces \[N\].
+    own: f64,
     /// Sum of the magnitudes of the terms of the acceleration \[m/s²\].
     acceleration: f64,
+    /// The largest of those that storeys join with it.
+    around: f64,
     /// Magnitude of the ground acceleration and its slope.
     ground: (f64, f64),
-    /// The fastest rate of the structures that share the acceleration \[1/s\].
+    /// The fastest rate of those that share the acceleration, or that storeys join, \[1/s\].
     rate: f64,
     /// Now \[s\].
     time: f64,
 }
 
 impl Member {
-    /// Magnitude of the terms of the own forces \[N\]; a restoring force near zero has the rounding of the amplitude.
-    fn magnitude(&self) -> f64 {
-        let (speed, rate) = (self.state.velocity.abs(), self.fastest_rate());
-        let amplitude = if rate > 0.0 { speed / rate } else { 0.0 };
-        self.damping * speed + self.state.restoring_force.abs() + self.tangent() * amplitude
-    }
-
     /// What rounding of the acceleration's coefficient of this order in time is a part of: its terms, and what it
     /// changes by in the time that has passed, whose rounding is that of every instant.
     fn noise(&self, order: usize) -> f64 {
@@ -102,7 +130,10 @@ impl Member {
 
     fn magnitude_of(&self, order: usize) -> f64 {
         let terms = &self.terms;
-        let mut noise = terms.acceleration;
+        if order == 0 {
+            return terms.acceleration;
+        }
+        let mut noise = terms.around;
         for n in 1..=order {
             noise *= terms.rate / n as f64;
             if n == 1 {
@@ -115,10 +146,10 @@ impl Member {
 
 impl Contact {
     /// Clears the first coefficients of a force at rest that are rounding, and all when the first ones are.
-    fn clear_rounding(&mut self, block: &[Member], index: usize, p: usize) {
-        let (before, after) = block.split_at(index + 1);
+    fn clear_rounding(&mut self, (before, after): (&[Member], &[Member]), p: usize) {
         let mut rounding = true;
-        for order in 0..ORDERS {
+        let tied = before.iter().chain(after).any(Member::is_tied);
+        for order in 0..if tied { ORDERS_OF_FLOORS } else { ORDERS } {
             let need = |side: &[Member]| {
                 let need = |member: &Member| {
                     let ground = if order == 0 {
@@ -127,7 +158,7 @@ impl Contact {
                         0.0
                     };
                     member.mass * (member.noise(order) + ground)
-                        + if order == 0 { member.magnitude() } else { 0.0 }
+                        + if order == 0 { member.terms.own } else { 0.0 }
                 };
                 side.iter().map(need).sum::<f64>()
             };

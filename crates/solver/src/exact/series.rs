@@ -1,34 +1,51 @@
-//! The motion of the structures of one body as power series: the recurrence of their equations of motion.
+//! The motion of the floors of one body as power series: the recurrence of their equations of motion.
 //!
 //! With t = origin + x^p the equations m ü + c u̇ + f = F − m `a_g` give, power by power, the acceleration from forces
 //! that are already known, and from it velocity and displacement p powers further on. One formula serves c = 0, k = 0,
-//! critical damping and the plastic branch; structures at rest against each other share their acceleration.
+//! critical damping and the plastic branch; structures at rest against each other share their acceleration. Storeys
+//! couple floors in the same way: by drifts and rates whose coefficients are known.
+
+use std::ops::RangeInclusive;
 
 use crate::exact::contact::{Contact, Link};
+use crate::exact::groups::{Block, Group};
 use crate::exact::member::Member;
+use crate::exact::storey::{self, own_force};
 use crate::excitation::Segment;
 use crate::span::Power;
 
-/// Expands the motion of the members of a body, and the forces between them, to `len` coefficients.
+/// Expands the motion of a body, and the forces between its members, to `len` coefficients.
 pub(super) fn expand(
-    members: &mut [Member],
-    contacts: &mut [Contact],
+    group: Group<'_>,
+    (members, contacts): (&mut [Member], &mut [Contact]),
     ground: Segment,
     power: Power,
     len: usize,
 ) {
     let p = power.order();
-    for member in members.iter_mut() {
+    let (nodes, followed, pairs, blocks) = (
+        group.nodes(),
+        group.followed(),
+        group.pairs(),
+        group.blocks(),
+    );
+    for node in nodes {
+        let member = &mut members[*node];
         member.displacement[..2 * p].fill(0.0);
         member.velocity[..p].fill(0.0);
         member.displacement[0] = member.state.displacement;
         member.velocity[0] = member.state.velocity;
         member.displacement[p] = member.state.velocity;
     }
+    storey::begin(members, followed);
     for n in 0..len {
-        for (index, contact) in contacts.iter_mut().enumerate() {
+        if !followed.is_empty() {
+            storey::follow(members, followed, (p, n));
+        }
+        for joined in pairs {
+            let contact = &mut contacts[joined.pair];
             if matches!(contact.link, Link::Touching(_)) {
-                contact.find_force(&members[index..index + 2], power, n);
+                contact.find_force(&members[joined.left..joined.left + 2], power, n);
             }
         }
         let ground = if n == 0 {
@@ -40,76 +57,58 @@ pub(super) fn expand(
         };
         // Off the chain of dependent operations, where a division would be the longest.
         let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
-        let mut first = 0;
-        while first < members.len() {
-            let mut last = first;
-            while last < contacts.len() && contacts[last].link == Link::Resting {
-                last += 1;
-            }
-            let left = if first == 0 {
-                0.0
-            } else {
-                contacts[first - 1].force[n]
-            };
-            let right = if last == contacts.len() {
-                0.0
-            } else {
-                contacts[last].force[n]
-            };
-            let block = &mut members[first..=last];
-            accelerate(block, left - right, ground, n);
-            for member in block.iter_mut() {
+        for block in blocks {
+            let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
+            let outside = (force(block.left), force(block.right));
+            accelerate(members, block, outside.0 - outside.1, (ground, n));
+            for member in &mut members[block.first..=block.last] {
                 member.velocity[n + p] = member.acceleration[n] * once;
                 member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
             }
-            resting_forces(block, &mut contacts[first..last], (left, right), ground, n);
-            first = last + 1;
+            resting_forces(members, (block, contacts), outside, (ground, n));
         }
     }
 }
 
 /// Coefficient `n` of the acceleration that members at rest against each other share under a net force from outside.
-fn accelerate(block: &mut [Member], force: f64, ground: f64, n: usize) {
-    let acceleration = match &*block {
+fn accelerate(members: &mut [Member], block: &Block, force: f64, (ground, n): (f64, usize)) {
+    let nodes = block.first..=block.last;
+    let acceleration = match &members[nodes.clone()] {
         [alone] if alone.is_wall() => 0.0,
         [alone] => {
-            let own = alone.damping * alone.velocity[n] + alone.restoring_force(n);
+            let own = own_force(members, block.first, n);
             alone.inverse_mass * (force - own) - ground
         }
         several if several.iter().any(Member::is_wall) => 0.0,
         several => {
-            let own =
-                |member: &Member| member.damping * member.velocity[n] + member.restoring_force(n);
-            let sum: f64 = several.iter().map(own).sum();
+            let sum: f64 = nodes.clone().map(|node| own_force(members, node, n)).sum();
             let mass: f64 = several.iter().map(|member| member.mass).sum();
             (force - sum) / mass - ground
         }
     };
-    for member in block {
+    for member in &mut members[nodes] {
         member.acceleration[n] = acceleration;
     }
 }
 
 /// Coefficient `n` of the forces between members at rest against each other, each from its lighter side.
 fn resting_forces(
-    block: &[Member],
-    contacts: &mut [Contact],
+    members: &[Member],
+    (block, contacts): (&Block, &mut [Contact]),
     (left, right): (f64, f64),
-    ground: f64,
-    n: usize,
+    (ground, n): (f64, usize),
 ) {
-    for (index, contact) in contacts.iter_mut().enumerate() {
-        let mass = |members: &[Member]| members.iter().map(|member| member.mass).sum::<f64>();
-        let (before, after) = block.split_at(index + 1);
-        let needs = |members: &[Member]| {
-            let need = |member: &Member| {
-                member.mass * (member.acceleration[n] + ground)
-                    + member.damping * member.velocity[n]
-                    + member.restoring_force(n)
-            };
-            members.iter().map(need).sum::<f64>()
+    for index in 0..block.last - block.first {
+        let (before, after) = block.split(index);
+        let mass = |nodes: RangeInclusive<usize>| {
+            members[nodes].iter().map(|member| member.mass).sum::<f64>()
         };
-        contact.force[n] = if mass(before) <= mass(after) {
+        let needs = |nodes: RangeInclusive<usize>| {
+            nodes
+                .map(|node| storey::need(members, node, (ground, n)))
+                .sum::<f64>()
+        };
+        contacts[block.within + index].force[n] = if mass(before.clone()) <= mass(after.clone()) {
             left - needs(before)
         } else {
             right + needs(after)
@@ -118,7 +117,10 @@ fn resting_forces(
 }
 
 /// Largest length of a piece so that the last coefficients are below rounding, whatever branch its members take.
-pub(super) fn radius(members: &[Member]) -> f64 {
-    let fastest = members.iter().map(Member::fastest_rate).fold(0.0, f64::max);
+pub(super) fn radius(members: &[Member], nodes: &[usize]) -> f64 {
+    let fastest = nodes
+        .iter()
+        .map(|node| members[*node].fastest_rate)
+        .fold(0.0, f64::max);
     1.0 / fastest
 }

@@ -1,27 +1,29 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
 use crate::exact::contact::{Contact, Link};
+use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
+use crate::exact::roots::CAPACITY;
+use crate::exact::storey::rate_of_drift;
 use crate::exact::{CHATTER, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 
-/// Impacts of a pair within the shortest remainder after which the next one is plastic.
-const BURST: u32 = 50;
 /// Impacts of a pair without coming to rest after which a run gives up: with e = 1 neighbours that press bounce for ever.
 ///
 /// With e = 0.999 a bounce of 0.1 m/s is over after 25 000.
 const MOST_BOUNCES: u32 = 100_000;
 /// Coefficients that decide whether a pair presses or parts, from that of the acceleration on.
 const DECISIVE: usize = 12;
+/// Coefficients of displacements that every expansion finds, in orders of time.
+const FEWEST: usize = 15;
 
 impl<R: Recorder> Run<'_, R> {
     /// Resolves every chain of pairs that touch now.
     pub(super) fn resolve(&mut self, time: f64) -> Result<(), RunError> {
-        let mut pair = 0;
-        while pair < self.contacts.len() {
-            if !self.touches_now(pair, time) {
-                pair += 1;
+        self.settled.fill(false);
+        for pair in 0..self.contacts.len() {
+            if self.settled[pair] || !self.touches_now(pair, time) {
                 continue;
             }
             if self.contacts[pair].restitution().is_none() {
@@ -31,26 +33,17 @@ impl<R: Recorder> Run<'_, R> {
                 if contact.rate >= 0.0 {
                     contact.begin();
                 }
-                pair += 1;
                 continue;
             }
-            let mut last = pair;
-            while last + 1 < self.contacts.len()
-                && self.lefts[last + 1] == self.lefts[last] + 1
-                && self.touches_now(last + 1, time)
-                && self.contacts[last + 1].restitution().is_some()
-            {
-                last += 1;
-            }
-            self.collide(pair, last, time)?;
-            pair = last + 1;
+            let hits = self.hits_with(pair, time);
+            self.collide(hits, time)?;
         }
         self.regroup();
         Ok(())
     }
 
     /// Whether a pair has landed with its gap closed, in need of a decision.
-    fn touches_now(&self, pair: usize, time: f64) -> bool {
+    pub(super) fn touches_now(&self, pair: usize, time: f64) -> bool {
         let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
         let landed = self.landed[left] && self.landed[left + 1];
         let closed = contact.time >= time && contact.deformation == 0.0;
@@ -63,45 +56,38 @@ impl<R: Recorder> Run<'_, R> {
         landed && closed && open && (contact.restitution().is_some() || contact.touching)
     }
 
-    /// Impacts of a chain of touching pairs, then rest or parting.
-    fn collide(&mut self, first: usize, last: usize, time: f64) -> Result<(), RunError> {
-        let nodes = self.lefts[first]..=self.lefts[last] + 1;
-        let before: Vec<f64> = nodes
-            .clone()
-            .map(|node| self.members[node].state.velocity)
-            .collect();
-        let rates: Vec<f64> = (first..=last)
-            .map(|pair| self.contacts[pair].rate)
-            .collect();
-        let mut plastic: Vec<bool> = (first..=last)
-            .map(|pair| {
-                let contact = &mut self.contacts[pair];
-                let again = time - contact.hit < CHATTER;
-                again && contact.burst >= BURST
-            })
-            .collect();
+    /// Impacts of chains of touching pairs, then rest or parting.
+    fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
         loop {
-            self.give_impulses((first, last), &before, &rates, &plastic);
-            self.rest_or_part(first, last, time);
+            for hit in &mut hits {
+                self.give_impulses(hit);
+            }
+            self.unload(&hits);
+            self.rest_or_part(&hits, time);
             let mut grown = false;
-            for pair in first..=last {
-                let index = pair - first;
-                if !plastic[index] && self.chatters(pair, rates[index]) {
-                    plastic[index] = true;
-                    grown = true;
+            for hit in &mut hits {
+                for pair in hit.first..=hit.last {
+                    let index = pair - hit.first;
+                    if !hit.plastic[index] && self.chatters(pair, hit.rates[index]) {
+                        hit.plastic[index] = true;
+                        grown = true;
+                    }
                 }
             }
             if !grown {
                 break;
             }
         }
-        self.push_neighbours((first, last), &before);
-        for pair in first..=last {
-            let impulse = self.chain.impulses[pair - first];
-            if impulse > 0.0 {
-                self.report_impact(pair, impulse, time, (first, &before));
+        for hit in &hits {
+            self.push_neighbours(hit);
+            for pair in hit.first..=hit.last {
+                self.settled[pair] = true;
+                let impulse = hit.impulses[pair - hit.first];
+                if impulse > 0.0 {
+                    self.report_impact(pair, time, hit);
+                }
+                self.count_bounce(pair, impulse > 0.0, time)?;
             }
-            self.count_bounce(pair, impulse > 0.0, time)?;
         }
         Ok(())
     }
@@ -127,9 +113,9 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// The jumps at both ends of a chain change the rates of the pairs beyond.
-    fn push_neighbours(&mut self, (first, last): (usize, usize), before: &[f64]) {
-        let (start, end) = (self.lefts[first], self.lefts[last] + 1);
-        let jump = |node: usize| self.members[node].state.velocity - before[node - start];
+    fn push_neighbours(&mut self, hit: &Hit) {
+        let (start, end) = (hit.left, hit.left + hit.before.len() - 1);
+        let jump = |node: usize| self.members[node].state.velocity - hit.before[node - start];
         let (at_start, at_end) = (jump(start), jump(end));
         if let Some(pair) = start
             .checked_sub(1)
@@ -143,22 +129,17 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Velocities and rates after the impacts of a chain.
-    fn give_impulses(
-        &mut self,
-        (first, last): (usize, usize),
-        velocities: &[f64],
-        rates: &[f64],
-        plastic: &[bool],
-    ) {
-        let left = self.lefts[first];
+    fn give_impulses(&mut self, hit: &mut Hit) {
         let chain = &mut self.chain;
         chain.clear();
-        chain.velocities.extend_from_slice(velocities);
-        chain.rates.extend_from_slice(rates);
-        for index in 0..velocities.len() {
-            chain.masses.push(self.members[left + index].mass);
-        }
-        for (contact, plastic) in self.contacts[first..=last].iter().zip(plastic) {
+        chain.velocities.extend_from_slice(&hit.before);
+        chain.rates.extend_from_slice(&hit.rates);
+        let contacts = &mut self.contacts[hit.first..=hit.last];
+        let members = &mut self.members[hit.left..hit.left + hit.before.len()];
+        chain
+            .masses
+            .extend(members.iter().map(|member| member.mass));
+        for (contact, plastic) in contacts.iter().zip(&hit.plastic) {
             let restitution = if *plastic {
                 0.0
             } else {
@@ -167,14 +148,41 @@ impl<R: Recorder> Run<'_, R> {
             chain.restitutions.push(restitution);
         }
         chain.collide(self.settings.simultaneous_impacts);
-        for (index, velocity) in chain.velocities.iter().enumerate() {
-            let member = &mut self.members[left + index];
+        for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
-            member.unload();
         }
-        for (contact, rate) in self.contacts[first..=last].iter_mut().zip(&chain.rates) {
+        for (contact, rate) in contacts.iter_mut().zip(&chain.rates) {
             contact.rate = *rate;
         }
+        hit.impulses.copy_from_slice(&chain.impulses);
+    }
+
+    /// Columns below and above floors that were hit yield no longer where their drift has turned.
+    fn unload(&mut self, hits: &[Hit]) {
+        for hit in hits {
+            for (node, before) in (hit.left..).zip(&hit.before) {
+                let jumped = (self.members[node].state.velocity - before).abs() > 0.0;
+                for storey in self.storeys_at(node) {
+                    if let (true, Some(drift)) = (jumped, &mut self.members[storey].storey) {
+                        drift.still = false;
+                    }
+                }
+            }
+        }
+        for node in hits
+            .iter()
+            .flat_map(|hit| (hit.left..).take(hit.before.len()))
+        {
+            for storey in self.storeys_at(node) {
+                let rate = rate_of_drift(&self.members, storey);
+                self.members[storey].unload(rate);
+            }
+        }
+    }
+
+    /// The storeys below and above a floor.
+    fn storeys_at(&self, node: usize) -> impl Iterator<Item = usize> + use<R> {
+        [Some(node), self.members[node].above].into_iter().flatten()
     }
 
     /// Whether bounces that have just begun will be over within the shortest remainder, the pair closing all the while.
@@ -188,13 +196,7 @@ impl<R: Recorder> Run<'_, R> {
         closing > 0.0 && -2.0 * contact.rate < CHATTER * closing * (1.0 - restitution)
     }
 
-    fn report_impact(
-        &mut self,
-        pair: usize,
-        impulse: f64,
-        time: f64,
-        (first, before): (usize, &[f64]),
-    ) {
+    fn report_impact(&mut self, pair: usize, time: f64, hit: &Hit) {
         let left = self.lefts[pair];
         let contact = &mut self.contacts[pair];
         contact.burst = if time - contact.hit < CHATTER {
@@ -203,16 +205,16 @@ impl<R: Recorder> Run<'_, R> {
             0
         };
         contact.hit = time;
-        let index = pair - first;
+        let index = pair - hit.first;
         let impact = Impact {
             pair,
             left,
             right: left + 1,
             time,
-            impulse,
+            impulse: hit.impulses[index],
             before: Velocities {
-                left: before[index],
-                right: before[index + 1],
+                left: hit.before[index],
+                right: hit.before[index + 1],
             },
             after: Velocities {
                 left: self.members[left].state.velocity,
@@ -224,19 +226,33 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Decides which of the touching pairs without a rate press against each other: those whose free motion would
     /// overlap, found by growing their set, each by the first coefficient of its deformation that is not rounding.
-    fn rest_or_part(&mut self, first: usize, last: usize, time: f64) {
-        for contact in &mut self.contacts[first..=last] {
-            contact.link = Link::Apart;
+    ///
+    /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
+    /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
+    /// go first whose coefficient does.
+    fn rest_or_part(&mut self, hits: &[Hit], time: f64) {
+        let pairs = || hits.iter().flat_map(|hit| hit.first..=hit.last);
+        for pair in pairs() {
+            self.contacts[pair].link = Link::Apart;
         }
         loop {
             self.regroup();
             self.expand_landed(time);
+            let order = |pair: usize| match self.press(pair) {
+                Some((order, true)) => Some(order),
+                Some((_, false)) | None => None,
+            };
+            let soonest = match hits {
+                [_] => Some(usize::MAX),
+                _ => pairs()
+                    .filter(|pair| self.may_press(*pair))
+                    .filter_map(order)
+                    .min(),
+            };
             let mut grown = false;
-            for pair in first..=last {
-                if self.contacts[pair].link == Link::Apart
-                    && self.contacts[pair].rate == 0.0
-                    && self.presses(pair) == Some(true)
-                {
+            for pair in pairs() {
+                let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
+                if self.may_press(pair) && presses() {
                     self.join(pair);
                     grown = true;
                 }
@@ -246,13 +262,18 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         // Neighbours that move alike without a force stay together.
-        for pair in first..=last {
-            let alike = self.contacts[pair].rate == 0.0 && self.presses(pair).is_none();
-            if alike && self.contacts[pair].link == Link::Apart {
+        for pair in pairs() {
+            if self.may_press(pair) && self.press(pair).is_none() {
                 self.join(pair);
             }
         }
         self.regroup();
+    }
+
+    /// Whether a pair that touches is neither at rest nor parting with a rate.
+    fn may_press(&self, pair: usize) -> bool {
+        let contact = &self.contacts[pair];
+        contact.link == Link::Apart && contact.rate == 0.0
     }
 
     fn join(&mut self, pair: usize) {
@@ -268,10 +289,12 @@ impl<R: Recorder> Run<'_, R> {
         self.members[left + 1].state.velocity = velocity;
     }
 
-    /// Whether the free motion of a pair overlaps; nothing where rounding hides it.
-    fn presses(&self, pair: usize) -> Option<bool> {
+    /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
+    /// hides it.
+    fn press(&self, pair: usize) -> Option<(usize, bool)> {
         let left = self.lefts[pair];
-        let powers = [left, left + 1].map(|node| self.bodies[self.body_of[node]].power.order());
+        let powers =
+            [left, left + 1].map(|node| self.bodies[self.groups.body_of[node]].power.order());
         let p = powers[0].max(powers[1]);
         // A series in t beside one in its fourth root.
         let coefficient = |side: usize, n: usize| {
@@ -283,7 +306,14 @@ impl<R: Recorder> Run<'_, R> {
             }
         };
         let contact = &self.contacts[pair];
-        (2 * p..2 * p + DECISIVE)
+        // What happens on one floor is felt two orders later on the next.
+        let tied = (left..=left + 1).any(|node| self.members[node].is_tied());
+        let last = if tied {
+            (FEWEST * p).min(CAPACITY)
+        } else {
+            2 * p + DECISIVE
+        };
+        (2 * p..last)
             .map(|n| (n, [coefficient(0, n), coefficient(1, n)]))
             // A force that has just faded leaves no closing acceleration.
             .filter(|(n, [left, right])| !(contact.faded && *n == 2 * p && left > right))
@@ -291,42 +321,31 @@ impl<R: Recorder> Run<'_, R> {
                 let noise = noise(&self.members[left..left + 2], *values, p, *n);
                 (values[0] - values[1]).abs() > noise
             })
-            .map(|(_, [left, right])| left > right)
+            .map(|(n, [left, right])| (4 * n / p, left > right))
     }
 
     /// Expands the bodies that have landed.
     fn expand_landed(&mut self, time: f64) {
-        let mut first = 0;
-        while first < self.body_of.len() {
-            let mut last = first;
-            while last + 1 < self.body_of.len() && self.body_of[last + 1] == first {
-                last += 1;
-            }
-            if self.landed[first] {
-                let (power, _) = self.expand((first, last), time);
+        for first in 0..self.bodies.len() {
+            if self.groups.body_of[first] == first && self.landed[first] {
+                let (power, _) = self.expand(first, time);
                 self.bodies[first].power = power;
-                self.clean((first, last), time, power);
+                self.clean(first, time, power);
             }
-            first = last + 1;
         }
     }
 
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
-    pub(super) fn clean(&mut self, (first, last): (usize, usize), time: f64, power: Power) {
-        let within = self.pairs_within(first, last);
-        let ground = self.excitation.segment(time);
-        let (members, contacts) = (&mut self.members[first..=last], &mut self.contacts[within]);
-        clean(members, contacts, (ground, time), power.order());
+    pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
+        let ground = self.segment(time);
+        let system = (&mut self.members[..], &mut self.contacts[..]);
+        clean(self.groups.of(first), system, (ground, time), power.order());
     }
 
     /// Bodies anew, from the links.
     fn regroup(&mut self) {
-        for node in 0..self.body_of.len() {
-            let joined = node.checked_sub(1).is_some_and(|left| {
-                self.pair_right_of[left].is_some_and(|pair| self.contacts[pair].link != Link::Apart)
-            });
-            self.body_of[node] = if joined { self.body_of[node - 1] } else { node };
-        }
+        self.groups
+            .update(&self.members, &self.contacts, &self.pair_right_of);
     }
 }
 

@@ -10,10 +10,14 @@ use crate::span::Power;
 /// What ends a piece, besides samples of the record and the reach of the series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Event {
-    /// The velocity of a node is zero: a peak, and the end of yielding.
+    /// The velocity of a node is zero: a peak, and on the ground the end of yielding.
     Turn(usize),
+    /// The rate of the drift of a storey above the ground is zero: the end of its yielding.
+    TurnOfDrift(usize),
     /// A node begins to yield.
     Yield(usize, Branch),
+    /// The elastic part of the drift of a node, whose columns yield smoothly, changes its sign.
+    Cross(usize),
     /// The net pounding force on a node changes its sign.
     Balance(usize),
     /// The net pounding force on a node has an extremum.
@@ -105,13 +109,9 @@ impl Watch {
 
 impl<R: Recorder> Run<'_, R> {
     /// Finds the first event of a piece.
-    pub(super) fn watch(
-        &self,
-        watch: &mut Watch,
-        (first, last): (usize, usize),
-        (power, len): (Power, usize),
-    ) {
-        for node in first..=last {
+    pub(super) fn watch(&self, watch: &mut Watch, first: usize, (power, len): (Power, usize)) {
+        let group = self.groups.of(first);
+        for &node in group.nodes() {
             let member = &self.members[node];
             if member.is_wall() {
                 continue;
@@ -119,16 +119,7 @@ impl<R: Recorder> Run<'_, R> {
             if self.leader(node) == node {
                 watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
             }
-            if member.branch == Branch::Elastic && member.yield_force.is_finite() {
-                let excess = |sign: f64| {
-                    move |n: usize| {
-                        let limit = if n == 0 { member.yield_force } else { 0.0 };
-                        sign * member.restoring_force(n) - limit
-                    }
-                };
-                watch.rise(len, excess(1.0), Event::Yield(node, Branch::Right));
-                watch.rise(len, excess(-1.0), Event::Yield(node, Branch::Left));
-            }
+            watch_columns(watch, (node, member), len);
             if let (Some(left), Some(right)) = self.forces_on(node) {
                 let net = |n: usize| self.contacts[left].force[n] - self.contacts[right].force[n];
                 watch.change_of(len, member.balanced, net, Event::Balance(node));
@@ -136,8 +127,8 @@ impl<R: Recorder> Run<'_, R> {
                 watch.change_of(len - 1, member.peaked, slope, Event::Extremum(node));
             }
         }
-        for (pair, left) in self.pairs_within(first, last).zip(first..) {
-            self.watch_pair(watch, (pair, left), (power, len));
+        for joined in group.pairs() {
+            self.watch_pair(watch, (joined.pair, joined.left), (power, len));
         }
     }
 
@@ -189,10 +180,20 @@ impl<R: Recorder> Run<'_, R> {
             Event::Turn(leader) => {
                 let mut node = leader;
                 while node < self.members.len() && self.leader(node) == leader {
-                    self.members[node].branch = Branch::Elastic;
+                    if self.members[node].storey.is_none() {
+                        self.members[node].branch = Branch::Elastic;
+                    }
                     node += 1;
                 }
             }
+            Event::TurnOfDrift(node) => {
+                let member = &mut self.members[node];
+                member.branch = Branch::Elastic;
+                if let Some(storey) = &mut member.storey {
+                    storey.still = true;
+                }
+            }
+            Event::Cross(_) => {}
             Event::Yield(node, branch) => self.members[node].branch = branch,
             Event::Balance(node) => self.members[node].balanced = true,
             Event::Extremum(node) => self.members[node].peaked = true,
@@ -231,8 +232,33 @@ impl<R: Recorder> Run<'_, R> {
     }
 }
 
+/// Finds when the columns of a node turn, yield, or pass through zero.
+fn watch_columns(watch: &mut Watch, (node, member): (usize, &Member), len: usize) {
+    if let Some(storey) = &member.storey {
+        watch.change_of(len, false, |n| storey.rate[n], Event::TurnOfDrift(node));
+    }
+    if let Some(bend) = &member.bend {
+        watch.change_of(len, false, |n| bend.force[n], Event::Cross(node));
+    } else if member.branch == Branch::Elastic && member.limit.is_finite() {
+        let drift = member.drift();
+        let excess = |sign: f64| {
+            move |n: usize| {
+                if n == 0 {
+                    sign * member.hysteretic_force - member.limit
+                } else {
+                    sign * (member.hysteretic_stiffness * drift[n])
+                }
+            }
+        };
+        watch.rise(len, excess(1.0), Event::Yield(node, Branch::Right));
+        watch.rise(len, excess(-1.0), Event::Yield(node, Branch::Left));
+    }
+}
+
 /// Part of a series that its last quarter may be where nothing shorter can be told apart.
-const LOST: f64 = 1e-3;
+pub(super) const LOST: f64 = 1e-3;
+/// The shortest piece that time can tell apart \[s\].
+pub(super) const SHORTEST: f64 = 1e-18;
 
 /// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
 pub(super) fn reach(
@@ -258,8 +284,8 @@ pub(super) fn reach(
         if tail <= tolerance * sum {
             return Some(x);
         }
-        // The shortest piece that time can tell apart ends the search; what still grows there is no series of this motion.
-        if power.time(x) < 1e-18 {
+        // What still grows there is no series of this motion.
+        if power.time(x) < SHORTEST {
             return (tail <= LOST * sum).then_some(x);
         }
         x *= 0.85;

@@ -1,0 +1,304 @@
+//! Who moves together: floors that storeys join, and neighbours that touch or rest against each other.
+
+use std::ops::{Range, RangeInclusive};
+
+use crate::exact::contact::{Contact, Link};
+use crate::exact::member::Member;
+
+/// The bodies of a row, from its links.
+#[derive(Debug, Default)]
+pub(super) struct Groups {
+    /// First node of the body of this node.
+    pub(super) body_of: Vec<usize>,
+    /// Nodes, body by body.
+    nodes: Vec<usize>,
+    /// Those of them that stand on a floor, or whose columns yield smoothly.
+    followed: Vec<usize>,
+    blocks: Vec<Block>,
+    pairs: Vec<Joined>,
+    /// Pairs that touch a body or are inside it.
+    around: Vec<usize>,
+    /// Where those of a body are, by its first node.
+    places: Vec<Places>,
+    /// Links that all this was made from.
+    links: Vec<Kind>,
+    /// The next node of a body, by node; its own place at the end.
+    next: Vec<usize>,
+}
+
+/// Nodes that rest against each other and share their acceleration, or one alone.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Block {
+    pub(super) first: usize,
+    pub(super) last: usize,
+    /// Pair that pushes from the left.
+    pub(super) left: Option<usize>,
+    /// The first pair at rest inside, of as many as there are nodes but one.
+    pub(super) within: usize,
+    pub(super) right: Option<usize>,
+}
+
+impl Block {
+    /// Nodes on both sides of a pair inside.
+    pub(super) fn split(&self, index: usize) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
+        let middle = self.first + index;
+        (self.first..=middle, middle + 1..=self.last)
+    }
+}
+
+/// A pair that touches or rests.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Joined {
+    pub(super) pair: usize,
+    /// Node on its left.
+    pub(super) left: usize,
+}
+
+/// Parts of the lists of all bodies.
+#[derive(Debug, Clone, Default)]
+struct Places {
+    nodes: Range<usize>,
+    followed: Range<usize>,
+    blocks: Range<usize>,
+    pairs: Range<usize>,
+    around: Range<usize>,
+}
+
+/// One body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Group<'a> {
+    groups: &'a Groups,
+    places: &'a Places,
+}
+
+impl<'a> Group<'a> {
+    #[inline]
+    pub(super) fn nodes(self) -> &'a [usize] {
+        &self.groups.nodes[self.places.nodes.clone()]
+    }
+
+    /// Nodes that stand on a floor, or whose columns yield smoothly.
+    #[inline]
+    pub(super) fn followed(self) -> &'a [usize] {
+        &self.groups.followed[self.places.followed.clone()]
+    }
+
+    #[inline]
+    pub(super) fn blocks(self) -> &'a [Block] {
+        &self.groups.blocks[self.places.blocks.clone()]
+    }
+
+    /// Pairs inside that touch or rest.
+    #[inline]
+    pub(super) fn pairs(self) -> &'a [Joined] {
+        &self.groups.pairs[self.places.pairs.clone()]
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Apart,
+    Resting,
+    Touching,
+}
+
+impl Contact {
+    fn kind(&self) -> Kind {
+        match self.link {
+            Link::Apart => Kind::Apart,
+            Link::Resting => Kind::Resting,
+            Link::Touching(_) => Kind::Touching,
+        }
+    }
+}
+
+impl Groups {
+    /// Bodies of a row in which nothing touches.
+    pub(super) fn new(
+        members: &[Member],
+        contacts: &[Contact],
+        pair_right_of: &[Option<usize>],
+    ) -> Self {
+        let n = members.len();
+        let mut groups = Self {
+            body_of: vec![0; n],
+            places: vec![Places::default(); n],
+            next: vec![0; n],
+            ..Self::default()
+        };
+        groups.rebuild(members, contacts, pair_right_of);
+        groups
+    }
+
+    /// Bodies anew, where the links have changed.
+    pub(super) fn update(
+        &mut self,
+        members: &[Member],
+        contacts: &[Contact],
+        pair_right_of: &[Option<usize>],
+    ) {
+        let same = |(kind, contact): (&Kind, &Contact)| *kind == contact.kind();
+        if !self.links.iter().zip(contacts).all(same) {
+            self.rebuild(members, contacts, pair_right_of);
+        }
+    }
+
+    fn rebuild(
+        &mut self,
+        members: &[Member],
+        contacts: &[Contact],
+        pair_right_of: &[Option<usize>],
+    ) {
+        self.links.clear();
+        self.links.extend(contacts.iter().map(Contact::kind));
+        self.unite(members, pair_right_of);
+        self.nodes.clear();
+        self.followed.clear();
+        self.blocks.clear();
+        self.pairs.clear();
+        self.around.clear();
+        for first in 0..members.len() {
+            if self.body_of[first] == first {
+                self.list(first, members, pair_right_of);
+            }
+        }
+    }
+
+    /// The first node of every node's body, and the next one.
+    fn unite(&mut self, members: &[Member], pair_right_of: &[Option<usize>]) {
+        for node in 0..members.len() {
+            self.body_of[node] = node;
+            if let Some(storey) = &members[node].storey {
+                self.join(storey.below, node);
+            }
+            if node > 0 && self.joined(pair_right_of[node - 1]).is_some() {
+                self.join(node - 1, node);
+            }
+        }
+        for node in 0..members.len() {
+            // Every root comes before what it leads to.
+            self.body_of[node] = self.body_of[self.body_of[node]];
+            self.next[node] = node;
+        }
+        for node in (0..members.len()).rev() {
+            // From the right: until it is reached, a first node keeps the place of the node just met.
+            let first = self.body_of[node];
+            if first != node {
+                (self.next[node], self.next[first]) = (self.next[first], node);
+                if self.next[node] == first {
+                    self.next[node] = node;
+                }
+            }
+        }
+    }
+
+    fn root(&self, mut node: usize) -> usize {
+        while self.body_of[node] != node {
+            node = self.body_of[node];
+        }
+        node
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.body_of[a.max(b)] = a.min(b);
+    }
+
+    /// A pair that touches or rests.
+    fn joined(&self, pair: Option<usize>) -> Option<usize> {
+        pair.filter(|pair| self.links[*pair] != Kind::Apart)
+    }
+
+    /// Lists what belongs to the body of a first node.
+    fn list(&mut self, first: usize, members: &[Member], pair_right_of: &[Option<usize>]) {
+        let starts = self.lengths();
+        let mut node = first;
+        loop {
+            self.add(node, &members[node], pair_right_of);
+            if self.next[node] == node {
+                break;
+            }
+            node = self.next[node];
+        }
+        let ends = self.lengths();
+        let range = |index: usize| starts[index]..ends[index];
+        self.places[first] = Places {
+            nodes: range(0),
+            followed: range(1),
+            blocks: range(2),
+            pairs: range(3),
+            around: range(4),
+        };
+    }
+
+    fn lengths(&self) -> [usize; 5] {
+        [
+            self.nodes.len(),
+            self.followed.len(),
+            self.blocks.len(),
+            self.pairs.len(),
+            self.around.len(),
+        ]
+    }
+
+    fn add(&mut self, node: usize, member: &Member, pair_right_of: &[Option<usize>]) {
+        let right = pair_right_of[node];
+        let left = node.checked_sub(1).and_then(|left| pair_right_of[left]);
+        self.nodes.push(node);
+        if member.storey.is_some() || member.bend.is_some() {
+            self.followed.push(node);
+        }
+        // A neighbour of the same body has it already.
+        if let Some(pair) = left
+            && self.body_of[node - 1] != self.body_of[node]
+        {
+            self.around.push(pair);
+        }
+        self.around.extend(right);
+        let pushing = |groups: &Self, pair: Option<usize>| {
+            pair.filter(|pair| groups.links[*pair] == Kind::Touching)
+        };
+        let (from_left, from_right) = (pushing(self, left), pushing(self, right));
+        if let Some(pair) = self.joined(right) {
+            self.pairs.push(Joined { pair, left: node });
+        }
+        let rests = left.is_some_and(|pair| self.links[pair] == Kind::Resting);
+        match self.blocks.last_mut() {
+            Some(block) if rests => (block.last, block.right) = (node, from_right),
+            Some(_) | None => self.blocks.push(Block {
+                first: node,
+                last: node,
+                left: from_left,
+                within: right.unwrap_or(0),
+                right: from_right,
+            }),
+        }
+    }
+
+    /// The body that begins with a node.
+    #[inline]
+    pub(super) fn of(&self, first: usize) -> Group<'_> {
+        Group {
+            groups: self,
+            places: &self.places[first],
+        }
+    }
+
+    /// Places of the nodes of a body, for [`Self::node`].
+    pub(super) fn nodes_of(&self, first: usize) -> Range<usize> {
+        self.places[first].nodes.clone()
+    }
+
+    pub(super) fn node(&self, place: usize) -> usize {
+        self.nodes[place]
+    }
+
+    /// Places of the pairs inside a body and on both sides of it, for [`Self::pair`].
+    pub(super) fn around(&self, first: usize) -> Range<usize> {
+        self.places[first].around.clone()
+    }
+
+    pub(super) fn pair(&self, place: usize) -> usize {
+        self.around[place]
+    }
+}

@@ -1,0 +1,92 @@
+//! Chains of impulsive pairs that touch at one instant.
+
+use crate::Recorder;
+use crate::exact::contact::Contact;
+use crate::exact::{CHATTER, Run};
+
+/// Impacts of a pair within the shortest remainder after which the next one is plastic.
+const BURST: u32 = 50;
+
+/// A chain of impulsive pairs that touch at one instant.
+pub(super) struct Hit {
+    /// The first and the last pair.
+    pub(super) first: usize,
+    pub(super) last: usize,
+    /// The leftmost node.
+    pub(super) left: usize,
+    /// Velocities of the nodes and rates of the pairs before.
+    pub(super) before: Vec<f64>,
+    pub(super) rates: Vec<f64>,
+    /// Pairs that come to rest instead of bouncing on.
+    pub(super) plastic: Vec<bool>,
+    /// Impulse of every pair.
+    pub(super) impulses: Vec<f64>,
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// The chain that begins with a pair, and those after it that share a building with it, or with one that does.
+    pub(super) fn hits_with(&self, pair: usize, time: f64) -> Vec<Hit> {
+        let hit = self.hit(pair, time);
+        let mut next = hit.last + 1;
+        let mut hits = vec![hit];
+        if self.members.iter().all(|member| member.storey.is_none()) {
+            return hits;
+        }
+        let mut others = Vec::new();
+        while next < self.contacts.len() {
+            if !self.settled[next] && self.hits(next, time) {
+                let hit = self.hit(next, time);
+                next = hit.last;
+                others.push(hit);
+            }
+            next += 1;
+        }
+        let mut index = 0;
+        while let Some(hit) = hits.get(index) {
+            let (joined, apart): (Vec<_>, Vec<_>) = others
+                .into_iter()
+                .partition(|other| self.share_a_building(hit, other));
+            hits.extend(joined);
+            others = apart;
+            index += 1;
+        }
+        hits.sort_by_key(|hit| hit.first);
+        hits
+    }
+
+    /// The chain of touching pairs that begins with a pair.
+    fn hit(&self, first: usize, time: f64) -> Hit {
+        let mut last = first;
+        while last + 1 < self.contacts.len()
+            && self.lefts[last + 1] == self.lefts[last] + 1
+            && self.hits(last + 1, time)
+        {
+            last += 1;
+        }
+        let contacts = &self.contacts[first..=last];
+        let again = |contact: &Contact| time - contact.hit < CHATTER && contact.burst >= BURST;
+        let left = self.lefts[first];
+        let members = &self.members[left..=self.lefts[last] + 1];
+        Hit {
+            first,
+            last,
+            left,
+            before: members.iter().map(|member| member.state.velocity).collect(),
+            rates: contacts.iter().map(|contact| contact.rate).collect(),
+            plastic: contacts.iter().map(again).collect(),
+            impulses: vec![0.0; contacts.len()],
+        }
+    }
+
+    fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {
+        let buildings = |hit: &Hit| &self.buildings[hit.left..hit.left + hit.before.len()];
+        buildings(a)
+            .iter()
+            .any(|building| buildings(b).contains(building))
+    }
+
+    /// Whether an impulsive pair touches now.
+    fn hits(&self, pair: usize, time: f64) -> bool {
+        self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
+    }
+}
