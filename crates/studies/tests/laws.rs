@@ -158,7 +158,7 @@ fn under(law: LawName, scene: &Scene) -> Scene {
     let stiffness = if linear { 9.35e7 } else { 2.75e9 };
     let inverse_mass = |structure: &Structure| match structure {
         Structure::Sdof(structure) => 1.0 / structure.mass_kg,
-        Structure::Wall => 0.0,
+        Structure::Building(_) | Structure::Wall => 0.0,
     };
     let neighbours = scene.structures.windows(2);
     for (contact, pair) in scene.contacts.iter_mut().flatten().zip(neighbours) {
