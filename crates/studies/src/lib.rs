@@ -26,6 +26,7 @@ mod ground_motion;
 mod ladder;
 mod laws;
 mod limits;
+mod motion_error;
 mod noise;
 mod plot;
 mod prepared;
@@ -65,6 +66,7 @@ pub use ground_motion::{GroundMotion, Origin};
 pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
 pub use laws::{Atlas, AtlasSettings};
 pub use limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT};
+pub use motion_error::MotionError;
 pub use plot::PlotError;
 pub use prepared::{Balance, Outcome, Prepared};
 pub use report::{
@@ -85,7 +87,7 @@ pub use spectrum::{
     scaled_to_sa, spectra_figure,
 };
 pub use study::{Output, Study, StudyFile};
-pub use suite::{Motion, files_in};
+pub use suite::{Motion, Vertical, files_in};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};

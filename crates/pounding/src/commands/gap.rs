@@ -15,7 +15,11 @@ Examples:
   pounding gap scene.toml --records records --csv > gaps.csv
 
 The gaps and contact laws of the scene do not matter: the width is the largest
-closing of the gap while every structure stands alone, by the exact method.";
+closing of the gap while every structure stands alone, by the exact method.
+
+Vertical components are left out: by the name that a file gives its component,
+such as UP, UD, V, Z or DWN (of an AT2 file the direction in its title), and
+where it gives none by the end of the file's name, such as -UP, _V or .UD.";
 
 /// What is asked of `gap`.
 #[derive(Debug, clap::Args)]
@@ -91,7 +95,7 @@ fn lines(scene: &Scene, motions: &[Motion]) -> Vec<Line> {
         Line {
             motion: motion.name(),
             reversed,
-            found: found.map_err(super::reason),
+            found: found.map_err(|error| error.reason()),
         }
     };
     cases.par_iter().map(line).collect()

@@ -107,15 +107,6 @@ fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
     }
 }
 
-/// Why a motion is left out, beside whose name this stands.
-fn reason(error: StudyError) -> String {
-    if let StudyError::Record { source, .. } = error {
-        source.to_string()
-    } else {
-        error.to_string()
-    }
-}
-
 /// The motions of a folder, at least one.
 fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
     let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;

@@ -21,7 +21,12 @@ The folder holds report.html, for people; summary.json, which --json prints, for
 machines; history.csv and impacts.csv; and the figures as SVG and PNG.
 
 `pounding init` writes a scene to begin with; files named in a scene are
-relative to its folder.";
+relative to its folder.
+
+Of a folder of records vertical components are left out: by the name that a
+file gives its component, such as UP, UD, V, Z or DWN (of an AT2 file the
+direction in its title), and where it gives none by the end of the file's name,
+such as -UP, _V or .UD.";
 
 /// What is asked of `run`.
 #[derive(Debug, clap::Args)]

@@ -91,6 +91,24 @@ fn extreme_record_with_negative_time_step() {
     assert_snapshot!(refused("record_step_negative", &record), @"error: record.csv: line 4: the time step is -0.01 s, and must be finite and above 0 s; correct it there");
 }
 
+/// The message named fields that no scene has.
+#[test]
+fn issue_what_a_file_leaves_out_is_named_by_its_field() {
+    let refused = |record: serde_json::Value, text: &str| {
+        let mut scene = good_scene();
+        scene["record"] = record;
+        refusal(&run("fields", &scene.to_string(), Some(text)))
+    };
+    let column = "0.1\n-0.2\n0.3\n";
+    assert_snapshot!(refused(json!({"file": "record.csv", "unit": "g"}), column), @"");
+    assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0.01}), column), @"");
+    assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0, "unit": "g"}), column), @"");
+    assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0.02}), &quiet(10)), @"");
+    assert_snapshot!(refused(json!({"file": "record.csv", "component": "UP"}), &quiet(10)), @"");
+    assert_snapshot!(refused(json!({"file": "record.csv", "per_count": 2}), &quiet(10)), @"");
+    assert_snapshot!(refused(json!({"file": "record.csv", "resample_s": 1e-12}), &quiet(10)), @"");
+}
+
 #[test]
 fn extreme_record_scaled_out_of_range() {
     let mut scene = good_scene();

@@ -85,6 +85,74 @@ fn reference_run_under_a_folder() {
     assert_eq!(json["motions"][3]["reversed"], true);
 }
 
+/// An AT2 file of PEER with this component behind the last comma of its title.
+fn at2(component: &str) -> String {
+    let sample = |step: usize| format!("{:.5}", 0.2 * libm::sin(0.25 * step as f64));
+    let values = (0..60).map(sample).collect::<Vec<_>>().join(" ");
+    format!(
+        "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 2/3/1940, A Station #9{component}\n\
+         ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=     60, DT=   .0200 SEC\n{values}\n"
+    )
+}
+
+/// They shook rows as if horizontal: only some formats name their components, and only those names were looked at.
+#[test]
+fn issue_vertical_components_shake_no_row() {
+    let folder = suite("vertical");
+    let records = folder.join("records");
+    fs::remove_dir_all(&records).expect("a folder");
+    fs::create_dir_all(&records).expect("a folder");
+    let knet = fs::read_to_string("../motion/tests/files/knet.ns").expect("a file of the tests");
+    let smc = fs::read_to_string("../motion/tests/files/usgs.smc").expect("a file of the tests");
+    let column = "10\n20\n-30\n5\n";
+    for (name, text) in [
+        ("RSN6_ELC180.AT2", at2(", 180")),
+        // What the file says counts more than its name.
+        ("RSN6_ELC-V.AT2", at2(", 090")),
+        ("RSN6_ELC-C.AT2", at2(", UP")),
+        ("RSN6_ELC-DWN.AT2", at2("")),
+        ("RSN6_NIGH11UD.AT2", at2("")),
+        ("column_z.txt", column.into()),
+        ("column_u.txt", column.into()),
+        ("ABCH01.EW2", knet.replace("N-S", "5")),
+        ("ABCH01.UD2", knet.replace("N-S", "6")),
+        ("ABC001.UD", knet.replace("N-S", "U-D")),
+        ("a.smc", smc.replace("=     27", "=     UP")),
+        ("b.smc", smc),
+    ] {
+        fs::write(records.join(name), text).expect("a file");
+    }
+    for command in [&["gap"][..], &["run", "--no-error"]] {
+        let arguments = [command, &["towers.toml", "--records", "records"]].concat();
+        let ended = pounding(&folder, &arguments);
+        let text = printed(&ended);
+        let left_out = text
+            .lines()
+            .skip_while(|line| !line.starts_with("Left out"));
+        let left_out: Vec<_> = left_out.take_while(|line| !line.is_empty()).collect();
+        assert_snapshot!("vertical", left_out.join("\n"));
+        let json = pounding(&folder, &[&arguments[..], &["--json"]].concat());
+        let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
+        let motions = json["motions"].as_array().expect("a list");
+        let mut shaken: Vec<_> = motions
+            .iter()
+            .filter(|motion| motion.get("refused").is_none())
+            .map(|motion| motion["record"].as_str().expect("a name"))
+            .collect();
+        shaken.dedup();
+        assert_eq!(
+            shaken,
+            [
+                "ABCH01.EW2",
+                "RSN6_ELC-V.AT2",
+                "RSN6_ELC180.AT2",
+                "b.smc",
+                "column_u.txt"
+            ]
+        );
+    }
+}
+
 /// A line of the table is what a run of that record alone prints.
 #[test]
 fn limit_a_line_is_a_run() {

@@ -95,7 +95,7 @@ fn of_file(asked: &Arguments) -> Result<Motion, String> {
         detrend: asked.processing.detrend(),
         band_pass: asked.processing.band_pass(),
         resample_s: asked.processing.resample,
-        scale_to: asked.processing.scale_to(),
+        scale_to: asked.processing.scale_to()?,
         scale: asked.processing.scale,
         reversed: asked.processing.reverse,
         ..asked.declared.use_of(&asked.file)

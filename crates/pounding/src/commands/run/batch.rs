@@ -105,7 +105,7 @@ fn lines(scene: &Scene, motions: &[Motion], asked: &Arguments) -> Vec<Line> {
         Line {
             motion: motion.name(),
             reversed,
-            found: found.map_err(super::super::reason),
+            found: found.map_err(|error| error.reason()),
         }
     };
     cases.par_iter().map(line).collect()
