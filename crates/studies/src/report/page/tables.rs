@@ -175,8 +175,14 @@ pub(super) fn record(summary: &Summary) -> String {
             ),
         ),
     ];
-    let reversed = if used.reversed { ", reversed" } else { "" };
-    rows.push(("scale".into(), format!("{}{reversed}", digits(used.scale))));
+    rows.push((
+        "processing".into(),
+        if one.processing.is_empty() {
+            "none: as its source has it".into()
+        } else {
+            one.processing.join("; ")
+        },
+    ));
     if let Some(hash) = &one.sha256 {
         rows.push(("SHA-256 of the file".into(), hash.clone()));
     }

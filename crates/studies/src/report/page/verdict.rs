@@ -2,7 +2,7 @@
 
 use super::markup::{escaped, list, short};
 use crate::report::summary::{CollisionSummary, PairSummary, Summary};
-use crate::{Errors, Quantity, Review, percent};
+use crate::{Errors, Quantity, Review, percent, rounded_down};
 
 /// More pairs than this are counted, not named.
 const MOST: usize = 5;
@@ -61,6 +61,8 @@ fn apart(summary: &Summary) -> String {
                 itself.</p>\n"
             .into();
     };
+    let opening = 1e3 * pair.least_opening_m;
+    let decimals = if opening < 1.0 { 4 } else { 1 };
     format!(
         "<p><strong>They do not touch.</strong></p>\n<p>{}</p>\n",
         escaped(&format!(
@@ -68,7 +70,7 @@ fn apart(summary: &Summary) -> String {
             short(1e3 * pair.gap_m),
             pair.left,
             pair.right,
-            short(1e3 * pair.least_opening_m),
+            rounded_down(opening, decimals),
             short(pair.least_opening_time_s)
         ))
     )
