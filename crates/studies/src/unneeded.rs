@@ -1,6 +1,6 @@
 //! What a scene gives and its exact run does not need: the numbers would be the same without it.
 
-use crate::{Outcome, Prepared, Structure, rounded_down, short};
+use crate::{Outcome, Prepared, Structure, digits, rounded_down};
 
 impl Prepared {
     /// What the exact run of the scene does not need, a line each: yielding that is not reached, gaps that stay open.
@@ -29,7 +29,7 @@ impl Prepared {
             (!touch).then(|| {
                 format!(
                     "the contact of contacts[{pair}] ({left} – {right}), whose gap of {} mm stays open",
-                    short(1e3 * contact.gap_m)
+                    digits(1e3 * contact.gap_m)
                 )
             })
         });

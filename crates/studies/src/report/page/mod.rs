@@ -74,8 +74,13 @@ fn lead(summary: &Summary) -> String {
         Source::File(file) => file.file.rsplit(['/', '\\']).next().unwrap_or_default(),
         Source::Generated(_) => "a generated motion",
     };
+    let processed = match &summary.record.processing[..] {
+        [] => "",
+        [_] if scene.record.reversed => ", reversed,",
+        _ => ", processed as told below,",
+    };
     format!(
-        "{structures}{walls} in a row, shaken by {source} with a peak ground acceleration of {} g for {} s, computed by pounding \
+        "{structures}{walls} in a row, shaken by {source}{processed} with a peak ground acceleration of {} g for {} s, computed by pounding \
          {} with the method “{}”{steps}.",
         short(summary.record.peak_m_per_s2.abs() / scene.record.gravity_m_per_s2),
         digits(summary.method.duration_s),

@@ -1,8 +1,9 @@
 //! The answer in a few sentences: whether they touch, how often, how hard, and how sure that is.
 
-use super::markup::{escaped, list, short};
+use super::markup::{digits, escaped, list, short};
+use super::tables::opening;
 use crate::report::summary::{CollisionSummary, PairSummary, Summary};
-use crate::{Errors, Quantity, Review, percent, rounded_down};
+use crate::{Errors, Quantity, Review, percent};
 
 /// More pairs than this are counted, not named.
 const MOST: usize = 5;
@@ -61,16 +62,14 @@ fn apart(summary: &Summary) -> String {
                 itself.</p>\n"
             .into();
     };
-    let opening = 1e3 * pair.least_opening_m;
-    let decimals = if opening < 1.0 { 4 } else { 1 };
     format!(
         "<p><strong>They do not touch.</strong></p>\n<p>{}</p>\n",
         escaped(&format!(
             "The narrowest place: of the {} mm between {} and {} at least {} mm stay open, at {} s.",
-            short(1e3 * pair.gap_m),
+            digits(1e3 * pair.gap_m),
             pair.left,
             pair.right,
-            rounded_down(opening, decimals),
+            opening(pair.least_opening_m),
             short(pair.least_opening_time_s)
         ))
     )

@@ -174,10 +174,9 @@ fn pair(
     let (opening, time) = closing.map_or((contact.gap_m, 0.0), |closing| {
         (contact.gap_m - closing.distance, closing.time)
     });
-    let (opening, time) = match largest {
-        // An impact of a step may be found before its neighbours overlap.
-        Some(largest) if opening > 0.0 => (0.0, largest.start),
-        _ if opening.abs() < ROUNDING => (0.0, time),
+    let (opening, time) = match first {
+        // Impulses leave the gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
+        Some(first) if opening > -ROUNDING => (0.0, first.start),
         _ => (opening, time),
     };
     PairSummary {

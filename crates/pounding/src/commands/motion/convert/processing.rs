@@ -3,8 +3,7 @@
 use clap::ValueEnum;
 use pounding::studies::{Detrend, FilterBand, ScaleTo};
 
-use crate::commands::motion::part_of_one;
-use crate::commands::positive;
+use crate::commands::{part_of_one, positive};
 
 /// What is done to the record, in this order.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
