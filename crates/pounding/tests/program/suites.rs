@@ -1,4 +1,4 @@
-//! Folders of records, several scenes side by side, and a scene to begin with.
+//! Folders of records, and several scenes side by side.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::runs::printed;
 use crate::{folder, pounding, refusal};
 
-const TOWERS: &str = r#"
+pub(crate) const TOWERS: &str = r#"
 name = "towers"
 record = { file = "records/column.txt", unit = "cm_per_s2", time_step_s = 0.02 }
 duration_s = 3.0
@@ -25,7 +25,7 @@ law.stereomechanical.restitution = 0.6
 "#;
 
 /// A folder with a scene and records: one that says its unit, one that leaves it to the scene, one of spectra, one hidden.
-fn suite(test: &str) -> PathBuf {
+pub(crate) fn suite(test: &str) -> PathBuf {
     let folder = folder(test);
     let records = folder.join("records");
     fs::create_dir_all(&records).expect("a folder");
@@ -68,6 +68,15 @@ fn reference_gap_under_a_folder() {
         .as_f64()
         .expect("a number");
     assert!(csv.stdout.contains(&required.to_string()), "{required}");
+    // A field of JSON is a column of CSV.
+    let header = csv.stdout.lines().next().expect("a header");
+    let columns: Vec<&str> = header.split(',').collect();
+    let gap = json["motions"][0]["gaps"][0].as_object().expect("fields");
+    assert!(
+        gap.keys().all(|key| columns.contains(&key.as_str())),
+        "{gap:?}"
+    );
+    assert_eq!(columns.len(), gap.len() + 3, "record, reversed and refused");
 }
 
 #[test]
@@ -197,38 +206,6 @@ fn reference_scenes_side_by_side() {
     assert_snapshot!(printed(&text));
 }
 
-#[test]
-fn reference_a_scene_to_begin_with() {
-    let folder = suite("init");
-    let wrote = pounding(&folder, &["init"]);
-    assert_snapshot!(printed(&wrote));
-    let checked = pounding(&folder, &["check", "scene.toml"]);
-    assert_snapshot!(printed(&checked));
-    assert_snapshot!(refusal(&pounding(&folder, &["init"])), @"error: scene.toml: is there already, allowed is a new file; name another one or add --overwrite");
-    let own = pounding(
-        &folder,
-        &["init", "own.toml", "--record", "records/pulse.csv"],
-    );
-    assert_eq!((own.code, own.stderr.as_str()), (0, ""), "it is written");
-    assert_eq!(pounding(&folder, &["run", "own.toml"]).code, 0, "and runs");
-    let beside = pounding(
-        &folder,
-        &["init", "records/own.toml", "--record", "records/pulse.csv"],
-    );
-    assert_eq!(beside.code, 0, "{}", beside.stderr);
-    let text = fs::read_to_string(folder.join("records/own.toml")).expect("it is there");
-    assert!(text.contains("file = 'pulse.csv'"), "{text}");
-    assert_snapshot!(refusal(&pounding(&folder, &["init", "x.toml", "--record", "records"])), @"error: --record records: found a folder, allowed is a file; `pounding run SCENE --records` takes a folder");
-    let missing = refusal(&pounding(
-        &folder,
-        &["init", "x.toml", "--record", "none.AT2"],
-    ));
-    assert!(
-        missing.starts_with("error: --record none.AT2: cannot be read: "),
-        "{missing}"
-    );
-}
-
 /// What the project ships to be copied runs, and looks usual.
 #[test]
 fn reference_every_example_runs() {
@@ -350,13 +327,34 @@ fn extreme_an_unusual_scene() {
     assert_snapshot!(unusual.join("\n"));
 }
 
-/// An apostrophe ends a literal string of TOML.
+/// Of scenes that do not all run none is printed, and the one that fails is named.
 #[test]
-fn extreme_a_record_with_an_apostrophe_in_its_name() {
-    let folder = suite("quote");
-    fs::copy(folder.join("records/pulse.csv"), folder.join("it's.csv")).expect("a file");
-    let wrote = pounding(&folder, &["init", "quote.toml", "--record", "it's.csv"]);
-    assert_eq!(wrote.code, 0, "{}", wrote.stderr);
-    let ran = pounding(&folder, &["run", "quote.toml"]);
-    assert_eq!(ran.code, 0, "{}", ran.stderr);
+fn extreme_a_scene_that_cannot_be_compared() {
+    let folder = suite("compare_refused");
+    let wrong = TOWERS.replace("gap_m = 0.01", "gap_m = -0.01");
+    fs::write(folder.join("wrong.toml"), wrong).expect("a file");
+    let refused = |arguments: &[&str]| refusal(&pounding(&folder, arguments));
+    assert_snapshot!(refused(&["compare", "towers.toml", "wrong.toml"]), @r#"error: wrong.toml: scene "towers": contacts[0].gap_m: found -0.01, allowed a finite number >= 0"#);
+    let missing = refused(&["compare", "towers.toml", "missing.toml"]);
+    assert!(
+        missing.starts_with("error: missing.toml: cannot be read: "),
+        "{missing}"
+    );
+    let alone = pounding(&folder, &["compare", "towers.toml"]);
+    assert_eq!((alone.code, alone.stdout.as_str()), (2, ""), "two or more");
+}
+
+/// More scenes than fit side by side stand below each other, at most 80 columns wide.
+#[test]
+fn limit_many_scenes_are_printed_in_blocks() {
+    let folder = suite("compare_many");
+    let text = pounding(&folder, &[&["compare"][..], &["towers.toml"; 7]].concat());
+    let blocks: Vec<&str> = printed(&text).split("\n\n").collect();
+    let columns = |block: &&str| block.lines().next().unwrap_or("").matches("towers").count();
+    let columns: Vec<usize> = blocks.iter().map(columns).collect();
+    assert!(columns.len() > 1, "{}", text.stdout);
+    assert_eq!(columns.iter().sum::<usize>(), 7, "{}", text.stdout);
+    for block in blocks {
+        assert!(block.contains("  peak force [kN]"), "{block}");
+    }
 }

@@ -1,11 +1,13 @@
 //! Recorders: each keeps one kind of result and sees only spans and impacts.
 
+mod closings;
 mod collisions;
 mod histories;
 mod ledger;
 mod peaks;
 mod transferred_momentum;
 
+pub use closings::{Closing, Closings};
 pub use collisions::{Collision, Collisions};
 pub use histories::{Histories, History};
 pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};

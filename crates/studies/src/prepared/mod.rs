@@ -1,6 +1,7 @@
 //! From a checked scene to the leanest model, and its run.
 
 mod model;
+mod pair_outcome;
 mod run;
 
 use std::path::{Path, PathBuf};
@@ -14,6 +15,7 @@ use crate::{
     GroundMotion, Method, Origin, Quantity, Scene, SceneError, Structure, StudyError, check,
 };
 use model::Model;
+pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Audited, Recorders};
 pub use run::{Balance, Outcome};
 

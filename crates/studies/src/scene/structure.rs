@@ -94,7 +94,8 @@ pub struct Sdof {
     /// Yield force \[N\], > 0; absent for elastic columns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub yield_force_n: Option<f64>,
-    /// Height of the mass over the ground \[m\], > 0; for drift ratios.
+    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
+    /// gap between neighbours of the same height.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
@@ -135,7 +136,8 @@ struct Words {
     yield_displacement_m: Option<f64>,
     /// The same divided by `height_m` \[–\], > 0.
     yield_drift_ratio: Option<f64>,
-    /// Height of the mass over the ground \[m\], > 0; for drift ratios.
+    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
+    /// gap between neighbours of the same height.
     height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]

@@ -3,8 +3,7 @@
 use clap::ValueEnum;
 use pounding::studies::{Detrend, FilterBand, ScaleTo};
 
-use crate::commands::motion::part_of_one;
-use crate::commands::positive;
+use crate::commands::{part_of_one, positive};
 
 /// Three words of a target: a period, a damping ratio that may be per cent, an acceleration.
 const TARGET: &str = "allowed are T in s, Z such as 0.05 or 5%, and SA in g: finite numbers >= 0";
