@@ -38,7 +38,7 @@ impl Direction {
         Self::of_word(words.next()?)
     }
 
-    /// Returns the end of a file name that says vertical: `UP` of `RSN6_ELC-UP.AT2`, `UD` of `ABC001.UD`, `11UD` of
+    /// Returns the end of a file name that says vertical: `UP` of `RSN6_ELC-UP.AT2`, `UD` of `ABC001.UD` and of
     /// `NIGH11UD.AT2`.
     ///
     /// That is weaker than what a file says itself: a name may end so by chance.
@@ -47,9 +47,8 @@ impl Direction {
         let end = stem.rsplit(['-', '_', '.', ' ']).next().unwrap_or_default();
         // A name of one word is not the end of one.
         let end = if end == stem { "" } else { end };
-        [ending, end, after_number(stem)]
-            .into_iter()
-            .find(|word| is_upright_end(word))
+        let word = [ending, end].into_iter().find(|word| is_upright_end(word));
+        word.or_else(|| behind_number(stem).filter(|word| word.eq_ignore_ascii_case("UD")))
     }
 
     fn of_word(word: &str) -> Option<Self> {
@@ -86,16 +85,13 @@ fn is_azimuth(word: &str) -> bool {
     digits && degrees.parse().is_ok_and(|degrees: u32| degrees <= most)
 }
 
-/// The end of a station's code and direction that have nothing between them, `11UD` of `NIGH11UD`.
-fn after_number(stem: &str) -> &str {
-    let letters = stem.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
-    let station = letters.trim_end_matches(|letter: char| letter.is_ascii_digit());
-    let follows = station.ends_with(|letter: char| letter.is_ascii_alphabetic());
-    if follows && letters.len() - station.len() > 1 {
-        &stem[station.len()..]
-    } else {
-        ""
-    }
+/// The direction behind the code of a station that ends in a number, `UD` of `NIGH11UD`.
+fn behind_number(stem: &str) -> Option<&str> {
+    let code = stem.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+    let letters = code.trim_end_matches(|letter: char| letter.is_ascii_digit());
+    let is_code = letters.len() < code.len()
+        && letters.ends_with(|letter: char| letter.is_ascii_alphabetic());
+    is_code.then(|| &stem[code.len()..])
 }
 
 fn is_upright_end(word: &str) -> bool {
@@ -103,9 +99,7 @@ fn is_upright_end(word: &str) -> bool {
     // KiK-net ends its files in UD1 and UD2, below and above.
     let is_pair = matches!(word.as_str(), "UD1" | "UD2");
     let is_code = end_of_code(&word) == Some('Z');
-    let station = word.trim_start_matches(|letter: char| letter.is_ascii_digit());
-    let is_station = station.len() < word.len() && station == "UD";
-    UPRIGHT_IN_FILES.contains(&word.as_str()) || is_pair || is_code || is_station
+    UPRIGHT_IN_FILES.contains(&word.as_str()) || is_pair || is_code
 }
 
 #[cfg(test)]
@@ -173,7 +167,7 @@ mod tests {
             ("I-VERT.AT2", "VERT"),
             ("ABC0010102030405.UD", "UD"),
             ("ABCH010102030405.UD2", "UD2"),
-            ("RSN4228_NIIGATA_NIGH11UD.AT2", "11UD"),
+            ("RSN4228_NIIGATA_NIGH11UD.AT2", "UD"),
             ("20190706.CJ.T001230.HNZ.sac", "HNZ"),
         ] {
             assert_eq!(Direction::upright_end(name), Some(end), "{name}");

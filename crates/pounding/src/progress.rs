@@ -1,82 +1,96 @@
-//! A bar for what takes longer than a second.
+//! What is shown of work that takes longer than a second: on standard error, and only on a terminal.
 
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A bar on standard error that appears after a second, and only on a terminal.
+/// How long work may take before anything is shown of it.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// How often what is shown moves, so that long work does not look dead.
+const TICK: Duration = Duration::from_millis(200);
+
+/// Of runs of which nobody knows yet how many there are, and of one run.
+const CLOCK: &str = "{spinner} {msg}, {elapsed}";
+/// Of so many runs.
+const BAR: &str = "{bar:40} {pos}/{len} runs, {elapsed}";
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).expect("the template is well formed")
+}
+
+/// Something that appears after a second, by itself, and goes when it is dropped.
 #[derive(Debug)]
-pub(crate) struct Progress {
-    started: Instant,
+struct Shown {
     bar: ProgressBar,
-}
-
-impl Progress {
-    pub(crate) fn new() -> Self {
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} runs, {elapsed}")
-            .expect("the template is well formed");
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        Self {
-            started: Instant::now(),
-            bar: bar.with_style(style),
-        }
-    }
-
-    /// One run of so many is done.
-    pub(crate) fn step(&self, of: usize) {
-        self.bar.set_length(of as u64);
-        if self.bar.is_hidden() && self.started.elapsed() > Duration::from_secs(1) {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        self.bar.inc(1);
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
-}
-
-/// A clock on standard error for one run, which appears after a second, and only on a terminal.
-#[derive(Debug)]
-pub(crate) struct Waiting {
-    /// Dropped when the run is over.
-    running: Option<Sender<()>>,
+    /// Dropped when the work is over.
+    working: Option<Sender<()>>,
     clock: Option<JoinHandle<()>>,
 }
 
-impl Waiting {
-    pub(crate) fn new(words: &'static str) -> Self {
-        let (running, over) = channel();
+impl Shown {
+    fn new(words: &'static str) -> Self {
+        let hidden = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        let bar = hidden.with_style(style(CLOCK)).with_message(words);
+        let (working, over) = channel();
+        let shown = bar.clone();
         let clock = thread::spawn(move || {
-            let waited = over.recv_timeout(Duration::from_secs(1));
-            if waited == Err(RecvTimeoutError::Timeout) {
-                let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}")
-                    .expect("the template is well formed");
-                let bar = ProgressBar::new_spinner().with_style(style);
-                bar.set_message(words);
-                bar.enable_steady_tick(Duration::from_millis(200));
-                // Nothing is ever sent: this waits for the end.
-                let _ = over.recv();
-                bar.finish_and_clear();
+            // Nothing is ever sent: what ends the waiting is the end of the work.
+            if over.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                shown.set_draw_target(ProgressDrawTarget::stderr());
+                shown.enable_steady_tick(TICK);
             }
         });
         Self {
-            running: Some(running),
+            bar,
+            working: Some(working),
             clock: Some(clock),
         }
     }
 }
 
-impl Drop for Waiting {
+impl Drop for Shown {
     fn drop(&mut self) {
-        drop(self.running.take());
+        drop(self.working.take());
         if let Some(clock) = self.clock.take() {
             // A clock that failed is no reason for a run to fail.
             let _ = clock.join();
+        }
+        self.bar.finish_and_clear();
+    }
+}
+
+/// A bar of runs.
+#[derive(Debug)]
+pub(crate) struct Progress(Shown);
+
+impl Progress {
+    pub(crate) fn new() -> Self {
+        Self(Shown::new("running"))
+    }
+
+    /// One run of so many is done.
+    pub(crate) fn step(&self, of: usize) {
+        let bar = &self.0.bar;
+        if bar.length() != Some(of as u64) {
+            bar.set_style(style(BAR));
+            bar.set_length(of as u64);
+        }
+        bar.inc(1);
+    }
+}
+
+/// A clock of one run.
+#[derive(Debug)]
+pub(crate) struct Waiting {
+    _shown: Shown,
+}
+
+impl Waiting {
+    pub(crate) fn new(words: &'static str) -> Self {
+        Self {
+            _shown: Shown::new(words),
         }
     }
 }

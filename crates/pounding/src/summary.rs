@@ -2,8 +2,8 @@
 
 use pounding::solver::{Collision, ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
-    Errors, Method, Outcome, PairErrors, Prepared, Quantity, Review, RunErrors, Scene, Structure,
-    StructureErrors, Warning, digits,
+    Errors, Method, Outcome, PairErrors, PairOutcome, Prepared, Quantity, Review, RunErrors, Scene,
+    Structure, StructureErrors, Warning, digits,
 };
 
 use crate::record;
@@ -15,10 +15,7 @@ pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
     let Review {
         outcome, errors, ..
     } = review;
-    let measured = match errors {
-        Errors::Measured(errors, _) => Some(errors),
-        Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => None,
-    };
+    let measured = review.measured();
     [
         paragraph("Scene", &scene.name),
         paragraph("Record", &record::lines(prepared).join("\n")),
@@ -272,7 +269,7 @@ fn pairs(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String
     let rows = contacts.iter().enumerate().flat_map(|(index, contact)| {
         let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
         let mut row = vec![format!("{left} – {right}"), digits(contact.gap_m * 1e3)];
-        row.extend(pair_numbers(index, outcome));
+        row.extend(pair_numbers(&outcome.of_pair(index)));
         let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
         std::iter::once(row).chain(errors)
     });
@@ -280,39 +277,19 @@ fn pairs(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String
 }
 
 /// Collisions of a pair: number, time and impulse of the first, largest impulse and force.
-fn pair_numbers(pair: usize, outcome: &Outcome) -> [String; 5] {
-    let of_pair = |collision: &&Collision| collision.pair == pair;
-    let collisions: Vec<&Collision> = outcome.collisions.all().iter().filter(of_pair).collect();
-    let largest = |value: fn(&Collision) -> Option<f64>| {
-        let values = collisions.iter().filter_map(|collision| value(collision));
-        values.max_by(f64::total_cmp)
-    };
-    let impulse = |impulse: Option<f64>| impulse.map_or(NONE.into(), |value| short(value / 1e3));
-    let first = collisions.first();
+fn pair_numbers(pair: &PairOutcome) -> [String; 5] {
+    let impulse = |one: Option<Collision>| one.map_or(NONE.into(), |one| short(one.impulse / 1e3));
     [
-        collisions.len().to_string(),
-        first.map_or(NONE.into(), |first| digits(first.start)),
-        impulse(first.map(|first| first.impulse)),
-        impulse(largest(|collision| Some(collision.impulse))),
-        match peak_force(collisions.iter().copied()) {
-            None if collisions.is_empty() => NONE.into(),
+        pair.collisions.to_string(),
+        pair.first.map_or(NONE.into(), |first| digits(first.start)),
+        impulse(pair.first),
+        impulse(pair.largest),
+        match pair.peak_force {
+            None if pair.collisions == 0 => NONE.into(),
             None => "impulsive".into(),
             Some(force) => short(force / 1e3),
         },
     ]
-}
-
-/// The largest force of some collisions \[N\]; nothing where one is an impulse, which has none: that of rest between impacts
-/// would hide it.
-pub(crate) fn peak_force<'a, I: IntoIterator<Item = &'a Collision>>(collisions: I) -> Option<f64> {
-    collisions
-        .into_iter()
-        .map(|one| one.peak_force)
-        .try_fold(None, |most: Option<f64>, force| {
-            let force = force?;
-            Some(Some(most.map_or(force, |most| most.max(force))))
-        })
-        .flatten()
 }
 
 /// The errors of a pair, for the line below it.

@@ -1,4 +1,5 @@
-//! Plain text of at most 80 columns, but for a long path: numbers, paragraphs and tables.
+//! Plain text of at most 80 columns, but for long paths and for names of columns that are long themselves: numbers, paragraphs
+//! and tables.
 
 pub(crate) use pounding::studies::{milliseconds, percent, short};
 
@@ -59,38 +60,42 @@ pub(crate) fn table<const N: usize, const LINES: usize>(
     lines.into_iter().map(print).collect()
 }
 
-/// Columns of a cell of a wide table.
+/// Columns of a cell of a table side by side.
 const CELL: usize = 14;
 
-/// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, cut.
-pub(crate) fn wide_table(rows: &[Vec<String>]) -> String {
-    let cut_cells = |row: &Vec<String>| {
-        let cells = row.iter().enumerate();
-        let cells = cells.map(|(column, cell)| {
-            if column == 0 {
-                cell.clone()
-            } else {
-                cut(cell, CELL)
-            }
-        });
-        cells.collect::<Vec<_>>()
-    };
-    let rows: Vec<_> = rows.iter().map(cut_cells).collect();
+/// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, cut. What does
+/// not fit beside the names stands below, with the names again.
+pub(crate) fn side_by_side(rows: &[Vec<String>]) -> String {
+    let names = rows.iter().filter_map(|row| row.first());
+    let names = names.map(|name| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let cell = |row: usize, column: usize| rows[row].get(column).map_or("", String::as_str);
     let width = |column: usize| {
-        let cells = rows.iter().filter_map(|row| row.get(column));
-        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        let cells = (0..rows.len()).map(|row| cell(row, column).chars().count());
+        cells.max().unwrap_or(0).min(CELL)
     };
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let line = |row: &Vec<String>| {
-        let cells = row.iter().zip(&widths).skip(1);
-        let cells: Vec<String> = cells
-            .map(|(cell, width)| format!("  {cell:>width$}"))
-            .collect();
-        let first = widths[0];
-        format!("{:first$}{}\n", row[0], cells.concat())
+    let mut blocks: Vec<Vec<usize>> = Vec::new();
+    let mut used = 0;
+    for column in 1..columns {
+        used += 2 + width(column);
+        match blocks.last_mut() {
+            Some(block) if names + used <= WIDTH => block.push(column),
+            _ => {
+                blocks.push(vec![column]);
+                used = 2 + width(column);
+            }
+        }
+    }
+    let line = |row: usize, block: &[usize]| {
+        let cells = block.iter().map(|&column| {
+            let width = width(column);
+            format!("  {:>width$}", cut(cell(row, column), CELL))
+        });
+        format!("{:names$}{}\n", cell(row, 0), cells.collect::<String>())
     };
-    rows.iter().map(line).collect()
+    let block = |block: &Vec<usize>| (0..rows.len()).map(|row| line(row, block)).collect();
+    let blocks: Vec<String> = blocks.iter().map(block).collect();
+    blocks.join("\n")
 }
 
 /// The text, or its beginning and its end with an ellipsis between: names often differ at their ends.

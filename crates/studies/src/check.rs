@@ -1,5 +1,6 @@
 //! Checks a scene, field by field, before anything is built from it.
 
+pub(crate) mod record;
 mod structure;
 
 use crate::{Method, Scene, SceneError};
@@ -28,15 +29,7 @@ const FINITE: &str = "a finite number";
 
 /// Refuses the first field that cannot be modelled, in the order of the file.
 pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
-    let record = &scene.record;
-    let gravity = record.gravity_m_per_s2;
-    require(
-        gravity > 0.0,
-        "record.gravity_m_per_s2".into(),
-        gravity,
-        POSITIVE,
-    )?;
-    require(true, "record.scale".into(), record.scale, FINITE)?;
+    record::check(&scene.record)?;
     if scene.structures.is_empty() {
         return Err(SceneError::NoStructures);
     }

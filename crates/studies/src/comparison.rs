@@ -154,7 +154,11 @@ impl RunErrors {
                 ),
             }
         };
-        let pair = |index| PairErrors::between(&of_pair(run, index), &of_pair(exact, index));
+        let pair = |index| {
+            let of_pair =
+                |outcome: &Outcome| outcome.collisions_of(index).copied().collect::<Vec<_>>();
+            PairErrors::between(&of_pair(run), &of_pair(exact))
+        };
         Self {
             structures: walls.iter().enumerate().map(structure).collect(),
             pairs: (0..n_pairs).map(pair).collect(),
@@ -203,8 +207,8 @@ impl PairErrors {
         !self.rests && self.collisions.0 != self.collisions.1
     }
 
-    fn between(run: &[&Collision], exact: &[&Collision]) -> Self {
-        let error = |value: fn(&[&Collision]) -> Option<f64>, measure: fn(f64, f64) -> f64| match (
+    fn between(run: &[Collision], exact: &[Collision]) -> Self {
+        let error = |value: fn(&[Collision]) -> Option<f64>, measure: fn(f64, f64) -> f64| match (
             value(run),
             value(exact),
         ) {
@@ -212,7 +216,7 @@ impl PairErrors {
             (Some(run), Some(exact)) => Some(measure(run, exact)),
             (Some(_), None) | (None, Some(_)) => Some(f64::INFINITY),
         };
-        let start: fn(&[&Collision]) -> Option<f64> = |all| all.first().map(|first| first.start);
+        let start: fn(&[Collision]) -> Option<f64> = |all| all.first().map(|first| first.start);
         // Of an impulsive law only rest has a force, and only the exact method knows of rest.
         let impulsive = !run.is_empty() && run.iter().all(|one| one.peak_force.is_none());
         let rests = impulsive && exact.iter().any(|one| one.peak_force.is_some());
@@ -242,11 +246,6 @@ impl PairErrors {
             )),
         }
     }
-}
-
-fn of_pair(outcome: &Outcome, pair: usize) -> Vec<&Collision> {
-    let all = outcome.collisions.all().iter();
-    all.filter(|collision| collision.pair == pair).collect()
 }
 
 /// Part of a row's largest momentum below which one is zero: forces from both sides cancel but for rounding.

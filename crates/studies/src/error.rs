@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use crate::floors::Floors;
 use crate::plot::PlotError;
-use crate::{Fault, Scene, SpectrumError};
+use crate::{Fault, MotionError, Scene, Vertical};
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
 #[derive(Debug, Error)]
@@ -57,7 +57,7 @@ pub enum StudyError {
         source: csv::Error,
     },
     /// A record file that cannot be understood.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {}", path.display(), by_fields(source))]
     Record {
         /// The file.
         path: PathBuf,
@@ -65,13 +65,8 @@ pub enum StudyError {
         source: ReadError,
     },
     /// A vertical component, which shakes no row.
-    #[error(
-        "the component \"{component}\" is vertical, allowed are horizontal ones; a scene of its own can name it as `record.component`"
-    )]
-    Vertical {
-        /// Its name.
-        component: String,
-    },
+    #[error("{0}")]
+    Vertical(Vertical),
     /// A scene with a value that cannot be modelled.
     #[error("scene \"{scene}\": {source}")]
     Scene {
@@ -229,15 +224,12 @@ pub enum SceneError {
     /// A row that the solver refuses.
     #[error(transparent)]
     Model(ModelError),
-    /// A use of the record that is out of range.
-    #[error("record: {0}; the fields of `record` decide it, such as scale and gravity_m_per_s2")]
+    /// A ground motion that cannot be made or used as asked.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// A record that was changed, to measure what that does, and is no longer one.
+    #[error("record: {0}")]
     Record(#[from] RecordError),
-    /// A generated motion with settings out of range.
-    #[error("record.generated: {0}")]
-    Generated(RecordError),
-    /// A target of scaling that cannot be reached.
-    #[error("record.scale_to.sa: {0}")]
-    ScaleTo(#[from] SpectrumError),
 }
 
 impl SceneError {
@@ -270,6 +262,20 @@ fn heights(heights: &[f64]) -> String {
         .map(|height| crate::digits(*height))
         .collect();
     heights.join(", ")
+}
+
+/// What is wrong with a record file, with the fields of a scene that say what it leaves out.
+fn by_fields(error: &ReadError) -> String {
+    [
+        ("`unit`", "`record.unit`"),
+        ("`time_step`", "`record.time_step_s`"),
+        ("`component`", "`record.component`"),
+        ("`per_count`", "`record.per_count`"),
+    ]
+    .iter()
+    .fold(error.to_string(), |text, (word, field)| {
+        text.replace(word, field)
+    })
 }
 
 /// A position, after the name of a file.
@@ -307,6 +313,15 @@ fn counted_from_one(error: &csv::Error) -> String {
 }
 
 impl StudyError {
+    /// The message without the name of a record file, beside which it stands.
+    pub fn reason(&self) -> String {
+        if let Self::Record { source, .. } = self {
+            by_fields(source)
+        } else {
+            self.to_string()
+        }
+    }
+
     /// Names the file that holds the scene, where the message does not yet.
     #[must_use]
     pub fn in_file(self, path: &Path) -> Self {

@@ -46,6 +46,25 @@ struct Refused {
     fault: Fault,
 }
 
+impl Refused {
+    /// What a deserialiser says of a field.
+    fn of(message: &str, mut place: String, position: Option<(usize, usize)>) -> Self {
+        let fault = Fault::of(message, &place);
+        // Of a choice that is not known the place is what makes it, and no field of that name.
+        if let Fault::UnknownChoice { found, .. } = &fault
+            && let Some(field) = place.strip_suffix(found.as_str())
+            && let Some(field) = field.strip_suffix('.')
+        {
+            place = field.into();
+        }
+        Self {
+            position,
+            place: Some(place),
+            fault,
+        }
+    }
+}
+
 fn json<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     let position = |error: &serde_json::Error| Some((error.line(), error.column()));
     // First as JSON of any form: the deserialiser of a type calls some fields of a wrong form bad syntax.
@@ -58,12 +77,7 @@ fn json<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let place = named(error.path());
         let error = error.into_inner();
-        let fault = Fault::of(&without_position(&error), &place);
-        Refused {
-            position: position(&error),
-            place: Some(place),
-            fault,
-        }
+        Refused::of(&without_position(&error), place, position(&error))
     })
 }
 
@@ -86,11 +100,7 @@ fn toml<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     serde_path_to_error::deserialize(reader).map_err(|error| {
         let place = named(error.path());
         let error = error.into_inner();
-        Refused {
-            position: position(text, &error),
-            fault: Fault::of(&one_line(error.message()), &place),
-            place: Some(place),
-        }
+        Refused::of(&one_line(error.message()), place, position(text, &error))
     })
 }
 

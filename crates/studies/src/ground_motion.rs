@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use pounding_motion::{Accelerogram, Declared, Record, read_declared};
+use pounding_motion::{Accelerogram, Declared, Record, RecordError, read_declared};
 use sha2::{Digest, Sha256};
 
 use crate::scene::{FileUse, Generated, ScaleTo};
-use crate::{RecordUse, SceneError, Source, StudyError};
+use crate::{MotionError, RecordUse, SceneError, Source, StudyError, check};
 
 /// A ground motion as a scene uses it, and where it came from.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +51,11 @@ impl GroundMotion {
 
     /// A file at hand, used as a scene says.
     pub(crate) fn of_file(record: &RecordUse, origin: Origin) -> Result<Self, SceneError> {
-        let read = origin.file.clone().into_record(record.gravity_m_per_s2)?;
+        check::record::check(record)?;
+        let file = origin.file.clone();
+        let read = file
+            .into_record(record.gravity_m_per_s2)
+            .map_err(at("record.gravity_m_per_s2"))?;
         Ok(Self {
             record: used(record, read)?,
             origin: Some(origin),
@@ -59,7 +63,8 @@ impl GroundMotion {
     }
 
     fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, SceneError> {
-        let made = generated.record().map_err(SceneError::Generated)?;
+        check::record::check(record)?;
+        let made = generated.record()?;
         Ok(Self {
             record: used(record, made)?,
             origin: None,
@@ -101,21 +106,32 @@ pub(crate) fn sha256(bytes: &[u8]) -> String {
         })
 }
 
+/// Names the field of a scene that asks for what is refused.
+fn at(place: &'static str) -> impl Fn(RecordError) -> MotionError {
+    move |error| MotionError::of(place, error)
+}
+
 /// The record as the scene uses it.
-fn used(record: &RecordUse, mut used: Record) -> Result<Record, SceneError> {
+fn used(record: &RecordUse, mut used: Record) -> Result<Record, MotionError> {
     if let Some(trend) = record.detrend {
-        used = used.detrended(trend.to_motion())?;
+        used = used
+            .detrended(trend.to_motion())
+            .map_err(at("record.detrend"))?;
     }
     if let Some(band) = record.band_pass {
-        used = used.band_passed(&band.to_motion())?;
+        used = used
+            .band_passed(&band.to_motion())
+            .map_err(at("record.band_pass"))?;
     }
     if let Some(time_step) = record.resample_s {
-        used = used.resampled(time_step)?;
+        used = used.resampled(time_step).map_err(at("record.resample_s"))?;
     }
     match record.scale_to {
         None => {}
         Some(ScaleTo::PgaG(peak)) => {
-            used = used.scaled_to_peak(peak * record.gravity_m_per_s2)?;
+            used = used
+                .scaled_to_peak(peak * record.gravity_m_per_s2)
+                .map_err(at("record.scale_to.pga_g"))?;
         }
         Some(ScaleTo::Sa {
             period_s,
@@ -123,10 +139,11 @@ fn used(record: &RecordUse, mut used: Record) -> Result<Record, SceneError> {
             sa_g,
         }) => {
             let target = sa_g * record.gravity_m_per_s2;
-            used = crate::scaled_to_sa(&used, period_s, damping_ratio, target)?;
+            used = crate::scaled_to_sa(&used, period_s, damping_ratio, target)
+                .map_err(|error| MotionError::of_spectrum("record.scale_to.sa", error))?;
         }
     }
-    used = used.scaled(record.scale)?;
+    used = used.scaled(record.scale).map_err(at("record.scale"))?;
     Ok(if record.reversed {
         used.reversed()
     } else {

@@ -27,9 +27,11 @@ mod ground_motion;
 mod ladder;
 mod laws;
 mod limits;
+mod motion_error;
 mod noise;
 mod plot;
 mod prepared;
+mod processed;
 mod report;
 mod reproduce;
 mod review;
@@ -43,6 +45,7 @@ mod study;
 mod suite;
 mod tables;
 mod trade;
+mod unneeded;
 mod warning;
 mod words;
 
@@ -67,8 +70,9 @@ pub use ground_motion::{GroundMotion, Origin};
 pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
 pub use laws::{Atlas, AtlasSettings};
 pub use limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT};
+pub use motion_error::MotionError;
 pub use plot::PlotError;
-pub use prepared::{Balance, Outcome, Prepared};
+pub use prepared::{Balance, Outcome, PairOutcome, Prepared};
 pub use report::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
     RecordSummary, Report, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
@@ -85,11 +89,11 @@ pub use schema::scene_schema;
 pub use separation::{Rule, Separation};
 pub use spectrum::{
     Shown, SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
-    scaled_to_sa, spectra_figure,
+    response_spectrum_watched, scaled_to_sa, spectra_figure,
 };
 pub use study::{Output, Study, StudyFile};
-pub use suite::{Motion, files_in};
+pub use suite::{Motion, Vertical, files_in};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};
-pub use words::{milliseconds, percent, short};
+pub use words::{milliseconds, percent, rounded_down, rounded_up, short};

@@ -61,8 +61,7 @@ impl Prepared {
     pub fn limits(&self, expected: &Outcome) -> Limits {
         let pairs = self.pairs().iter().enumerate();
         let contacts = pairs.filter_map(|(index, pair)| {
-            let all = expected.collisions.all().iter();
-            let collisions: Vec<_> = all.filter(|one| one.pair == index).collect();
+            let collisions: Vec<_> = expected.collisions_of(index).collect();
             (!collisions.is_empty()).then(|| self.contact_limit((index, pair), &collisions))
         });
         Limits {

@@ -1,7 +1,7 @@
 //! A run with what is known of its errors, and what it warns of.
 
 use pounding_contact::SLOWEST_APPROACH;
-use pounding_solver::{Collision, Work};
+use pounding_solver::{Closings, Collision, Work};
 
 use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
 use crate::prepared::Audited;
@@ -29,6 +29,8 @@ pub struct Review {
     pub outcome: Outcome,
     /// Where its energy went.
     pub balance: Balance,
+    /// How far neighbours came towards each other.
+    pub closings: Closings,
     /// How far it is from the exact run.
     pub errors: Errors,
     /// What a user should know before believing it.
@@ -46,6 +48,16 @@ pub enum Errors {
     Unknown(StudyError),
     /// Measured against an exact run, which cost this.
     Measured(RunErrors, Work),
+}
+
+impl Review {
+    /// The errors, where they were measured.
+    pub fn measured(&self) -> Option<&RunErrors> {
+        match &self.errors {
+            Errors::Measured(errors, _) => Some(errors),
+            Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => None,
+        }
+    }
 }
 
 impl Prepared {
@@ -67,11 +79,12 @@ impl Prepared {
         measure: bool,
         interval: Option<f64>,
     ) -> Result<Review, StudyError> {
+        let (audited, closings) = self.audited_with(interval, self.closings())?;
         let Audited {
             outcome,
             broken,
             balance,
-        } = self.audited(interval)?;
+        } = audited;
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
@@ -104,6 +117,7 @@ impl Prepared {
         Ok(Review {
             outcome,
             balance,
+            closings,
             errors,
             warnings,
         })

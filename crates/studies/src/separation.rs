@@ -1,12 +1,8 @@
 //! The width that the gaps of a row need, and what the rules of codes and literature ask for.
 
-use pounding_solver::State;
+use pounding_solver::Peaks;
 
 use crate::{Prepared, Scene, Structure, StudyError};
-
-/// Intervals of the shortest natural period at which a motion is looked at; between them it is taken as a cubic, which
-/// is off by (2π/200)⁴/384 of the amplitude.
-const LOOKS_PER_PERIOD: f64 = 200.0;
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +58,17 @@ impl Rule {
         }
     }
 
+    /// Name of its width in CSV and JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Abs => "abs_m",
+            Self::Srss => "srss_m",
+            Self::Ddc => "ddc_m",
+            Self::Eurocode8 => "eurocode_8_m",
+            Self::Asce7 => "asce_7_m",
+        }
+    }
+
     /// The width that the rule asks for \[m\].
     ///
     /// Displacements are those of the time history itself: behaviour and amplification factors of the codes, by which they
@@ -108,40 +115,30 @@ impl Prepared {
     ///
     /// # Errors
     /// [`StudyError::Run`] when a run ends early.
-    ///
-    /// # Panics
-    /// Never: the histories are asked for.
     pub fn separations(&self) -> Result<Vec<Separation>, StudyError> {
         let apart = Scene {
             contacts: None,
             ..self.scene().clone()
         };
         let apart = self.variant(&apart, self.record().clone())?.exact()?;
-        let periods = apart
-            .scene()
-            .structures
-            .iter()
-            .filter_map(Structure::period);
-        let step = apart.record().time_step();
-        let looks = (step * LOOKS_PER_PERIOD / periods.fold(f64::INFINITY, f64::min)).ceil();
-        let interval = step / looks.max(1.0);
-        let outcome = apart.run_unjudged(Some(interval))?;
-        let histories = outcome.histories.as_ref().expect("they were asked for");
         let structures = &apart.scene().structures;
+        let mut recorders = (Peaks::new(structures.len()), apart.closings());
+        apart.integrate(&mut recorders)?;
+        let (peaks, closings) = recorders;
         let neighbours = structures.windows(2).enumerate();
         let separation = |(left, pair): (usize, &[Structure])| {
-            let walls = matches!(pair, [Structure::Wall, Structure::Wall]);
-            let (time, required) = closing(
-                &histories.of(left).states,
-                &histories.of(left + 1).states,
-                interval,
-            );
-            (!walls).then(|| Separation {
+            let closing = closings.of(left)?;
+            // Neighbours that are apart from the start on, and further, need no gap.
+            let (required, time) = if closing.distance > 0.0 {
+                (closing.distance, closing.time)
+            } else {
+                (0.0, 0.0)
+            };
+            Some(Separation {
                 left,
                 required,
                 time,
-                peaks: [left, left + 1]
-                    .map(|index| outcome.peaks.of(index).displacement.value.abs()),
+                peaks: [left, left + 1].map(|index| peaks.of(index).displacement.value.abs()),
                 level: level(pair),
                 oscillations: [left, left + 1].map(|index| oscillation(&structures[index])),
             })
@@ -165,48 +162,4 @@ fn oscillation(structure: &Structure) -> Option<(f64, f64)> {
         Structure::Sdof(sdof) => Some((sdof.period(), sdof.damping_ratio())),
         Structure::Building(_) | Structure::Wall => None,
     }
-}
-
-/// Largest displacement of the left neighbour against the right one \[m\], at least 0, and its time \[s\].
-fn closing(left: &[State], right: &[State], interval: f64) -> (f64, f64) {
-    let node = |(left, right): (&State, &State)| {
-        (
-            left.displacement - right.displacement,
-            left.velocity - right.velocity,
-        )
-    };
-    let nodes: Vec<_> = left.iter().zip(right).map(node).collect();
-    let mut largest = (0.0, 0.0);
-    for (index, pair) in nodes.windows(2).enumerate() {
-        let (share, closing) = highest(pair[0], pair[1], interval);
-        if closing > largest.1 {
-            largest = ((index as f64 + share) * interval, closing);
-        }
-    }
-    largest
-}
-
-/// Where, as a share of the interval, and how high the cubic through two nodes of value and slope is at most.
-fn highest((y0, v0): (f64, f64), (y1, v1): (f64, f64), interval: f64) -> (f64, f64) {
-    let ends = if y1 > y0 { (1.0, y1) } else { (0.0, y0) };
-    if !(v0 > 0.0 && v1 < 0.0) {
-        return ends;
-    }
-    // y(s) = y0 + a s + b s² + c s³; one maximum, as the slope goes from above to below zero.
-    let (a, end) = (v0 * interval, v1 * interval);
-    let rise = y1 - y0;
-    let (b, c) = (3.0 * rise - 2.0 * a - end, a + end - 2.0 * rise);
-    let slope = |s: f64| a + s * (2.0 * b + 3.0 * s * c);
-    let (mut low, mut high) = (0.0, 1.0);
-    // 2⁻⁵² of the interval is the last digit.
-    for _ in 0..52 {
-        let middle = 0.5 * (low + high);
-        if slope(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let value = y0 + low * (a + low * (b + low * c));
-    if value > ends.1 { (low, value) } else { ends }
 }

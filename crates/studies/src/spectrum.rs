@@ -79,6 +79,19 @@ pub fn response_spectrum(
     periods: &[f64],
     damping_ratio: f64,
 ) -> Result<Vec<SpectralValues>, SpectrumError> {
+    response_spectrum_watched(record, periods, damping_ratio, &|| ())
+}
+
+/// The same; `done` is called after each period.
+///
+/// # Errors
+/// Those of [`response_spectrum`].
+pub fn response_spectrum_watched(
+    record: &Record,
+    periods: &[f64],
+    damping_ratio: f64,
+    done: &(impl Fn() + Sync),
+) -> Result<Vec<SpectralValues>, SpectrumError> {
     let excitation = Excitation::new(record.time_step(), record.samples())?;
     check(
         "damping_ratio",
@@ -96,13 +109,15 @@ pub fn response_spectrum(
         )?;
     }
     let values = |&period: &f64| {
-        if period == 0.0 {
+        let found = if period == 0.0 {
             Ok(of_the_ground(record))
         } else {
             let end = record.duration() + period;
             values(excitation, end, period, damping_ratio)
                 .map_err(|source| SpectrumError::Run { period, source })
-        }
+        };
+        done();
+        found
     };
     periods.par_iter().map(values).collect()
 }

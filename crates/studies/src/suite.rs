@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use pounding_motion::{ReadError, components};
+use pounding_motion::{Direction, components};
 
 use crate::{FileUse, Prepared, Scene, Source, StudyError};
 
@@ -13,8 +13,24 @@ pub struct Motion {
     pub path: PathBuf,
     /// Its component, where it holds several.
     pub component: Option<String>,
-    /// Whether the component is vertical by its name.
-    pub vertical: bool,
+    /// Why it is taken for vertical, where it is.
+    pub vertical: Option<Vertical>,
+}
+
+/// Why a motion is taken for vertical, and shakes no row.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Vertical {
+    /// The file names its component so.
+    #[error(
+        "the component \"{0}\" is vertical, allowed are horizontal ones; a scene of its own can name it as `record.component`"
+    )]
+    Component(String),
+    /// The file does not say, but its name ends so.
+    #[error(
+        "vertical, since the file does not say and its name ends in \"{0}\", allowed are horizontal ones; rename a horizontal \
+         one, or give it a scene of its own"
+    )]
+    FileName(String),
 }
 
 impl Motion {
@@ -22,6 +38,8 @@ impl Motion {
     /// left out.
     ///
     /// A file that cannot be read is one of them, and so is a vertical component: they say so when they are to shake something.
+    /// A component is vertical by the last word of its [name](Direction::of_component); one whose name does not tell, of a file
+    /// of one component, by the [end of the file's name](Direction::upright_end).
     ///
     /// # Errors
     /// [`StudyError::Unreadable`] when the folder cannot be read.
@@ -40,39 +58,25 @@ impl Motion {
     /// # Errors
     /// Those of [`Prepared::new`]; [`StudyError::Vertical`].
     pub fn shake(&self, scene: &Scene, reversed: bool) -> Result<Prepared, StudyError> {
-        if self.vertical {
-            let component = self.component.clone().unwrap_or_default();
-            return Err(StudyError::Vertical { component });
+        if let Some(vertical) = &self.vertical {
+            return Err(StudyError::Vertical(vertical.clone()));
         }
         let mut scene = scene.clone();
         scene.duration_s = None;
         scene.record.reversed = reversed;
-        let own = FileUse {
+        let of_scene = match &scene.record.source {
+            Source::File(file) => file.clone(),
+            Source::Generated(_) => FileUse::default(),
+        };
+        let file = FileUse {
             file: self.path.to_string_lossy().into_owned(),
             component: self.component.clone(),
-            ..FileUse::default()
+            ..of_scene
         };
-        let declared = match &scene.record.source {
-            Source::File(file) => FileUse {
-                unit: file.unit,
-                time_step_s: file.time_step_s,
-                per_count: file.per_count,
-                ..own.clone()
-            },
-            Source::Generated(_) => own.clone(),
-        };
-        scene.record.source = Source::File(own);
-        match Prepared::new(&scene, Path::new("")) {
-            Err(StudyError::Record {
-                source:
-                    ReadError::UnitNotStated | ReadError::TimeStepNotStated | ReadError::Counts { .. },
-                ..
-            }) => {
-                scene.record.source = Source::File(declared);
-                Prepared::new(&scene, Path::new(""))
-            }
-            prepared => prepared,
-        }
+        file.where_unsaid(|file| {
+            scene.record.source = Source::File(file.clone());
+            Prepared::new(&scene, Path::new(""))
+        })
     }
 
     /// Name for tables: that of the file, and the component.
@@ -115,62 +119,33 @@ fn of_file(path: &Path) -> Vec<Motion> {
         .ok()
         .and_then(|bytes| components(&bytes).ok())
         .unwrap_or_default();
-    let motion = |name: &String| Motion {
+    let motion = |component: Option<String>, vertical: Option<Vertical>| Motion {
         path: path.to_path_buf(),
-        component: (names.len() > 1 || is_vertical(name)).then(|| name.clone()),
-        vertical: is_vertical(name),
+        component,
+        vertical,
     };
-    if names.is_empty() {
-        return vec![motion(&String::new())];
+    let upright = |name: &String| {
+        let vertical = Direction::of_component(name) == Some(Direction::Vertical);
+        vertical.then(|| Vertical::Component(name.clone()))
+    };
+    match &names[..] {
+        [] => vec![motion(None, by_file_name(path))],
+        [name] => {
+            let by_name = upright(name);
+            let says = Direction::of_component(name).is_some();
+            let vertical = by_name.or_else(|| by_file_name(path).filter(|_| !says));
+            vec![motion(None, vertical)]
+        }
+        several => several
+            .iter()
+            .map(|name| motion(Some(name.clone()), upright(name)))
+            .collect(),
     }
-    names.iter().map(motion).collect()
 }
 
-/// Whether a component is vertical by the last word of its name, as formats write it.
-fn is_vertical(name: &str) -> bool {
-    let name = name.to_ascii_lowercase();
-    let last = name
-        .rsplit([' ', ':', '.'])
-        .find(|word| !word.is_empty())
-        .unwrap_or_default();
-    // Channel codes of digitisers end in the direction: HNZ.
-    let code = last.len() == 3 && last.ends_with('z');
-    code || matches!(
-        last,
-        "up" | "u" | "v" | "ud" | "u-d" | "z" | "vert" | "vertical" | "down" | "dn"
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_vertical;
-
-    #[test]
-    fn reference_directions_as_formats_write_them() {
-        for name in [
-            "CHAN 2: UP",
-            "Sta Cha: 2: up",
-            "Up",
-            "U-D",
-            "HNZ",
-            "U",
-            "V",
-            "vertical",
-            "Vert.",
-        ] {
-            assert!(is_vertical(name), "{name}");
-        }
-        for name in [
-            "",
-            "S16W",
-            "CHAN 1: 90 DEG",
-            "N-S",
-            "E-W",
-            "HNE",
-            "NS",
-            "Kuz street 12",
-        ] {
-            assert!(!is_vertical(name), "{name}");
-        }
-    }
+/// What the name of a file tells, of which nothing else does.
+fn by_file_name(path: &Path) -> Option<Vertical> {
+    let name = path.file_name()?.to_string_lossy();
+    let end = Direction::upright_end(&name)?;
+    Some(Vertical::FileName(end.into()))
 }

@@ -47,3 +47,54 @@ pub fn percent(error: f64) -> String {
 pub fn milliseconds(seconds: f64) -> String {
     percent(10.0 * seconds).replace('%', "ms")
 }
+
+/// What rounding leaves of a number that was meant to have few digits, relative to it.
+const SLACK: f64 = 1e-12;
+
+/// A number ≥ 0 with so many decimals, not above it: for what is said to be at least so much.
+pub fn rounded_down(value: f64, decimals: usize) -> String {
+    rounded(value, decimals, |text| text > value * (1.0 + SLACK), -0.5)
+}
+
+/// A number ≥ 0 with so many decimals, not below it: for what is said to be enough.
+pub fn rounded_up(value: f64, decimals: usize) -> String {
+    rounded(value, decimals, |text| text < value * (1.0 - SLACK), 0.5)
+}
+
+/// The nearest text, or where its number is `wrong` that on the other side: that of the number shifted by a part of the last
+/// digit.
+fn rounded(value: f64, decimals: usize, wrong: impl Fn(f64) -> bool, shift: f64) -> String {
+    let nearest = format!("{value:.decimals$}");
+    if !nearest.parse().is_ok_and(wrong) {
+        return nearest;
+    }
+    let last: f64 = format!("1e-{decimals}").parse().unwrap_or(1.0);
+    format!("{:.decimals$}", value + shift * last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rounded_down, rounded_up};
+
+    #[test]
+    fn reference_numbers_that_promise() {
+        for (value, down, up) in [
+            (41.24, "41.2", "41.3"),
+            (41.26, "41.2", "41.3"),
+            (41.25, "41.2", "41.3"),
+            (99.96, "99.9", "100.0"),
+            (0.04, "0.0", "0.1"),
+            (0.0, "0.0", "0.0"),
+            // Written with these digits, whatever rounding made of it.
+            (1e3 * 0.0413, "41.3", "41.3"),
+            (0.1 + 0.2, "0.3", "0.3"),
+        ] {
+            assert_eq!(
+                (&*rounded_down(value, 1), &*rounded_up(value, 1)),
+                (down, up)
+            );
+        }
+        assert_eq!(rounded_up(1e300, 1).len(), 303);
+        assert_eq!(rounded_up(f64::INFINITY, 1), "inf");
+    }
+}

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_studies::{Contact, Prepared, Rule, Scene, Structure, parse};
+use pounding_studies::{Contact, PairSummary, Prepared, Rule, Scene, Structure, parse};
 
 /// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
 const SCENE: &str = r#"
@@ -50,6 +50,45 @@ fn limit_the_width_is_where_touching_begins() {
             let narrow = touches(&scene, one.left, one.required * (1.0 - 1e-6));
             let wide = touches(&scene, one.left, one.required * (1.0 + 1e-6));
             assert!(narrow && !wide, "{one:?}: {narrow} {wide}");
+        }
+    }
+}
+
+/// The least opening of a gap was that of the rows of the history, which overstated what stays open.
+#[test]
+fn issue_what_stays_open_is_no_sample() {
+    let mut scene = scene();
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 });
+    scene.contacts = Some(vec![Contact { gap_m: 0.5, law }; 3]);
+    let separations = prepared(&scene).separations().expect("it runs");
+    for method in [
+        r#"{"exact": {}}"#,
+        r#"{"rk4": {"time_step_s": 0.01}}"#,
+        r#"{"newmark": {"time_step_s": 0.01, "beta": 0.25, "gamma": 0.5}}"#,
+    ] {
+        scene.method = serde_json::from_str(method).expect("a method");
+        let prepared = prepared(&scene);
+        let review = prepared.review(false).expect("it runs");
+        let pairs = PairSummary::of_run(&prepared, &review);
+        let outcome = prepared.run(Some(0.01)).expect("it runs");
+        let histories = outcome.histories.expect("asked for");
+        for (pair, separation) in pairs.iter().zip(&separations) {
+            let opening = pair.least_opening_m;
+            let [left, right] = [0, 1].map(|side| &histories.of(separation.left + side).states);
+            let rows = left.iter().zip(right);
+            let least = rows
+                .map(|(left, right)| 0.5 - left.displacement + right.displacement)
+                .fold(f64::INFINITY, f64::min);
+            assert!(opening <= least, "{method}: {opening} {least}");
+            // By another run, another recorder and, for stepping methods, to their error.
+            let wanted = 0.5 - separation.required;
+            let allowed = if method.contains("exact") { 1e-9 } else { 1e-3 };
+            assert!(
+                (opening - wanted).abs() < allowed,
+                "{method}: {opening} {wanted}"
+            );
+            let instant = pair.least_opening_time_s - separation.time;
+            assert!(instant.abs() < 0.02, "{method}: {instant}");
         }
     }
 }

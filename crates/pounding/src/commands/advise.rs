@@ -3,11 +3,15 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
 use pounding::studies::{
     Advice, EVALUATIONS_PER_PIECE, Goal, LONGEST_STEP, MOST_STEPS, Method, Prepared, Quantity,
-    Scene, StudyError, Trial, advise, digits, read_file,
+    Rungs, Scene, StudyError, Trial, advise, digits, read_file,
 };
+use serde_json::json;
+
+use super::{json_text, part_of_one};
 
 use crate::progress::Progress;
 use crate::text::{NONE, paragraph, percent, short, table};
@@ -33,6 +37,9 @@ pub(crate) struct Arguments {
     /// Of what.
     #[arg(long, value_enum, default_value_t = OfWhat::All)]
     quantity: OfWhat,
+    /// Print JSON, SI units.
+    #[arg(long)]
+    json: bool,
 }
 
 /// The quantity whose error counts.
@@ -67,14 +74,10 @@ impl From<OfWhat> for Quantity {
 
 /// An error as a part of 1 or in per cent.
 fn error(text: &str) -> Result<f64, String> {
-    let (number, unit) = match text.strip_suffix('%') {
-        Some(number) => (number.trim_end(), 0.01),
-        None => (text, 1.0),
-    };
-    match number.parse::<f64>() {
-        Ok(value) if value * unit > 0.0 && value * unit < 1.0 => Ok(value * unit),
-        _ => Err("allowed is more than 0 and less than 1, such as 0.01 or 1%".into()),
-    }
+    let allowed = "allowed is more than 0 and less than 1, such as 0.01 or 1%";
+    let value = part_of_one(text).ok();
+    let value = value.filter(|value| *value > 0.0 && *value < 1.0);
+    value.ok_or_else(|| allowed.into())
 }
 
 /// Runs a scene with every method; returns the advice.
@@ -91,7 +94,39 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         quantity: asked.quantity.into(),
     };
     let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
-    Ok(of(&prepared, &advice))
+    Ok(if asked.json {
+        json_of(&prepared, &advice, asked.quantity)
+    } else {
+        of(&prepared, &advice)
+    })
+}
+
+/// Every run of every method, the shortest step last; errors are null where a run failed or the numbers of collisions differ.
+fn json_of(prepared: &Prepared, advice: &Advice, of_what: OfWhat) -> String {
+    let quantity = of_what.to_possible_value();
+    let quantity = quantity.as_ref().map(PossibleValue::get_name);
+    let trial = |trial: &Trial| {
+        json!({
+            "name": trial.name,
+            "method": trial.method,
+            "error": trial.error.is_finite().then_some(trial.error),
+            "worst": trial.worst,
+            "cost": trial.cost,
+        })
+    };
+    let rungs = |rungs: &Rungs| {
+        json!({
+            "chosen": rungs.chosen().map(trial),
+            "trials": rungs.trials.iter().map(trial).collect::<Vec<_>>(),
+        })
+    };
+    json_text(&json!({
+        "scene": prepared.scene(),
+        "goal": {"error": advice.goal.error, "quantity": quantity},
+        "use": trial(advice.best()),
+        "exact": trial(&advice.exact),
+        "methods": advice.methods.iter().map(rungs).collect::<Vec<_>>(),
+    }))
 }
 
 /// The recommended method, the line for the scene, and what every method would cost.

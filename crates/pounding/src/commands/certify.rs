@@ -46,9 +46,26 @@ pub(crate) struct Arguments {
     /// The method; without it all are tried.
     #[arg(long, value_name = "METHOD", value_parser = method, requires = "time_step")]
     method: Option<StepMethod>,
-    /// What to print.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    /// Print a table for a program, SI units.
+    #[arg(long)]
+    csv: bool,
+    /// Print JSON, SI units.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// The same in one option.
+    #[arg(long, value_enum, conflicts_with_all = ["csv", "json"])]
+    format: Option<Format>,
+}
+
+impl Arguments {
+    fn format(&self) -> Format {
+        match (self.format, self.csv, self.json) {
+            (Some(format), ..) => format,
+            (None, true, _) => Format::Csv,
+            (None, _, true) => Format::Json,
+            (None, false, false) => Format::Text,
+        }
+    }
 }
 
 /// How the damping of a law is chosen.
@@ -125,7 +142,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
             .collect(),
     };
     let facts = facts(&wanted, &collision, &certificate);
-    Ok(match asked.format {
+    Ok(match asked.format() {
         Format::Text => printed::text(wanted.calibration, &facts, &methods),
         Format::Csv => printed::csv(&facts, &methods),
         Format::Json => printed::json(&facts, &methods),

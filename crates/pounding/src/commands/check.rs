@@ -1,5 +1,7 @@
 //! `pounding check`: what would run, and what its time step can follow.
 
+mod json;
+
 use std::path::PathBuf;
 
 use pounding::studies::{
@@ -12,8 +14,9 @@ use crate::summary::{method_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
 
 const EXAMPLES: &str = "\
-Example:
+Examples:
   pounding check studies/examples/two-structures.json
+  pounding check scene.toml --json > plan.json
 
 The collisions to expect are those of the exact run, which takes some
 milliseconds.";
@@ -25,51 +28,94 @@ pub(crate) struct Arguments {
     /// The scene, a TOML or JSON file.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
+    /// Print JSON, SI units.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A scene, and what its exact run says of it.
+struct Plan<'a> {
+    prepared: &'a Prepared,
+    expected: Option<Expected>,
+    /// What to know before believing a run.
+    warnings: Vec<String>,
+}
+
+/// The exact run and what follows from it.
+struct Expected {
+    outcome: Outcome,
+    limits: Limits,
+    /// What the scene gives and does not need.
+    unneeded: Vec<String>,
 }
 
 /// Checks a scene; returns what would run.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
+    let prepared = super::prepare(path, true).map_err(|error| error.in_file(path).to_string())?;
     let _waiting = Waiting::new("running the exact method");
-    super::prepare(path, true)
-        .map(|prepared| of(&prepared))
-        .map_err(|error| error.in_file(path).to_string())
+    let plan = Plan::of(&prepared);
+    Ok(if asked.json {
+        json::of(&plan)
+    } else {
+        text(&plan)
+    })
+}
+
+impl<'a> Plan<'a> {
+    fn of(prepared: &'a Prepared) -> Self {
+        let mut warnings: Vec<String> = prepared.refusal().into_iter().collect();
+        let expected = match prepared.exact().and_then(|exact| exact.run(None)) {
+            Ok(outcome) => {
+                let before = prepared.warnings_before(&outcome);
+                warnings.extend(before.iter().map(ToString::to_string));
+                Some(Expected {
+                    limits: prepared.limits(&outcome),
+                    unneeded: prepared.unneeded(&outcome),
+                    outcome,
+                })
+            }
+            Err(error) => {
+                warnings.push(format!(
+                    "the exact run fails, so that no collision can be expected: {error}"
+                ));
+                None
+            }
+        };
+        Self {
+            prepared,
+            expected,
+            warnings,
+        }
+    }
 }
 
 /// The plan of a scene.
-fn of(prepared: &Prepared) -> String {
-    let scene = prepared.scene();
+fn text(plan: &Plan<'_>) -> String {
+    let prepared = plan.prepared;
     let mut parts = vec![
-        paragraph("Scene", &scene.name),
+        paragraph("Scene", &prepared.scene().name),
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
-        paragraph("Model", &model_lines(prepared)),
+        paragraph("Model", &model_lines(plan)),
         structures(prepared),
     ];
-    let mut found: Vec<String> = prepared.refusal().into_iter().collect();
-    let mut doubts = prepared.doubts(None);
-    match prepared.exact().and_then(|exact| exact.run(None)) {
-        Ok(expected) => {
-            doubts = prepared.doubts(Some(&expected));
-            parts.push(paragraph("Cost", &cost_lines(prepared, &expected)));
-            let limits = prepared.limits(&expected);
-            parts.push(pairs(prepared, &limits));
-            let before = prepared.warnings_before(&expected);
-            found.extend(before.iter().map(ToString::to_string));
-        }
-        Err(error) => found.push(format!(
-            "the exact run fails, so that no collision can be expected: {error}"
-        )),
+    if let Some(expected) = &plan.expected {
+        parts.push(paragraph("Cost", &cost_lines(prepared, &expected.outcome)));
+        parts.push(pairs(prepared, &expected.limits));
     }
     parts.push(paragraph("Notes", NOTES));
-    let doubts: Vec<String> = doubts.iter().map(ToString::to_string).collect();
+    let doubts = prepared.doubts();
     if !doubts.is_empty() {
+        let doubts: Vec<String> = doubts.iter().map(ToString::to_string).collect();
         parts.push(paragraph("Unusual", &doubts.join("\n")));
     }
-    if found.is_empty() {
-        found.push("none of stability and e; the errors of the numbers are those of a run".into());
-    }
-    parts.push(warnings(&found));
+    let nothing = "none of stability and e; the errors of the numbers are those of a run";
+    parts.push(if plan.warnings.is_empty() {
+        paragraph("Warnings", nothing)
+    } else {
+        warnings(&plan.warnings)
+    });
     parts.join("\n")
 }
 
@@ -79,7 +125,8 @@ const NOTES: &str = "Limit: from this time step on the motion grows without boun
                      at that speed, e that of the law and what the method makes of it.";
 
 /// What of the scene is modelled, and what is left out because the scene does not require it.
-fn model_lines(prepared: &Prepared) -> String {
+fn model_lines(plan: &Plan<'_>) -> String {
+    let prepared = plan.prepared;
     let scene = prepared.scene();
     let yields = |structure: &&Structure| matches!(structure, Structure::Sdof(sdof) if sdof.yield_force_n.is_some());
     let columns = match scene.structures.iter().filter(yields).count() {
@@ -100,9 +147,15 @@ fn model_lines(prepared: &Prepared) -> String {
     } else {
         format!(" and {walls} fixed")
     };
-    format!(
-        "{structures} moving{walls}; columns: {columns};\ncontact: {contact};\nno histories unless `run --out` asks for them"
-    )
+    let mut lines = vec![
+        format!("{structures} moving{walls}; columns: {columns};"),
+        format!("contact: {contact};"),
+        "no histories unless `run --out` asks for them".into(),
+    ];
+    // What is asked for is modelled, so that a run can tell; what the exact run needs of it is said.
+    let unneeded = plan.expected.iter().flat_map(|expected| &expected.unneeded);
+    lines.extend(unneeded.map(|what| format!("not needed: {what}")));
+    lines.join("\n")
 }
 
 /// What the run will cost, and the exact one.

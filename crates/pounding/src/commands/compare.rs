@@ -1,17 +1,19 @@
 //! `pounding compare`: several scenes side by side.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use pounding::solver::Collision;
-use pounding::studies::{Errors, Prepared, Quantity, Review, Structure, StudyError, digits};
+use pounding::studies::{
+    Errors, PairOutcome, Prepared, Quantity, Review, Structure, StudyError, Summary, digits,
+};
 
 use crate::progress::Waiting;
-use crate::summary::peak_force;
-use crate::text::{NONE, percent, short, wide_table};
+use crate::text::{NONE, percent, short, side_by_side};
 
 const EXAMPLES: &str = "\
-Example:
+Examples:
   pounding compare today.toml wider-gap.toml other-law.toml
+  pounding compare today.toml wider-gap.toml --json > both.json
 
 Structures and pairs are matched from the left.";
 
@@ -25,6 +27,9 @@ pub(crate) struct Arguments {
     /// Do not measure the errors; saves the exact runs.
     #[arg(long)]
     no_error: bool,
+    /// Print JSON, SI units: for each scene what `run --json` prints.
+    #[arg(long)]
+    json: bool,
 }
 
 /// A scene that ran.
@@ -38,8 +43,10 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let run = |path: &PathBuf| {
         run(path, !asked.no_error).map_err(|error| error.in_file(path).to_string())
     };
-    let _waiting = Waiting::new("running");
     let runs: Vec<Run> = asked.scenes.iter().map(run).collect::<Result<_, _>>()?;
+    if asked.json {
+        return Ok(json_of(&runs));
+    }
     let mut rows = vec![row("Scene", &runs, |run| run.prepared.scene().name.clone())];
     rows.extend(of_runs(&runs));
     let most = |count: fn(&Run) -> usize| runs.iter().map(count).max().unwrap_or(0);
@@ -47,13 +54,23 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let pairs = most(|run| run.prepared.scene().contacts.as_ref().map_or(0, Vec::len));
     rows.extend((0..structures).flat_map(|index| of_structure(&runs, index)));
     rows.extend((0..pairs).flat_map(|index| of_pair(&runs, index)));
-    Ok(wide_table(&rows))
+    Ok(side_by_side(&rows))
 }
 
 fn run(path: &Path, measure: bool) -> Result<Run, StudyError> {
     let prepared = super::prepare(path, false)?;
+    let _waiting = Waiting::new("running");
     let review = prepared.review(measure)?;
     Ok(Run { prepared, review })
+}
+
+fn json_of(runs: &[Run]) -> String {
+    let summary = |run: &Run| Summary::of(&run.prepared, &run.review);
+    let summaries: Vec<Summary> = runs.iter().map(summary).collect();
+    // Not a `Value`, which would sort the fields of a summary.
+    let all = BTreeMap::from([("runs", summaries)]);
+    let text = serde_json::to_string_pretty(&all).expect("plain data");
+    format!("{text}\n")
 }
 
 /// A name and a cell for every scene.
@@ -127,36 +144,27 @@ fn of_structure(runs: &[Run], index: usize) -> Vec<Vec<String>> {
 }
 
 fn of_pair(runs: &[Run], pair: usize) -> Vec<Vec<String>> {
-    let collisions = |run: &Run| -> Vec<Collision> {
-        let all = run.review.outcome.collisions.all().iter();
-        all.filter(|one| one.pair == pair).copied().collect()
-    };
     let gap = |run: &Run| {
         let contacts = run.prepared.scene().contacts.as_ref()?;
         contacts.get(pair).map(|contact| 1e3 * contact.gap_m)
     };
-    let number = |name: &str, value: &dyn Fn(&[Collision]) -> Option<f64>| {
+    let number = |name: &str, value: &dyn Fn(&PairOutcome) -> Option<f64>| {
         row(name, runs, |run| {
-            value(&collisions(run)).map_or(NONE.into(), short)
+            value(&run.review.outcome.of_pair(pair)).map_or(NONE.into(), short)
         })
-    };
-    let largest = |all: &[Collision], value: fn(&Collision) -> Option<f64>| {
-        all.iter().filter_map(value).max_by(f64::total_cmp)
     };
     vec![
         row(&format!("Pair {}, gap [mm]", pair + 1), runs, |run| {
             gap(run).map_or(NONE.into(), short)
         }),
         row("  collisions", runs, |run| match gap(run) {
-            Some(_) => collisions(run).len().to_string(),
+            Some(_) => run.review.outcome.of_pair(pair).collisions.to_string(),
             None => NONE.into(),
         }),
-        number("  first [s]", &|all| all.first().map(|one| one.start)),
-        number("  largest impulse [kN·s]", &|all| {
-            largest(all, |one| Some(1e-3 * one.impulse))
+        number("  first [s]", &|pair| Some(pair.first?.start)),
+        number("  largest impulse [kN·s]", &|pair| {
+            Some(1e-3 * pair.largest?.impulse)
         }),
-        number("  peak force [kN]", &|all| {
-            peak_force(all).map(|force| 1e-3 * force)
-        }),
+        number("  peak force [kN]", &|pair| Some(1e-3 * pair.peak_force?)),
     ]
 }

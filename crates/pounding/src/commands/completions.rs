@@ -5,7 +5,7 @@ use clap_complete::Shell;
 
 const EXAMPLES: &str = "\
 Examples:
-  pounding completions bash > ~/.local/share/bash-completion/completions/pounding
+  pounding completions bash >> ~/.bash_completion
   pounding completions fish > ~/.config/fish/completions/pounding.fish";
 
 /// What is asked of `completions`.

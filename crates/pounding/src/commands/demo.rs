@@ -47,8 +47,8 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     }
     let path = top.join(SCENE);
     let message = |error: pounding::studies::StudyError| error.in_file(&path).to_string();
-    let _waiting = Waiting::new("running and drawing");
     let prepared = super::prepare(&path, false).map_err(message)?;
+    let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
     folder::write(&results, &report.files())?;
     Ok(format!(

@@ -12,6 +12,7 @@ use pounding::studies::{
 
 use super::positive;
 use crate::new_file;
+use crate::progress::Waiting;
 use material::Material;
 
 const EXAMPLES: &str = "\
@@ -60,6 +61,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
     let materials = materials(&scene, asked)?;
+    let _waiting = Waiting::new("running the exact method");
     let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;
     let exact = prepared.run(None).map_err(message)?;
     let script = opensees::script(&opensees::Contents {

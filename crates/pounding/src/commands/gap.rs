@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use pounding::studies::{Method, Motion, Rule, Scene, Separation, StudyError, digits, read_file};
-use rayon::prelude::*;
-use serde_json::{Value, json};
+use pounding::studies::{
+    Method, Prepared, Rule, Scene, Separation, StudyError, digits, read_file, rounded_up,
+};
+use serde_json::json;
 
-use crate::progress::Progress;
+use super::{csv_text, json_text, suite};
 use crate::text::{paragraph, short, table};
 
 const EXAMPLES: &str = "\
@@ -15,7 +16,11 @@ Examples:
   pounding gap scene.toml --records records --csv > gaps.csv
 
 The gaps and contact laws of the scene do not matter: the width is the largest
-closing of the gap while every structure stands alone, by the exact method.";
+closing of the gap while every structure stands alone, by the exact method.
+
+Vertical components are left out: by the name that a file gives its component,
+such as UP, UD, V, Z or DWN (of an AT2 file the direction in its title), and
+where it gives none by the end of the file's name, such as -UP, _V or .UD.";
 
 /// What is asked of `gap`.
 #[derive(Debug, clap::Args)]
@@ -36,11 +41,7 @@ pub(crate) struct Arguments {
 }
 
 /// The widths under one motion in one direction.
-struct Line {
-    motion: String,
-    reversed: bool,
-    found: Result<Vec<Separation>, String>,
-}
+type Line = suite::Line<Vec<Separation>>;
 
 /// The widths under every record.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
@@ -60,15 +61,12 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         method: Method::EXACT,
         ..scene.clone()
     };
-    let lines = lines(&apart, &super::motions(&asked.records)?);
-    if lines.iter().all(|line| line.found.is_err()) {
-        let reasons = lines.iter().filter_map(|line| line.found.as_ref().err());
-        let first = reasons.clone().next().map_or("", String::as_str);
-        return Err(format!(
-            "none of the records in {} shakes the row; the first: {first}",
-            asked.records.display()
-        ));
-    }
+    let lines = suite::lines(
+        &apart,
+        &asked.records,
+        &[false, true],
+        Prepared::separations,
+    )?;
     Ok(if asked.json {
         json_of(&scene, &lines)
     } else if asked.csv {
@@ -76,25 +74,6 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     } else {
         text(&scene, &lines)
     })
-}
-
-fn lines(scene: &Scene, motions: &[Motion]) -> Vec<Line> {
-    let progress = Progress::new();
-    let cases: Vec<_> = motions
-        .iter()
-        .flat_map(|motion| [false, true].map(|reversed| (motion, reversed)))
-        .collect();
-    let line = |&(motion, reversed): &(&Motion, bool)| {
-        let prepared = motion.shake(scene, reversed);
-        let found = prepared.and_then(|prepared| prepared.separations());
-        progress.step(cases.len());
-        Line {
-            motion: motion.name(),
-            reversed,
-            found: found.map_err(super::reason),
-        }
-    };
-    cases.par_iter().map(line).collect()
 }
 
 /// Names of the neighbours of a gap.
@@ -108,10 +87,7 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     let n_gaps = lines.iter().find_map(found).unwrap_or(0);
     let mut parts = vec![paragraph("Scene", &scene.name)];
     parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
-    let refused = lines.iter().filter(|line| !line.reversed);
-    let refused: Vec<String> = refused
-        .filter_map(|line| Some(format!("{}: {}", line.motion, line.found.as_ref().err()?)))
-        .collect();
+    let refused = suite::left_out(lines);
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
@@ -145,9 +121,8 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
         };
         left = separation.left;
         all.push(*separation);
-        let reversed = if line.reversed { " rev." } else { "" };
         let mut row = vec![
-            format!("{}{reversed}", line.motion),
+            line.name(),
             format!("{} ", millimetres(separation.required)),
             digits((separation.time * 1e3).round() * 1e-3),
         ];
@@ -167,7 +142,7 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
                 "{one} – {other}{}",
                 own.map_or(String::new(), |own| format!(
                     ", {} mm in the scene",
-                    short(own.gap_m * 1e3)
+                    digits(own.gap_m * 1e3)
                 ))
             )
         ),
@@ -192,19 +167,25 @@ fn millimetres(width: f64) -> String {
     }
 }
 
+/// The same, not below the width.
+fn enough(width: f64) -> String {
+    let decimals = if width < 1e-3 { 4 } else { 1 };
+    rounded_up(width * 1e3, decimals)
+}
+
 /// The width that is enough for all, and how the rules and the scene's own gap do.
 fn result(all: &[Separation], own: Option<f64>) -> String {
     let widest = all.iter().map(|one| one.required).fold(0.0, f64::max);
     let mut lines = vec![format!(
         "{} mm are enough for all {} motions",
-        millimetres(widest),
+        enough(widest),
         all.len()
     )];
     if let Some(own) = own {
         let touch = all.iter().filter(|one| one.required > own).count();
         lines.push(format!(
             "with the {} mm of the scene the structures touch under {touch} of them",
-            millimetres(own)
+            digits(own * 1e3)
         ));
     }
     let rule = |rule: Rule| {
@@ -228,85 +209,63 @@ fn result(all: &[Separation], own: Option<f64>) -> String {
     lines.join("\n")
 }
 
-fn direction(line: &Line) -> &'static str {
-    if line.reversed {
-        "reversed"
-    } else {
-        "as recorded"
-    }
+/// Numbers of a gap with their names, SI units.
+fn numbers(one: &Separation) -> impl Iterator<Item = (&'static str, f64)> {
+    let own = [
+        ("required_m", one.required),
+        ("time_s", one.time),
+        ("peak_left_m", one.peaks[0]),
+        ("peak_right_m", one.peaks[1]),
+    ];
+    let rules = Rule::ALL.map(|rule| (rule.key(), rule.width(one)));
+    own.into_iter().chain(rules)
 }
 
 /// One row per motion, direction and gap, in SI units.
 fn csv_of(scene: &Scene, lines: &[Line]) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let header = [
-        "record",
-        "direction",
-        "left",
-        "right",
-        "required_m",
-        "time_s",
-        "peak_left_m",
-        "peak_right_m",
-        "abs_m",
-        "srss_m",
-        "ddc_m",
-        "eurocode_8_m",
-        "asce_7_m",
-        "refused",
-    ];
-    let mut write = |row: &[String]| writer.write_record(row).expect("memory takes all");
-    write(&header.map(String::from));
-    for line in lines {
-        match &line.found {
-            Err(reason) => {
-                let mut row = vec![line.motion.clone(), direction(line).into()];
-                row.resize(header.len() - 1, String::new());
-                row.push(reason.clone());
-                write(&row);
-            }
-            Ok(found) => {
-                for one in found {
-                    let [left, right] = names(scene, one.left);
-                    let mut row = vec![
-                        line.motion.clone(),
-                        direction(line).into(),
-                        left.into(),
-                        right.into(),
-                    ];
-                    let numbers = [one.required, one.time, one.peaks[0], one.peaks[1]];
-                    row.extend(numbers.map(|number| number.to_string()));
-                    row.extend(Rule::ALL.map(|rule| rule.width(one).to_string()));
-                    row.push(String::new());
-                    write(&row);
-                }
-            }
+    let found = lines
+        .iter()
+        .find_map(|line| line.found.as_ref().ok()?.first());
+    let names_of_numbers = found.into_iter().flat_map(numbers).map(|(name, _)| name);
+    let header = ["record", "reversed", "left", "right"].into_iter();
+    let header = header.chain(names_of_numbers).chain(["refused"]);
+    let header: Vec<String> = header.map(String::from).collect();
+    let row = |line: &Line, one: &Separation| {
+        let [left, right] = names(scene, one.left);
+        let row = [&line.motion, &line.reversed.to_string(), left, right];
+        let mut row = row.map(String::from).to_vec();
+        row.extend(numbers(one).map(|(_, number)| number.to_string()));
+        row.push(String::new());
+        row
+    };
+    let rows = lines.iter().flat_map(|line| match &line.found {
+        Ok(found) => found.iter().map(|one| row(line, one)).collect(),
+        Err(reason) => {
+            let mut row = vec![line.motion.clone(), line.reversed.to_string()];
+            row.resize(header.len() - 1, String::new());
+            row.push(reason.clone());
+            vec![row]
         }
-    }
-    let bytes = writer.into_inner().expect("memory takes all");
-    String::from_utf8(bytes).expect("text goes in")
+    });
+    csv_text(std::iter::once(header.clone()).chain(rows))
 }
 
 fn json_of(scene: &Scene, lines: &[Line]) -> String {
     let separation = |one: &Separation| {
         let [left, right] = names(scene, one.left);
-        let rules: serde_json::Map<String, Value> = Rule::ALL
-            .map(|rule| (rule.name().into(), json!(rule.width(one))))
-            .into_iter()
-            .collect();
-        json!({
-            "left": left, "right": right, "required_m": one.required, "time_s": one.time, "peaks_m": one.peaks, "rules_m": rules,
-        })
-    };
-    let line = |line: &Line| match &line.found {
-        Ok(found) => json!({
-            "record": line.motion, "direction": direction(line), "gaps": found.iter().map(separation).collect::<Vec<_>>(),
-        }),
-        Err(reason) => {
-            json!({"record": line.motion, "direction": direction(line), "refused": reason})
+        let mut gap = json!({"left": left, "right": right});
+        for (name, number) in numbers(one) {
+            gap[name] = json!(number);
         }
+        gap
     };
-    let all = json!({"scene": scene.name, "motions": lines.iter().map(line).collect::<Vec<_>>()});
-    let text = serde_json::to_string_pretty(&all).expect("plain data");
-    format!("{text}\n")
+    let line = |line: &Line| {
+        let mut motion = json!({"record": line.motion, "reversed": line.reversed});
+        match &line.found {
+            Ok(found) => motion["gaps"] = found.iter().map(separation).collect(),
+            Err(reason) => motion["refused"] = json!(reason),
+        }
+        motion
+    };
+    json_text(&json!({"scene": scene, "motions": lines.iter().map(line).collect::<Vec<_>>()}))
 }

@@ -1,14 +1,22 @@
-//! `pounding init`: a scene to begin with, with a comment on every line.
+//! `pounding init`: a scene to begin with, whose comments say what else may stand there.
 
-use std::path::{Path, PathBuf};
+mod record;
+
+use std::path::PathBuf;
 
 use crate::new_file;
+use crate::text::paragraph;
+use record::Named;
 
 const EXAMPLES: &str = "\
 Examples:
   pounding init                                   # writes scene.toml
   pounding init towers.toml --record quake.AT2    # shaken by a record of yours
-  pounding run towers.toml";
+  pounding run towers.toml
+
+The record is named from the folder of the scene where it lies in it, below it
+or beside it, so that both can be moved together. What its file does not say
+itself, such as its unit, stands in the scene as a comment to fill in.";
 
 /// The scene that is written; `RECORD` stands for its ground motion.
 const TEMPLATE: &str = include_str!("init/scene.toml");
@@ -36,42 +44,23 @@ pub(crate) struct Arguments {
 
 /// Writes the scene; returns what to do next.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let motion = match &asked.record {
-        None => GENERATED.to_string(),
-        Some(record) => of_file(record, &asked.scene)?,
-    };
+    let named = asked
+        .record
+        .as_ref()
+        .map(|record| Named::of(record, &asked.scene))
+        .transpose()?;
+    let motion = named
+        .as_ref()
+        .map_or_else(|| GENERATED.into(), Named::lines);
     let text = TEMPLATE.replace("RECORD", &motion);
     let path = asked.scene.display();
     new_file::write(&asked.scene, text.as_bytes(), asked.overwrite)?;
-    Ok(format!(
-        "wrote {path}\n\nnext:\n  pounding check {path}\n  pounding run {path} --out results\n"
-    ))
-}
-
-/// The lines of a record, named from the folder of the scene.
-fn of_file(record: &Path, scene: &Path) -> Result<String, String> {
-    let found = std::fs::metadata(record)
-        .map_err(|error| format!("--record {}: cannot be read: {error}", record.display()))?;
-    if !found.is_file() {
-        return Err(format!(
-            "--record {}: found a folder, allowed is a file; `pounding run SCENE --records` takes a folder",
-            record.display()
-        ));
+    let mut parts = vec![format!("wrote {path}\n")];
+    if let Some(named) = &named {
+        parts.push(paragraph("Record", &named.said(&path.to_string())));
     }
-    let beside = super::folder(record) == super::folder(scene);
-    let named = match record.file_name() {
-        Some(name) if beside => PathBuf::from(name),
-        _ => std::path::absolute(record)
-            .map_err(|error| format!("--record {}: {error}", record.display()))?,
-    };
-    // A literal string of TOML, in which a backslash is itself.
-    let text = named.to_string_lossy();
-    let quoted = if text.contains('\'') {
-        format!("{text:?}")
-    } else {
-        format!("'{text}'")
-    };
-    Ok(format!(
-        "file = {quoted}    # seen from the folder of this file"
-    ))
+    parts.push(format!(
+        "next:\n  pounding check {path}\n  pounding run {path} --out results\n"
+    ));
+    Ok(parts.join("\n"))
 }

@@ -1,11 +1,32 @@
 //! `pounding laws`: every law with its force, formulas, parameters and source.
 
 use pounding::contact::LawName;
+use serde_json::json;
 
+use super::json_text;
 use crate::text::paragraph;
 
+const EXAMPLES: &str = "\
+Examples:
+  pounding laws
+  pounding laws --json > laws.json
+  pounding certify hertz_damp --restitution 0.65 --masses 75e3 3e6 --speed 0.3";
+
+/// What is asked of `laws`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Print JSON.
+    #[arg(long)]
+    json: bool,
+}
+
 /// Every law.
-pub(crate) fn answer() -> String {
+pub(crate) fn answer(asked: &Arguments) -> String {
+    if asked.json { json_of_all() } else { text() }
+}
+
+fn text() -> String {
     let law = |name: &LawName| {
         let about = name.description();
         let lines = [
@@ -23,6 +44,23 @@ pub(crate) fn answer() -> String {
     };
     let laws: Vec<_> = LawName::ALL.iter().map(law).collect();
     format!("{}\n{}", laws.join("\n"), paragraph("Notes", NOTES))
+}
+
+/// What is not known of a law is null: the formula of one without, the relation of one whose e is found numerically.
+fn json_of_all() -> String {
+    let law = |name: &LawName| {
+        let about = name.description();
+        json!({
+            "name": about.name,
+            "force": about.force,
+            "formula": about.formula,
+            "delivers": about.relation,
+            "fields": about.parameters,
+            "source": about.citation,
+        })
+    };
+    let laws: Vec<_> = LawName::ALL.iter().map(law).collect();
+    json_text(&json!({ "laws": laws }))
 }
 
 const NOTES: &str = "δ deformation, δ̇ its rate, v₀ approach speed, m reduced mass, e restitution.\nFormula: \

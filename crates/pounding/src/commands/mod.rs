@@ -13,11 +13,13 @@ mod laws;
 mod motion;
 mod run;
 mod schema;
+mod suite;
 
 use std::path::Path;
 
 use clap::{Parser, Subcommand};
-use pounding::studies::{Motion, Prepared, StudyError, read_file};
+use pounding::studies::{Prepared, StudyError, read_file};
+use serde_json::Value;
 
 use crate::progress::Progress;
 
@@ -61,7 +63,7 @@ enum Command {
     /// Look at record files: what they hold, as CSV, response spectra.
     Motion(motion::Arguments),
     /// List the contact laws: forces, formulas, parameters, sources.
-    Laws,
+    Laws(laws::Arguments),
     /// Print what a contact law and a method deliver to a free impact.
     Certify(certify::Arguments),
     /// Print the JSON Schema of a scene file, for editors.
@@ -87,7 +89,7 @@ impl Program {
             Command::Export(asked) => export::answer(asked),
             Command::Advise(asked) => advise::answer(asked),
             Command::Motion(asked) => motion::answer(asked),
-            Command::Laws => Ok(laws::answer()),
+            Command::Laws(asked) => Ok(laws::answer(asked)),
             Command::Certify(asked) => certify::answer(asked),
             Command::Schema => Ok(schema::answer()),
             Command::Completions(asked) => Ok(completions::answer(asked)),
@@ -107,30 +109,38 @@ fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
     }
 }
 
-/// Why a motion is left out, beside whose name this stands.
-fn reason(error: StudyError) -> String {
-    if let StudyError::Record { source, .. } = error {
-        source.to_string()
-    } else {
-        error.to_string()
-    }
-}
-
-/// The motions of a folder, at least one.
-fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
-    let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
-    if motions.is_empty() {
-        return Err(format!(
-            "{}: found no file, allowed is a folder with one record or more",
-            folder.display()
-        ));
-    }
-    Ok(motions)
-}
-
 /// Folder of a file.
 fn folder(path: &Path) -> &Path {
     path.parent().unwrap_or_else(|| Path::new(""))
+}
+
+/// A finite number ≥ 0, or so many per cent.
+fn part_of_one(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let (number, divisor) = match text.strip_suffix('%') {
+        Some(number) => (number.trim_end(), 100.0),
+        None => (text, 1.0),
+    };
+    match number.parse::<f64>() {
+        // Divided, 5 % is the number that is written 0.05.
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value / divisor),
+        _ => Err("allowed is a finite number >= 0, such as 0.05 or 5%".into()),
+    }
+}
+
+/// JSON as the program prints it: with a line break at its end.
+fn json_text(value: &Value) -> String {
+    format!("{value:#}\n")
+}
+
+/// A table as CSV.
+fn csv_text<Row: IntoIterator<Item: AsRef<[u8]>>>(rows: impl IntoIterator<Item = Row>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.write_record(row).expect("memory takes all");
+    }
+    let bytes = writer.into_inner().expect("memory takes all");
+    String::from_utf8(bytes).expect("text goes in")
 }
 
 /// A finite number > 0.

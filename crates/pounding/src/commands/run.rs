@@ -4,7 +4,7 @@ mod batch;
 
 use std::path::{Path, PathBuf};
 
-use pounding::studies::{Prepared, Report, Review, SceneError, StudyError};
+use pounding::studies::{Prepared, Report, Review, SceneError, StudyError, Summary};
 
 use crate::progress::Waiting;
 use crate::text::paragraph;
@@ -21,7 +21,12 @@ The folder holds report.html, for people; summary.json, which --json prints, for
 machines; history.csv and impacts.csv; and the figures as SVG and PNG.
 
 `pounding init` writes a scene to begin with; files named in a scene are
-relative to its folder.";
+relative to its folder.
+
+Of a folder of records vertical components are left out: by the name that a
+file gives its component, such as UP, UD, V, Z or DWN (of an AT2 file the
+direction in its title), and where it gives none by the end of the file's name,
+such as -UP, _V or .UD.";
 
 /// What is asked of `run`.
 #[derive(Debug, clap::Args)]
@@ -116,33 +121,30 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     };
     let measure = !asked.model.no_error;
     let _waiting = Waiting::new("running");
-    if asked.results.out.is_none() && !asked.json {
+    let Some(out) = &asked.results.out else {
         let review = prepared.review(measure).map_err(refused)?;
-        return Ok(summary::of(&prepared, &review));
-    }
+        return Ok(printed(asked.json, &prepared, &review));
+    };
     let report = Report::of(&prepared, measure).map_err(refused)?;
-    if let Some(out) = &asked.results.out {
-        folder::write(out, &report.files())?;
-    }
-    Ok(reported(asked, &prepared, &report))
+    folder::write(out, &report.files())?;
+    let text = printed(asked.json, &prepared, report.review());
+    let page = out.join("report.html");
+    Ok(if asked.json {
+        text
+    } else {
+        format!(
+            "{text}\n{}",
+            paragraph("Results", &page.display().to_string())
+        )
+    })
 }
 
-/// What is printed of a run that was reported.
-fn reported(asked: &Arguments, prepared: &Prepared, report: &Report<'_>) -> String {
-    if asked.json {
-        return report.summary().to_json();
-    }
-    let review: &Review = report.review();
-    let summary = summary::of(prepared, review);
-    match &asked.results.out {
-        Some(out) => {
-            let page = out.join("report.html");
-            format!(
-                "{summary}\n{}",
-                paragraph("Results", &page.display().to_string())
-            )
-        }
-        None => summary,
+/// What is printed of a run.
+fn printed(json: bool, prepared: &Prepared, review: &Review) -> String {
+    if json {
+        Summary::of(prepared, review).to_json()
+    } else {
+        summary::of(prepared, review)
     }
 }
 

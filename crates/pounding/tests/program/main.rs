@@ -3,12 +3,17 @@
 mod certificates;
 mod errors;
 mod exports;
+mod folders;
+mod helps;
+mod init;
+mod machines;
 mod motions;
 mod plans;
 mod records;
 mod results;
 mod runs;
 mod scenes;
+mod schema;
 mod suites;
 
 use std::fs;

@@ -46,7 +46,7 @@ fn extreme_record_of_unknown_format() {
 
 #[test]
 fn extreme_record_without_header() {
-    assert_snapshot!(refused("record_header", "0.00,0.1\n0.01,0.2\n"), @"error: record.csv: the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
+    assert_snapshot!(refused("record_header", "0.00,0.1\n0.01,0.2\n"), @"error: record.csv: the file does not say in which unit its values are; declare it as `record.unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
 }
 
 #[test]
@@ -91,10 +91,28 @@ fn extreme_record_with_negative_time_step() {
     assert_snapshot!(refused("record_step_negative", &record), @"error: record.csv: line 4: the time step is -0.01 s, and must be finite and above 0 s; correct it there");
 }
 
+/// The message named fields that no scene has.
+#[test]
+fn issue_what_a_file_leaves_out_is_named_by_its_field() {
+    let refused = |record: serde_json::Value, text: &str| {
+        let mut scene = good_scene();
+        scene["record"] = record;
+        refusal(&run("fields", &scene.to_string(), Some(text)))
+    };
+    let column = "0.1\n-0.2\n0.3\n";
+    assert_snapshot!(refused(json!({"file": "record.csv", "unit": "g"}), column), @"error: record.csv: the file does not say how far apart its values are; declare it as `record.time_step_s` in seconds");
+    assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0.01}), column), @"error: record.csv: the file does not say in which unit its values are; declare it as `record.unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
+    assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0, "unit": "g"}), column), @"error: record.csv: the declared `record.time_step_s` is 0 s, and must be finite and above 0 s");
+    assert_snapshot!(refused(json!({"file": "record.csv", "time_step_s": 0.02}), &quiet(10)), @"error: record.csv: line 2 gives a time step of 0.01 s, but 0.02 s is declared as `record.time_step_s`; leave the declaration away");
+    assert_snapshot!(refused(json!({"file": "record.csv", "component": "UP"}), &quiet(10)), @r#"error: record.csv: "UP" is declared as `record.component`, but the file holds one that has no name, number 1; choose one of them by its name or its number"#);
+    assert_snapshot!(refused(json!({"file": "record.csv", "per_count": 2}), &quiet(10)), @"error: record.csv: line 1 says that the values are in m_per_s2, but `record.per_count` is declared as 2; leave it away, there are no counts to scale");
+    assert_snapshot!(refused(json!({"file": "record.csv", "resample_s": 1e-12}), &quiet(10)), @r#"error: scene.json: scene "two structures": record.resample_s: found 1e-12, which over 0.09 s makes more than 10000000 samples, allowed is a longer step"#);
+}
+
 #[test]
 fn extreme_record_scaled_out_of_range() {
     let mut scene = good_scene();
     scene["record"]["scale"] = json!(1e308);
     let record = quiet(10).replace("0.04,0", "0.04,100");
-    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record: the acceleration of sample 4 (the first is 0) is inf m/s², and must be finite; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
+    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record.scale: makes the acceleration of sample 4 (the first is 0) inf m/s², allowed are finite ones; take a smaller number"#);
 }

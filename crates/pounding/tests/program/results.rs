@@ -1,4 +1,4 @@
-//! Folders of results: what is in them, and what is said where they cannot be written.
+//! Folders of results: what is in them.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,10 +8,10 @@ use insta::assert_snapshot;
 use pounding::studies::Summary;
 use serde_json::{Value, json};
 
-use crate::{EXAMPLE, Ended, folder, good_scene, pounding, quiet, refusal};
+use crate::{EXAMPLE, Ended, folder, good_scene, pounding, quiet};
 
 /// Two masses that meet once: 2 m/s close 125 mm.
-fn meeting() -> Value {
+pub(crate) fn meeting() -> Value {
     let free = |name: &str, mass: f64, velocity: f64| {
         json!({"sdof": {
             "name": name, "mass_kg": mass, "stiffness_n_per_m": 1e-6, "damping": {"ratio": 0}, "height_m": 4.0,
@@ -29,14 +29,14 @@ fn meeting() -> Value {
 }
 
 /// Writes a scene with its record, and runs it with further arguments in its folder.
-fn run_in(folder: &Path, scene: &Value, arguments: &[&str]) -> Ended {
+pub(crate) fn run_in(folder: &Path, scene: &Value, arguments: &[&str]) -> Ended {
     fs::write(folder.join("scene.json"), scene.to_string()).expect("the scene can be written");
     fs::write(folder.join("record.csv"), quiet(10)).expect("the record can be written");
     pounding(folder, &[&["run", "scene.json"], arguments].concat())
 }
 
 /// The folder of results of a scene.
-fn results(test: &str, scene: &Value) -> PathBuf {
+pub(crate) fn results(test: &str, scene: &Value) -> PathBuf {
     let folder = folder(test);
     let ended = run_in(&folder, scene, &["--out", "out"]);
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "a good run");
@@ -49,7 +49,7 @@ fn results(test: &str, scene: &Value) -> PathBuf {
 }
 
 /// Every file of a folder.
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+pub(crate) fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder).expect("the folder is there");
     let file = |path: PathBuf| {
         let name = path.file_name().expect("a name").to_string_lossy().into();
@@ -60,7 +60,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-fn text(path: PathBuf) -> String {
+pub(crate) fn text(path: PathBuf) -> String {
     fs::read_to_string(path).expect("a text")
 }
 
@@ -327,71 +327,6 @@ fn extreme_long_runs_have_at_most_twenty_thousand_rows() {
     let time = numbers(&columns(out.join("history.csv")), "time_s");
     // 50 000 steps: every third.
     assert_eq!((time.len(), time[1]), (16_667, 3e-4));
-}
-
-#[test]
-fn extreme_folders_that_hold_other_things() {
-    let folder = folder("other_things");
-    let out = folder.join("out");
-    fs::create_dir(&out).expect("made");
-    fs::write(out.join("thesis.tex"), "years of work").expect("written");
-    let refused = run_in(&folder, &meeting(), &["--out", "out"]);
-    assert_snapshot!(refusal(&refused), @r#"error: --out: out holds other things than results, such as "thesis.tex"; allowed is a folder that does not exist, is empty or holds the results of an earlier run: name another, or let --overwrite put the results beside them"#);
-    assert_eq!(files(&out).len(), 1, "nothing was written");
-    let forced = run_in(&folder, &meeting(), &["--out", "out", "--overwrite"]);
-    assert_eq!((forced.code, forced.stderr.as_str()), (0, ""));
-    assert_eq!(text(out.join("thesis.tex")), "years of work");
-    assert_eq!(
-        files(&out).len(),
-        11,
-        "three figures twice, four files, and the thesis"
-    );
-    assert_eq!(
-        fs::read_dir(&folder).expect("there").count(),
-        3,
-        "scene, record and results: nothing else is left"
-    );
-}
-
-#[test]
-fn extreme_files_of_our_names_that_are_not_ours() {
-    let folder = folder("not_ours");
-    fs::create_dir(folder.join("out")).expect("made");
-    fs::write(folder.join("out/history.csv"), "measured").expect("written");
-    let refused = run_in(&folder, &meeting(), &["--out", "out"]);
-    assert_snapshot!(refusal(&refused), @r#"error: --out: out holds other things than results, such as "history.csv"; allowed is a folder that does not exist, is empty or holds the results of an earlier run: name another, or let --overwrite put the results beside them"#);
-}
-
-#[test]
-fn limit_results_of_an_earlier_run_are_replaced() {
-    let mut yielding = meeting();
-    yielding["structures"][0]["sdof"]["yield_force_n"] = json!(1e-9);
-    let out = results("replaced", &yielding);
-    assert!(out.join("hysteresis.svg").exists(), "one can yield");
-    let folder = out.parent().expect("a folder");
-    let again = run_in(folder, &meeting(), &["--out", "out"]);
-    assert_eq!((again.code, again.stderr.as_str()), (0, ""));
-    assert!(!out.join("hysteresis.svg").exists(), "nobody yields now");
-}
-
-#[test]
-fn extreme_places_that_are_no_folder() {
-    let folder = folder("no_folder");
-    fs::write(folder.join("taken"), "").expect("written");
-    let refused = run_in(&folder, &meeting(), &["--out", "taken"]);
-    assert_snapshot!(refusal(&refused), @"error: --out: taken is a file, allowed is a folder; name another");
-    let refused = run_in(&folder, &meeting(), &["--out", "taken/deeper"]);
-    let missing = fs::create_dir_all(folder.join("taken/deeper")).expect_err("a file is no folder");
-    let message = refusal(&refused).replace(&missing.to_string(), "[what the system says]");
-    assert_snapshot!(message, @"error: --out: taken/deeper: [what the system says]");
-    let deeper = run_in(&folder, &meeting(), &["--out", "new/and/deeper"]);
-    assert_eq!(
-        deeper.code, 0,
-        "folders on the way are made: {}",
-        deeper.stderr
-    );
-    let here = run_in(&folder, &meeting(), &["--out", ".."]);
-    assert_snapshot!(refusal(&here), @"error: --out: .. has no name to write a folder under; name a folder in it");
 }
 
 #[test]

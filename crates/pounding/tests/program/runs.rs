@@ -36,20 +36,6 @@ fn reference_example() {
 }
 
 #[test]
-fn reference_help() {
-    let help = pounding(Path::new(HERE), &["--help"]);
-    assert_snapshot!("help", printed(&help));
-    let help = pounding(Path::new(HERE), &["run", "--help"]);
-    assert_snapshot!("help_run", printed(&help));
-    let help = pounding(Path::new(HERE), &["check", "--help"]);
-    assert_snapshot!("help_check", printed(&help));
-    let help = pounding(Path::new(HERE), &["advise", "--help"]);
-    assert_snapshot!("help_advise", printed(&help));
-    let help = pounding(Path::new(HERE), &["certify", "--help"]);
-    assert_snapshot!("help_certify", printed(&help));
-}
-
-#[test]
 fn extreme_wrong_usage() {
     for arguments in [&[] as &[&str], &["run"], &["walk"], &["run", "a", "b"]] {
         let ended = pounding(Path::new(HERE), arguments);
@@ -227,4 +213,48 @@ fn limit_record_in_either_unit_and_scaled() {
         line(in_g, "stiff"),
         "the same shaking"
     );
+}
+
+/// What a scene does not require costs time and changes nothing that is printed.
+#[test]
+fn limit_the_full_model_prints_the_same() {
+    let here = Path::new(HERE);
+    for scene in [
+        EXAMPLE,
+        "../../studies/examples/towers.toml",
+        "../../studies/examples/wall-and-neighbour.json",
+    ] {
+        let numbers = |arguments: &[&str]| {
+            let ended = pounding(here, arguments);
+            let (numbers, _) = printed(&ended).split_once("\nWork").expect("work");
+            numbers.to_string()
+        };
+        let lean = numbers(&["run", scene]);
+        assert_eq!(lean, numbers(&["run", scene, "--full"]), "{scene}");
+    }
+    // Structures that stand apart have pairs then, out of reach: still none is printed.
+    let mut scene = good_scene();
+    scene.as_object_mut().expect("fields").remove("contacts");
+    let folder = crate::folder("full_apart");
+    std::fs::write(folder.join("scene.json"), scene.to_string()).expect("written");
+    std::fs::write(folder.join("record.csv"), quiet(10)).expect("written");
+    let out = pounding(&folder, &["run", "scene.json", "--full", "--out", "out"]);
+    assert_eq!((out.code, out.stderr.as_str()), (0, ""));
+    assert!(
+        out.stdout.contains("none: no structure can touch another"),
+        "{}",
+        out.stdout
+    );
+}
+
+#[test]
+fn reference_completions_of_every_shell() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let ended = pounding(Path::new(HERE), &["completions", shell]);
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{shell}");
+        for word in ["compare", "overwrite"] {
+            assert!(ended.stdout.contains(word), "{shell} knows {word}");
+        }
+    }
+    assert_eq!(pounding(Path::new(HERE), &["completions", "dos"]).code, 2);
 }

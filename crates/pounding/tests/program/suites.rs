@@ -1,4 +1,4 @@
-//! Folders of records, several scenes side by side, and a scene to begin with.
+//! Folders of records, and several scenes side by side.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::runs::printed;
 use crate::{folder, pounding, refusal};
 
-const TOWERS: &str = r#"
+pub(crate) const TOWERS: &str = r#"
 name = "towers"
 record = { file = "records/column.txt", unit = "cm_per_s2", time_step_s = 0.02 }
 duration_s = 3.0
@@ -25,7 +25,7 @@ law.stereomechanical.restitution = 0.6
 "#;
 
 /// A folder with a scene and records: one that says its unit, one that leaves it to the scene, one of spectra, one hidden.
-fn suite(test: &str) -> PathBuf {
+pub(crate) fn suite(test: &str) -> PathBuf {
     let folder = folder(test);
     let records = folder.join("records");
     fs::create_dir_all(&records).expect("a folder");
@@ -68,6 +68,15 @@ fn reference_gap_under_a_folder() {
         .as_f64()
         .expect("a number");
     assert!(csv.stdout.contains(&required.to_string()), "{required}");
+    // A field of JSON is a column of CSV.
+    let header = csv.stdout.lines().next().expect("a header");
+    let columns: Vec<&str> = header.split(',').collect();
+    let gap = json["motions"][0]["gaps"][0].as_object().expect("fields");
+    assert!(
+        gap.keys().all(|key| columns.contains(&key.as_str())),
+        "{gap:?}"
+    );
+    assert_eq!(columns.len(), gap.len() + 3, "record, reversed and refused");
 }
 
 #[test]
@@ -83,6 +92,74 @@ fn reference_run_under_a_folder() {
     assert_eq!(json["motions"][0]["record"], "column.txt");
     assert_eq!(json["motions"][3]["record"], "pulse.csv");
     assert_eq!(json["motions"][3]["reversed"], true);
+}
+
+/// An AT2 file of PEER with this component behind the last comma of its title.
+fn at2(component: &str) -> String {
+    let sample = |step: usize| format!("{:.5}", 0.2 * libm::sin(0.25 * step as f64));
+    let values = (0..60).map(sample).collect::<Vec<_>>().join(" ");
+    format!(
+        "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 2/3/1940, A Station #9{component}\n\
+         ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=     60, DT=   .0200 SEC\n{values}\n"
+    )
+}
+
+/// They shook rows as if horizontal: only some formats name their components, and only those names were looked at.
+#[test]
+fn issue_vertical_components_shake_no_row() {
+    let folder = suite("vertical");
+    let records = folder.join("records");
+    fs::remove_dir_all(&records).expect("a folder");
+    fs::create_dir_all(&records).expect("a folder");
+    let knet = fs::read_to_string("../motion/tests/files/knet.ns").expect("a file of the tests");
+    let smc = fs::read_to_string("../motion/tests/files/usgs.smc").expect("a file of the tests");
+    let column = "10\n20\n-30\n5\n";
+    for (name, text) in [
+        ("RSN6_ELC180.AT2", at2(", 180")),
+        // What the file says counts more than its name.
+        ("RSN6_ELC-V.AT2", at2(", 090")),
+        ("RSN6_ELC-C.AT2", at2(", UP")),
+        ("RSN6_ELC-DWN.AT2", at2("")),
+        ("RSN6_NIGH11UD.AT2", at2("")),
+        ("column_z.txt", column.into()),
+        ("column_u.txt", column.into()),
+        ("ABCH01.EW2", knet.replace("N-S", "5")),
+        ("ABCH01.UD2", knet.replace("N-S", "6")),
+        ("ABC001.UD", knet.replace("N-S", "U-D")),
+        ("a.smc", smc.replace("=     27", "=     UP")),
+        ("b.smc", smc),
+    ] {
+        fs::write(records.join(name), text).expect("a file");
+    }
+    for command in [&["gap"][..], &["run", "--no-error"]] {
+        let arguments = [command, &["towers.toml", "--records", "records"]].concat();
+        let ended = pounding(&folder, &arguments);
+        let text = printed(&ended);
+        let left_out = text
+            .lines()
+            .skip_while(|line| !line.starts_with("Left out"));
+        let left_out: Vec<_> = left_out.take_while(|line| !line.is_empty()).collect();
+        assert_snapshot!("vertical", left_out.join("\n"));
+        let json = pounding(&folder, &[&arguments[..], &["--json"]].concat());
+        let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
+        let motions = json["motions"].as_array().expect("a list");
+        let mut shaken: Vec<_> = motions
+            .iter()
+            .filter(|motion| motion.get("refused").is_none())
+            .map(|motion| motion["record"].as_str().expect("a name"))
+            .collect();
+        shaken.dedup();
+        assert_eq!(
+            shaken,
+            [
+                "ABCH01.EW2",
+                "RSN6_ELC-V.AT2",
+                "RSN6_ELC180.AT2",
+                "b.smc",
+                "column_u.txt"
+            ]
+        );
+    }
 }
 
 /// A line of the table is what a run of that record alone prints.
@@ -127,38 +204,6 @@ fn reference_scenes_side_by_side() {
         &["compare", "towers.toml", "wider.toml", "apart.toml"],
     );
     assert_snapshot!(printed(&text));
-}
-
-#[test]
-fn reference_a_scene_to_begin_with() {
-    let folder = suite("init");
-    let wrote = pounding(&folder, &["init"]);
-    assert_snapshot!(printed(&wrote));
-    let checked = pounding(&folder, &["check", "scene.toml"]);
-    assert_snapshot!(printed(&checked));
-    assert_snapshot!(refusal(&pounding(&folder, &["init"])), @"error: scene.toml: is there already, allowed is a new file; name another one or add --overwrite");
-    let own = pounding(
-        &folder,
-        &["init", "own.toml", "--record", "records/pulse.csv"],
-    );
-    assert_eq!((own.code, own.stderr.as_str()), (0, ""), "it is written");
-    assert_eq!(pounding(&folder, &["run", "own.toml"]).code, 0, "and runs");
-    let beside = pounding(
-        &folder,
-        &["init", "records/own.toml", "--record", "records/pulse.csv"],
-    );
-    assert_eq!(beside.code, 0, "{}", beside.stderr);
-    let text = fs::read_to_string(folder.join("records/own.toml")).expect("it is there");
-    assert!(text.contains("file = 'pulse.csv'"), "{text}");
-    assert_snapshot!(refusal(&pounding(&folder, &["init", "x.toml", "--record", "records"])), @"error: --record records: found a folder, allowed is a file; `pounding run SCENE --records` takes a folder");
-    let missing = refusal(&pounding(
-        &folder,
-        &["init", "x.toml", "--record", "none.AT2"],
-    ));
-    assert!(
-        missing.starts_with("error: --record none.AT2: cannot be read: "),
-        "{missing}"
-    );
 }
 
 /// What the project ships to be copied runs, and looks usual.
@@ -282,13 +327,34 @@ fn extreme_an_unusual_scene() {
     assert_snapshot!(unusual.join("\n"));
 }
 
-/// An apostrophe ends a literal string of TOML.
+/// Of scenes that do not all run none is printed, and the one that fails is named.
 #[test]
-fn extreme_a_record_with_an_apostrophe_in_its_name() {
-    let folder = suite("quote");
-    fs::copy(folder.join("records/pulse.csv"), folder.join("it's.csv")).expect("a file");
-    let wrote = pounding(&folder, &["init", "quote.toml", "--record", "it's.csv"]);
-    assert_eq!(wrote.code, 0, "{}", wrote.stderr);
-    let ran = pounding(&folder, &["run", "quote.toml"]);
-    assert_eq!(ran.code, 0, "{}", ran.stderr);
+fn extreme_a_scene_that_cannot_be_compared() {
+    let folder = suite("compare_refused");
+    let wrong = TOWERS.replace("gap_m = 0.01", "gap_m = -0.01");
+    fs::write(folder.join("wrong.toml"), wrong).expect("a file");
+    let refused = |arguments: &[&str]| refusal(&pounding(&folder, arguments));
+    assert_snapshot!(refused(&["compare", "towers.toml", "wrong.toml"]), @r#"error: wrong.toml: scene "towers": contacts[0].gap_m: found -0.01, allowed a finite number >= 0"#);
+    let missing = refused(&["compare", "towers.toml", "missing.toml"]);
+    assert!(
+        missing.starts_with("error: missing.toml: cannot be read: "),
+        "{missing}"
+    );
+    let alone = pounding(&folder, &["compare", "towers.toml"]);
+    assert_eq!((alone.code, alone.stdout.as_str()), (2, ""), "two or more");
+}
+
+/// More scenes than fit side by side stand below each other, at most 80 columns wide.
+#[test]
+fn limit_many_scenes_are_printed_in_blocks() {
+    let folder = suite("compare_many");
+    let text = pounding(&folder, &[&["compare"][..], &["towers.toml"; 7]].concat());
+    let blocks: Vec<&str> = printed(&text).split("\n\n").collect();
+    let columns = |block: &&str| block.lines().next().unwrap_or("").matches("towers").count();
+    let columns: Vec<usize> = blocks.iter().map(columns).collect();
+    assert!(columns.len() > 1, "{}", text.stdout);
+    assert_eq!(columns.iter().sum::<usize>(), 7, "{}", text.stdout);
+    for block in blocks {
+        assert!(block.contains("  peak force [kN]"), "{block}");
+    }
 }

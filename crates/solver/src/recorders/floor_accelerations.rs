@@ -115,6 +115,7 @@ mod tests {
                 acceleration,
                 below: None,
                 restoring_force: (0.0, 0.0),
+                bent: &[],
                 force_from_left: &[],
                 force_from_right: &[],
             });

@@ -1,5 +1,6 @@
 //! Recorders: each keeps one kind of result and sees only spans and impacts.
 
+mod closings;
 mod collisions;
 mod floor_accelerations;
 mod histories;
@@ -7,6 +8,7 @@ mod ledger;
 mod peaks;
 mod transferred_momentum;
 
+pub use closings::{Closing, Closings};
 pub use collisions::{Collision, Collisions};
 pub use floor_accelerations::FloorAccelerations;
 pub use histories::{Histories, History};

@@ -165,6 +165,7 @@ mod tests {
             acceleration: &[2.0],
             below: Some([&[0.0, -0.5], &[-0.5]]),
             restoring_force: (0.0, 10.0),
+            bent: &[],
             force_from_left: &[],
             force_from_right: &[],
         };

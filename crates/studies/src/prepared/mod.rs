@@ -2,6 +2,7 @@
 
 mod columns;
 mod model;
+mod pair_outcome;
 mod run;
 
 use std::path::{Path, PathBuf};
@@ -14,6 +15,7 @@ use crate::advice::{Advice, Goal, advise};
 use crate::floors::{Floor, Floors};
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
+pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Audited, Recorders};
 pub use run::{Balance, Outcome};
 

@@ -3,14 +3,17 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Collisions, Excitation, Histories, Integrator, Ledger, LedgerError, Pair, Peaks,
-    Recorder, RunError, Terms, TransferredMomentum, Work,
+    Clock, Closings, Collisions, Excitation, Histories, Integrator, Ledger, LedgerError, Pair,
+    Peaks, Recorder, RunError, Terms, TransferredMomentum, Work,
 };
 
 use super::Prepared;
 use super::model::{Model, with_row};
 use crate::second_route::{self, Fineness, Response, SecondRouteError};
-use crate::{SceneError, StudyError};
+use crate::{SceneError, Structure, StudyError};
+
+/// Looks at a motion in the shortest natural period; see [`Closings`].
+const LOOKS_PER_PERIOD: f64 = 200.0;
 
 /// What a run leaves behind.
 #[derive(Debug, Clone)]
@@ -68,9 +71,21 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub(crate) fn audited(&self, interval: Option<f64>) -> Result<Audited, StudyError> {
+        Ok(self.audited_with(interval, ())?.0)
+    }
+
+    /// The same with a further recorder.
+    ///
+    /// # Errors
+    /// [`StudyError::Run`] when the run ends early.
+    pub(crate) fn audited_with<R: Recorder>(
+        &self,
+        interval: Option<f64>,
+        more: R,
+    ) -> Result<(Audited, R), StudyError> {
         let ledger = self.ledger().held_to(self.integrator.laws());
-        let (outcome, ledger) = self.run_with(interval, ledger)?;
-        Ok(Audited {
+        let (outcome, (ledger, more)) = self.run_with(interval, (ledger, more))?;
+        let audited = Audited {
             outcome,
             broken: ledger.verdict().err().map(|source| self.broke(source)),
             balance: Balance {
@@ -78,7 +93,8 @@ impl Prepared {
                 residual: ledger.residual(),
                 scale: ledger.scale(),
             },
-        })
+        };
+        Ok((audited, more))
     }
 
     /// The same without the ledger, which for the exact method takes 1.2 to 1.6 times the time.
@@ -129,6 +145,13 @@ impl Prepared {
         )
     }
 
+    /// An empty recorder of how far neighbours come towards each other.
+    pub(crate) fn closings(&self) -> Closings {
+        let periods = self.scene.structures.iter().filter_map(Structure::period);
+        let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
+        Closings::new(self.walls(), look)
+    }
+
     /// The pairs that can touch, from left to right.
     pub(crate) fn pairs(&self) -> &[Pair] {
         self.model.pairs()
@@ -162,7 +185,10 @@ impl Prepared {
     }
 
     /// Runs the scene with any recorder.
-    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+    ///
+    /// # Errors
+    /// [`StudyError::Run`] when the run ends early.
+    pub(crate) fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
         self.run_by(&self.integrator, self.clock, recorder)
             .map_err(|error| self.ended(error))
     }

@@ -46,14 +46,6 @@ impl<'a> Motion<'a> {
         gap + self.states(pair + 1)[row].displacement - self.states(pair)[row].displacement
     }
 
-    /// Least opening of the gap of a pair \[m\] and its instant \[s\].
-    pub(super) fn least_opening(&self, pair: usize) -> (f64, f64) {
-        let openings = (0..self.len()).map(|row| (self.opening(pair, row), self.time(row)));
-        openings
-            .min_by(|one, other| one.0.total_cmp(&other.0))
-            .unwrap_or((0.0, 0.0))
-    }
-
     /// Pounding force of a compliant pair \[N\], ≥ 0.
     fn force(&self, pair: usize, row: usize) -> f64 {
         // A wall does not move, whatever pushes it: its neighbour tells the force.

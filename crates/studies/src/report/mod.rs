@@ -49,7 +49,7 @@ impl<'a> Report<'a> {
 
     /// What came out, for machines.
     pub fn summary(&self) -> Summary {
-        summary::summary(self.prepared, &self.review, self.sampling.interval)
+        Summary::of(self.prepared, &self.review)
     }
 
     /// The files of a results folder, by name:
@@ -65,7 +65,7 @@ impl<'a> Report<'a> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);
         let motion = Motion::of(prepared, outcome);
         let summary = self.summary();
-        let illustrations = figures::illustrations(prepared, outcome);
+        let illustrations = figures::illustrations(prepared, outcome, &summary.pairs);
         let page = page::html(self, &summary, &illustrations);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),

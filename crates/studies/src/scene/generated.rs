@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::choice::{self, Choice};
+use crate::MotionError;
 
 /// A ground motion from a formula.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -147,7 +148,21 @@ impl Ground {
 
 impl Generated {
     /// The motion \[m/s²\].
-    pub(crate) fn record(&self) -> Result<Record, RecordError> {
+    ///
+    /// # Errors
+    /// [`MotionError`] names the field, what was found and what is allowed.
+    pub(crate) fn record(&self) -> Result<Record, MotionError> {
+        self.made().map_err(|error| {
+            if let Self::Stochastic(motion) = self
+                && let Some(error) = motion.too_short(&error)
+            {
+                return error;
+            }
+            MotionError::of(&format!("record.generated.{}", self.name()), error)
+        })
+    }
+
+    fn made(&self) -> Result<Record, RecordError> {
         match *self {
             Self::Harmonic {
                 amplitude_m_per_s2: amplitude,
@@ -207,6 +222,22 @@ impl fmt::Display for Generated {
 }
 
 impl Stochastic {
+    /// Names the duration where the highest frequency that nobody wrote is refused.
+    fn too_short(&self, error: &RecordError) -> Option<MotionError> {
+        let of_cutoff = matches!(
+            error,
+            RecordError::Setting {
+                setting: "cutoff",
+                ..
+            }
+        );
+        (of_cutoff && self.cutoff_hz.is_none()).then(|| MotionError::OutOfRange {
+            place: "record.generated.stochastic.duration_s".into(),
+            found: self.duration_s,
+            allowed: "at least 0.04 s and 2.5 times time_step_s, a period of the usual cutoff_hz",
+        })
+    }
+
     fn to_motion(&self) -> StochasticMotion {
         StochasticMotion {
             ground: self.ground.to_motion(),

@@ -1,12 +1,13 @@
 //! The ground motion of a scene and how it is used.
 
-use pounding_motion::AccelerationUnit;
+use pounding_motion::{AccelerationUnit, ReadError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::choice;
 use super::generated::Generated;
 use super::processing::{Detrend, FilterBand, ScaleTo};
+use crate::StudyError;
 
 /// A ground motion and how a scene uses it.
 ///
@@ -81,6 +82,41 @@ pub struct FileUse {
     pub component: Option<String>,
     /// What one count is worth, in `unit`.
     pub per_count: Option<f64>,
+}
+
+impl FileUse {
+    /// Tries a file as it is, and declares of it only what it is refused for not saying.
+    ///
+    /// # Errors
+    /// Those of the attempt.
+    pub fn where_unsaid<T>(
+        &self,
+        mut attempt: impl FnMut(&Self) -> Result<T, StudyError>,
+    ) -> Result<T, StudyError> {
+        let mut file = Self {
+            unit: None,
+            time_step_s: None,
+            per_count: None,
+            ..self.clone()
+        };
+        // The time step, then the unit.
+        for _ in 0..2 {
+            let tried = attempt(&file);
+            let Err(StudyError::Record { source, .. }) = &tried else {
+                return tried;
+            };
+            let no_step = matches!(source, ReadError::TimeStepNotStated);
+            let no_unit = matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. });
+            if no_step && file.time_step_s.is_none() && self.time_step_s.is_some() {
+                file.time_step_s = self.time_step_s;
+            } else if no_unit && file.unit.is_none() && self.unit.is_some() {
+                (file.unit, file.per_count) = (self.unit, self.per_count);
+            } else {
+                return tried;
+            }
+        }
+        attempt(&file)
+    }
 }
 
 /// Unit of the values of a file.

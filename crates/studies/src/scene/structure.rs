@@ -137,7 +137,8 @@ pub struct Sdof {
     /// How columns yield smoothly; absent where they yield at one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bouc_wen: Option<BoucWen>,
-    /// Height of the mass over the ground \[m\], > 0; for drift ratios and for which floors face each other.
+    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
+    /// gap between neighbours of the same height; beside a building it says which floors face each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
@@ -174,8 +175,8 @@ struct Words {
     hardening_ratio: Option<f64>,
     /// Smooth yielding; if left out, columns yield at one point.
     bouc_wen: Option<BoucWen>,
-    /// Height of the mass over the ground \[m\], > 0; for drift ratios, and beside a building for which floors face each
-    /// other.
+    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
+    /// gap between neighbours of the same height; beside a building it says which floors face each other.
     height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]

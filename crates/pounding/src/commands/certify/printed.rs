@@ -4,6 +4,7 @@ use pounding::contact::Calibration;
 use pounding::studies::{Delivered, StepMethod, digits};
 use serde_json::{Map, Value, json};
 
+use crate::commands::{csv_text, json_text};
 use crate::text::{NONE, paragraph, short, table};
 
 /// One line of a certificate.
@@ -120,12 +121,7 @@ pub(super) fn csv(facts: &[Fact], methods: &[Line]) -> String {
             rows.push(row("failed", reason.clone(), ""));
         }
     }
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).expect("memory takes all");
-    }
-    let bytes = writer.into_inner().expect("memory takes all");
-    String::from_utf8(bytes).expect("cells are text")
+    csv_text(rows)
 }
 
 /// For a program.
@@ -151,6 +147,5 @@ pub(super) fn json(facts: &[Fact], methods: &[Line]) -> String {
         Value::Object(one)
     };
     object.insert("methods".into(), methods.iter().map(method).collect());
-    let text = serde_json::to_string_pretty(&object).expect("plain data");
-    format!("{text}\n")
+    json_text(&Value::Object(object))
 }

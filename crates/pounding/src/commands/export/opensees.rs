@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use pounding::solver::Collision;
-use pounding::studies::{Outcome, Prepared, Scene, Sdof, Structure};
+use pounding::studies::{Outcome, PairOutcome, Prepared, Scene, Sdof, Structure};
 use serde_json::json;
 
 use super::Material;
@@ -130,23 +129,21 @@ fn contact(scene: &Scene, index: usize, material: &Material) -> String {
 
 /// The exact numbers, in the order of structures and contacts.
 fn exact(contents: &Contents<'_>) -> String {
-    let all = contents.exact.collisions.all();
     let pairs = 0..contents.materials.len();
-    let of_pair = |pair: usize| all.iter().filter(move |one| one.pair == pair);
-    let force = |pair: usize| {
-        let forces = of_pair(pair).filter_map(|one: &Collision| one.peak_force);
-        python(forces.max_by(f64::total_cmp))
-    };
-    let first = |pair: usize| python(of_pair(pair).map(|one| one.start).next());
+    let pairs: Vec<PairOutcome> = pairs.map(|pair| contents.exact.of_pair(pair)).collect();
     let structures = 0..contents.prepared.scene().structures.len();
     let peak = |index: usize| contents.exact.peaks.of(index).displacement.value;
     let displacements = structures.map(|index| format!("{:?}", peak(index)));
-    let touches = pairs.clone().map(|pair| of_pair(pair).count().to_string());
+    let touches = pairs.iter().map(|pair| pair.collisions.to_string());
+    let first = pairs
+        .iter()
+        .map(|pair| python(pair.first.map(|first| first.start)));
+    let force = pairs.iter().map(|pair| python(pair.peak_force));
     let rows = [
         ("displacement", displacements.collect::<Vec<_>>()),
         ("touches", touches.collect()),
-        ("first", pairs.clone().map(first).collect()),
-        ("force", pairs.map(force).collect()),
+        ("first", first.collect()),
+        ("force", force.collect()),
     ];
     let rows = rows.map(|(name, values)| format!("    \"{name}\": [{}],\n", values.join(", ")));
     format!("EXACT = {{\n{}}}", rows.concat())

@@ -11,7 +11,7 @@ use pounding::studies::{GroundMotion, RecordUse, Scene, Source, digits, read_fil
 
 use super::source::{Declared, processed};
 use crate::new_file;
-use crate::record;
+use crate::progress::Waiting;
 use processing::Processing;
 
 const EXAMPLES: &str = "\
@@ -68,6 +68,7 @@ struct Motion {
 
 /// Writes the CSV; returns what was written.
 pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
+    let _waiting = Waiting::new("processing");
     let ending = asked.file.extension().unwrap_or_default();
     let motion = if ending == "toml" || ending == "json" {
         of_scene(asked)?
@@ -95,7 +96,7 @@ fn of_file(asked: &Arguments) -> Result<Motion, String> {
         detrend: asked.processing.detrend(),
         band_pass: asked.processing.band_pass(),
         resample_s: asked.processing.resample,
-        scale_to: asked.processing.scale_to(),
+        scale_to: asked.processing.scale_to()?,
         scale: asked.processing.scale,
         reversed: asked.processing.reverse,
         ..asked.declared.use_of(&asked.file)
@@ -111,7 +112,7 @@ fn of_file(asked: &Arguments) -> Result<Motion, String> {
     ));
     let component = file.readings().iter().find(|one| one.what == "component");
     comments.extend(component.map(|one| format!("component {}", one.found)));
-    comments.extend(record::processing(&record));
+    comments.extend(record.processing());
     Ok(Motion {
         record: opened.record,
         gravity: asked.declared.gravity,
@@ -137,7 +138,7 @@ fn of_scene(asked: &Arguments) -> Result<Motion, String> {
         Source::Generated(_) => String::new(),
     };
     comments.push(format!("from {}, scene {:?}{from}", name(path), scene.name));
-    comments.extend(record::processing(&scene.record));
+    comments.extend(scene.record.processing());
     Ok(Motion {
         record: motion.record,
         gravity: scene.record.gravity_m_per_s2,

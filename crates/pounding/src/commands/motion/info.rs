@@ -8,6 +8,7 @@ use pounding::motion::{Measures, components};
 use rayon::prelude::*;
 
 use super::source::{Declared, Opened, files};
+use crate::commands::suite::nothing_found;
 use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
@@ -107,19 +108,12 @@ fn motions(file: &Path, declared: &Declared) -> Vec<(PathBuf, Option<String>)> {
 
 /// The reason, where nothing was read.
 fn all_refused(lines: &[Line]) -> Result<(), String> {
-    let reasons: Vec<&String> = lines
-        .iter()
-        .filter_map(|line| line.found.as_ref().err())
-        .collect();
-    match reasons[..] {
-        [first, ..] if reasons.len() == lines.len() => Err(if lines.len() == 1 {
-            first.clone()
-        } else {
-            format!(
-                "none of the {} motions is read; the first: {first}",
-                lines.len()
-            )
-        }),
-        _ => Ok(()),
+    match nothing_found(lines.iter().map(|line| &line.found)) {
+        None => Ok(()),
+        Some(reason) if lines.len() == 1 => Err(reason.into()),
+        Some(first) => Err(format!(
+            "none of the {} motions is read; the first: {first}",
+            lines.len()
+        )),
     }
 }

@@ -40,17 +40,3 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         Command::Spectrum(asked) => spectrum::answer(asked),
     }
 }
-
-/// A finite number ≥ 0, or so many per cent.
-fn part_of_one(text: &str) -> Result<f64, String> {
-    let text = text.trim();
-    let (number, divisor) = match text.strip_suffix('%') {
-        Some(number) => (number.trim_end(), 100.0),
-        None => (text, 1.0),
-    };
-    match number.parse::<f64>() {
-        // Divided, 5 % is the number that is written 0.05.
-        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value / divisor),
-        _ => Err("allowed is a finite number >= 0, such as 0.05 or 5%".into()),
-    }
-}

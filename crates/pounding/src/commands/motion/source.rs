@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use pounding::motion::{AccelerationUnit, Accelerogram, ReadError, Record, RecordError};
+use pounding::motion::{AccelerationUnit, Accelerogram, Record};
 use pounding::studies::{
-    FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, SceneError, Source, StudyError,
-    Unit,
+    FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source, StudyError, Unit,
 };
 use serde_json::json;
 
@@ -68,13 +67,20 @@ impl Declared {
 
     /// The record of a file as it is.
     pub(super) fn use_of(&self, path: &Path) -> RecordUse {
-        let file = FileUse {
+        self.as_it_is(self.file(path))
+    }
+
+    fn file(&self, path: &Path) -> FileUse {
+        FileUse {
             file: path.to_string_lossy().into_owned(),
             unit: self.unit,
             time_step_s: self.time_step,
             component: self.component.clone(),
             per_count: self.per_count,
-        };
+        }
+    }
+
+    fn as_it_is(&self, file: FileUse) -> RecordUse {
         RecordUse {
             gravity_m_per_s2: self.gravity,
             ..RecordUse::of(Source::File(file))
@@ -96,25 +102,9 @@ impl Declared {
 
     /// Reads one of several files: what is declared holds only where the file does not say it.
     pub(super) fn open_one_of_several(&self, path: &Path) -> Result<Opened, String> {
-        let alone = Self {
-            unit: None,
-            time_step: None,
-            per_count: None,
-            ..self.clone()
-        };
-        let unsaid = |error: &StudyError| {
-            let StudyError::Record { source, .. } = error else {
-                return false;
-            };
-            matches!(
-                source,
-                ReadError::UnitNotStated | ReadError::TimeStepNotStated | ReadError::Counts { .. }
-            )
-        };
-        match read(&alone.use_of(path)) {
-            Err(error) if unsaid(&error) => self.open(path),
-            read => read.map_err(|error| message(path, error)),
-        }
+        let declared = self.file(path);
+        let read = declared.where_unsaid(|file| read(&self.as_it_is(file.clone())));
+        read.map_err(|error| message(path, &error))
     }
 }
 
@@ -130,53 +120,44 @@ fn read(record: &RecordUse) -> Result<Opened, StudyError> {
 
 /// Reads a file and processes it.
 pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, String> {
-    read(record).map_err(|error| message(path, error))
+    read(record).map_err(|error| message(path, &error))
 }
+
+/// Fields of a scene and the options that stand for them; a field comes before the table that it is in.
+const OPTIONS: [(&str, &str); 18] = [
+    ("`record.unit`", "--unit"),
+    ("`record.time_step_s`", "--time-step"),
+    ("`record.component`", "--component"),
+    ("`record.per_count`", "--per-count"),
+    ("record.gravity_m_per_s2", "--gravity"),
+    ("record.detrend", "--detrend"),
+    ("record.band_pass.low_hz", "--band-pass LOW"),
+    ("record.band_pass.high_hz", "--band-pass HIGH"),
+    ("record.band_pass.order", "--order"),
+    ("record.band_pass.causal", "--causal"),
+    ("record.band_pass", "--band-pass"),
+    ("record.resample_s", "--resample"),
+    ("record.scale_to.pga_g", "--scale-to-pga"),
+    ("record.scale_to.sa.period_s", "--scale-to-sa T"),
+    ("record.scale_to.sa.damping_ratio", "--scale-to-sa Z"),
+    ("record.scale_to.sa.sa_g", "--scale-to-sa SA"),
+    ("record.scale_to.sa", "--scale-to-sa"),
+    ("record.scale", "--scale"),
+];
 
 /// The message of a record that is refused, with the options of the program where a scene has fields.
-fn message(path: &Path, error: StudyError) -> String {
-    let path = path.display();
+fn message(path: &Path, error: &StudyError) -> String {
     let text = if let StudyError::NoRecord { source, .. } = error {
-        format!("{path}: cannot be read: {source}")
-    } else if let StudyError::Scene { source, .. } = &error {
-        format!("{path}: {}", of_use(source))
+        format!("cannot be read: {source}")
+    } else if let StudyError::Scene { source, .. } = error {
+        source.to_string()
     } else {
-        error.to_string()
+        error.reason()
     };
-    [
-        ("`unit`", "--unit"),
-        ("`time_step`", "--time-step"),
-        ("`component`", "--component"),
-        ("`per_count`", "--per-count"),
-    ]
-    .iter()
-    .fold(text, |text, (field, option)| text.replace(field, option))
-}
-
-/// Why a record cannot be used as asked, after the option that asks for it.
-fn of_use(error: &SceneError) -> String {
-    if let SceneError::Record(error) = error {
-        format!("{}{error}", option(error))
-    } else if let SceneError::ScaleTo(error) = error {
-        format!("--scale-to-sa: {error}")
-    } else {
-        error.to_string()
-    }
-}
-
-/// The option that asks for what is refused.
-fn option(error: &RecordError) -> &'static str {
-    match error {
-        RecordError::Empty => "",
-        RecordError::TimeStep { .. } | RecordError::TooManySamples { .. } => "--resample: ",
-        RecordError::Sample { .. } | RecordError::Factor { .. } => "--scale or --gravity: ",
-        RecordError::Gravity { .. } => "--gravity: ",
-        RecordError::AllZero { .. } => "--scale-to-pga: ",
-        RecordError::Setting { .. }
-        | RecordError::Frequency { .. }
-        | RecordError::Corners { .. }
-        | RecordError::TooShort { .. } => "--band-pass: ",
-    }
+    let by_options = OPTIONS
+        .iter()
+        .fold(text, |text, (field, option)| text.replace(field, option));
+    format!("{}: {by_options}", path.display())
 }
 
 /// The files that are named, and every file of the folders that are.

@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use pounding::studies::{Shown, SpectralValues, Spectrum, response_spectrum, spectra_figure};
+use pounding::studies::{
+    Shown, SpectralValues, Spectrum, response_spectrum_watched, spectra_figure,
+};
 use serde_json::{Value, json};
 
-use super::part_of_one;
 use super::source::{Declared, Opened};
-use crate::commands::positive;
+use crate::commands::{json_text, part_of_one, positive};
 use crate::new_file;
 use crate::progress::Progress;
 use crate::text::{paragraph, percent, short, table};
@@ -81,10 +82,11 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
     let opened = asked.declared.open(&asked.file)?;
     let periods = periods(asked)?;
     let progress = Progress::new();
+    let runs = periods.len() * asked.damping.len();
     let spectrum = |damping_ratio: &f64| {
-        let values = response_spectrum(&opened.record, &periods, *damping_ratio)
+        let done = || progress.step(runs);
+        let values = response_spectrum_watched(&opened.record, &periods, *damping_ratio, &done)
             .map_err(|error| format!("{}: {error}", asked.file.display()))?;
-        progress.step(asked.damping.len());
         Ok(Spectrum {
             damping_ratio: *damping_ratio,
             values,
@@ -241,6 +243,5 @@ fn json_of(asked: &Arguments, spectra: &[Spectrum]) -> String {
         "gravity_m_per_s2": asked.declared.gravity,
         "spectra": spectra.iter().map(spectrum).collect::<Vec<_>>(),
     });
-    let text = serde_json::to_string_pretty(&all).expect("plain data");
-    format!("{text}\n")
+    json_text(&all)
 }

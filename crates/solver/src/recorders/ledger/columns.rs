@@ -291,6 +291,7 @@ mod tests {
                 acceleration: &[],
                 below: None,
                 restoring_force: force,
+                bent: &[],
                 force_from_left: &[],
                 force_from_right: &[],
             })

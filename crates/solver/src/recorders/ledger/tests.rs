@@ -129,6 +129,7 @@ fn report(
                 acceleration,
                 below,
                 restoring_force: (stiffness * drift, stiffness),
+                bent: &[],
                 force_from_left: &[],
                 force_from_right: &[],
             }),

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::history::Motion;
 use crate::figures::minus;
 use crate::plot::{Curve, Figure, PlotError, render_both, writable};
-use crate::{Outcome, Prepared, Structure, digits};
+use crate::{Outcome, PairSummary, Prepared, Structure, digits};
 use shown::Shown;
 
 /// The names that pictures can have, without the ends of their files.
@@ -60,13 +60,17 @@ impl<'a> Seen<'a> {
 }
 
 /// The pictures of a run; those that would show nothing are left out.
-pub(super) fn illustrations(prepared: &Prepared, outcome: &Outcome) -> Vec<Illustration> {
+pub(super) fn illustrations(
+    prepared: &Prepared,
+    outcome: &Outcome,
+    pairs: &[PairSummary],
+) -> Vec<Illustration> {
     let motion = Motion::of(prepared, outcome);
     let seen = Seen {
         prepared,
         outcome,
         motion,
-        shown: &Shown::of(&motion, outcome),
+        shown: &Shown::of(prepared.scene().structures.len(), pairs),
     };
     let figures: [Option<(Figure, String)>; 4] = [
         Some(displacements::figure(&seen)),

@@ -1,7 +1,6 @@
 //! What of a long row is shown: the pairs that are hit hardest.
 
-use crate::Outcome;
-use crate::report::history::Motion;
+use crate::PairSummary;
 
 /// More curves than this cannot be told from each other.
 const MOST_STRUCTURES: usize = 6;
@@ -22,16 +21,14 @@ pub(super) struct Shown {
 }
 
 impl Shown {
-    /// The pairs with the largest impulses; then those that come closest to touching.
-    pub(super) fn of(motion: &Motion<'_>, outcome: &Outcome) -> Self {
-        let n = motion.scene.structures.len();
-        let n_pairs = motion.scene.contacts.iter().flatten().count();
-        let mut ranked: Vec<(f64, f64, usize)> = (0..n_pairs)
-            .map(|pair| {
-                let of_pair = outcome.collisions.all().iter();
-                let impulses = of_pair.filter(|one| one.pair == pair);
-                let largest = impulses.map(|one| one.impulse).fold(0.0, f64::max);
-                (largest, motion.least_opening(pair).0, pair)
+    /// Of `n` structures with these pairs: the pairs with the largest impulses, then those that come closest to touching.
+    pub(super) fn of(n: usize, all_pairs: &[PairSummary]) -> Self {
+        let n_pairs = all_pairs.len();
+        let all_pairs = all_pairs.iter().enumerate();
+        let mut ranked: Vec<(f64, f64, usize)> = all_pairs
+            .map(|(index, pair)| {
+                let largest = pair.largest.map_or(0.0, |largest| largest.impulse_n_s);
+                (largest, pair.least_opening_m, index)
             })
             .collect();
         ranked.sort_by(|one, other| {

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::markup::{Cell, digits, facts, short, table};
 use crate::report::summary::{PairSummary, StructureSummary, Summary};
-use crate::{Errors, Review, milliseconds, percent};
+use crate::{Errors, Review, milliseconds, percent, rounded_down};
 
 /// Collisions beyond these are in `impacts.csv` only.
 const FIRST: usize = 10;
@@ -105,7 +105,7 @@ fn pair(one: &PairSummary) -> Vec<Cell> {
     vec![
         Cell::new(format!("{} – {}", one.left, one.right)).over(Some(one.law.replace('_', " "))),
         Cell::new(short(1e3 * one.gap_m)),
-        Cell::new(short(1e3 * one.least_opening_m)),
+        Cell::new(opening(one.least_opening_m)),
         Cell::new(one.collisions.to_string()).over(counted),
         Cell::known(first.map(|first| digits(first.start_s)))
             .over(time.map(|time| format!("error {}", milliseconds(time)))),
@@ -115,6 +115,16 @@ fn pair(one: &PairSummary) -> Vec<Cell> {
             .over(off(compared, |errors| errors.largest_impulse)),
         force,
     ]
+}
+
+/// What stays open of a gap at least \[mm\], or by how much it is overrun.
+pub(super) fn opening(metres: f64) -> String {
+    let opening = 1e3 * metres;
+    if opening > 0.0 {
+        rounded_down(opening, if opening < 1.0 { 4 } else { 1 })
+    } else {
+        short(opening)
+    }
 }
 
 /// The first collisions; nothing where there are none.
@@ -175,8 +185,14 @@ pub(super) fn record(summary: &Summary) -> String {
             ),
         ),
     ];
-    let reversed = if used.reversed { ", reversed" } else { "" };
-    rows.push(("scale".into(), format!("{}{reversed}", digits(used.scale))));
+    rows.push((
+        "processing".into(),
+        if one.processing.is_empty() {
+            "none: as its source has it".into()
+        } else {
+            one.processing.join("; ")
+        },
+    ));
     if let Some(hash) = &one.sha256 {
         rows.push(("SHA-256 of the file".into(), hash.clone()));
     }
@@ -242,9 +258,11 @@ pub(super) fn method(summary: &Summary, review: &Review, sampling: &str) -> Stri
 fn entries(object: &Value) -> impl Iterator<Item = (String, String)> {
     let entries = object.as_object().into_iter().flatten();
     entries.map(|(name, value)| {
-        let value = value
-            .as_str()
-            .map_or_else(|| value.to_string(), String::from);
+        let text = || {
+            let text = value.as_str();
+            text.map_or_else(|| value.to_string(), String::from)
+        };
+        let value = value.as_f64().map_or_else(text, digits);
         (name.clone(), value)
     })
 }
@@ -281,7 +299,7 @@ pub(super) fn ledger(summary: &Summary) -> String {
     rows.push((
         "left over by the balance".into(),
         format!(
-            "at most {} of {} kJ, which is what energies are measured by",
+            "{} of the {} kJ that energies are measured by",
             percent(one.residual),
             short(one.scale_j / 1e3)
         ),

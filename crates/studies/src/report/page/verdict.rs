@@ -1,6 +1,7 @@
 //! The answer in a few sentences: whether they touch, how often, how hard, and how sure that is.
 
-use super::markup::{escaped, list, short};
+use super::markup::{digits, escaped, list, short};
+use super::tables::opening;
 use crate::report::summary::{CollisionSummary, PairSummary, Summary};
 use crate::{Errors, Quantity, Review, percent};
 
@@ -65,10 +66,10 @@ fn apart(summary: &Summary) -> String {
         "<p><strong>They do not touch.</strong></p>\n<p>{}</p>\n",
         escaped(&format!(
             "The narrowest place: of the {} mm between {} and {} at least {} mm stay open, at {} s.",
-            short(1e3 * pair.gap_m),
+            digits(1e3 * pair.gap_m),
             pair.left,
             pair.right,
-            short(1e3 * pair.least_opening_m),
+            opening(pair.least_opening_m),
             short(pair.least_opening_time_s)
         ))
     )

@@ -7,8 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::Scene;
 
-pub(super) use of_run::summary;
-
 /// What was run, what came out and how far to believe it; units stand in the names of its fields.
 ///
 /// A field that is absent does not apply. Fields are added in later versions, never renamed.
@@ -84,6 +82,8 @@ pub struct RecordSummary {
     pub provenance: String,
     /// What was read of the file, and where it stood.
     pub readings: Vec<ReadingSummary>,
+    /// What was done to it before it shook the row, in words, in this order.
+    pub processing: Vec<String>,
 }
 
 /// One thing that was read of a file.
@@ -169,13 +169,13 @@ pub struct PairSummary {
     /// The one with the largest impulse.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub largest: Option<CollisionSummary>,
-    /// Largest pounding force \[N\]; absent where impacts are impulsive, which have none.
+    /// Largest pounding force \[N\]; absent where an impact is impulsive, which has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_force_n: Option<f64>,
     /// Sum of the impulses \[N·s\].
     pub total_impulse_n_s: f64,
-    /// Least opening of the gap at the instants of the histories \[m\], not more than 0 where they touch; negative where
-    /// they overlap.
+    /// Least opening of the gap \[m\], between time steps and rows of the histories too; not more than 0 where they touch,
+    /// negative where they overlap.
     pub least_opening_m: f64,
     /// Its instant \[s\].
     pub least_opening_time_s: f64,

@@ -6,39 +6,86 @@ use super::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
     RecordSummary, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
 };
-use crate::report::history::Motion;
+use crate::report::sampling::Sampling;
 use crate::{
-    Errors, PairErrors, Prepared, Quantity, Review, RunErrors, Source, Structure, StructureErrors,
+    Errors, PairErrors, PairOutcome, Prepared, Quantity, Review, RunErrors, Source, Structure,
+    StructureErrors,
 };
 
-/// The summary of a run; `interval` is that of its histories \[s\].
-pub(in crate::report) fn summary(prepared: &Prepared, review: &Review, interval: f64) -> Summary {
-    let motion = Motion::of(prepared, &review.outcome);
-    let scene = prepared.scene();
-    let measured = match &review.errors {
-        Errors::Measured(errors, _) => Some(errors),
-        Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => None,
-    };
-    let structures = 0..scene.structures.len();
-    let pairs = 0..prepared.pairs().len();
-    Summary {
-        version: env!("CARGO_PKG_VERSION").into(),
-        scene: scene.clone(),
-        method: method(prepared, &review.errors, interval),
-        record: record(prepared),
-        structures: structures
-            .map(|index| structure(prepared, review, (index, measured)))
-            .collect(),
-        pairs: pairs
-            .map(|index| pair(review, &motion, (index, measured)))
-            .collect(),
-        ledger: LedgerSummary::of(&review.balance),
-        work: WorkSummary::of(&review.outcome.work),
-        warnings: review.warnings.iter().map(ToString::to_string).collect(),
+impl Summary {
+    /// Of a run, with what is known of its errors.
+    pub fn of(prepared: &Prepared, review: &Review) -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            scene: prepared.scene().clone(),
+            method: method(prepared, &review.errors),
+            record: RecordSummary::of(prepared),
+            structures: StructureSummary::of_run(prepared, review),
+            pairs: PairSummary::of_run(prepared, review),
+            ledger: LedgerSummary::of(&review.balance),
+            work: WorkSummary::of(&review.outcome.work),
+            warnings: review.warnings.iter().map(ToString::to_string).collect(),
+        }
     }
 }
 
-fn method(prepared: &Prepared, errors: &Errors, interval: f64) -> MethodSummary {
+impl RecordSummary {
+    /// Of a scene, which need not have run.
+    pub fn of(prepared: &Prepared) -> Self {
+        let record = prepared.record();
+        let file = match &prepared.scene().record.source {
+            Source::File(file) => Some(file.file.clone()),
+            Source::Generated(_) => None,
+        };
+        let origin = prepared.origin();
+        let read = |reading: &pounding_motion::Reading| ReadingSummary {
+            what: reading.what.into(),
+            line: reading.line,
+            found: reading.found.clone(),
+        };
+        let (peak_time_s, peak_m_per_s2) = record.peak();
+        Self {
+            file,
+            sha256: origin.map(|origin| origin.sha256.clone()),
+            format: origin.map(|origin| origin.file.format().name().into()),
+            unit: origin.map(|origin| origin.file.unit().symbol().into()),
+            samples: record.samples().len(),
+            time_step_s: record.time_step(),
+            // A negative zero loses its sign.
+            peak_m_per_s2: peak_m_per_s2 + 0.0,
+            peak_time_s,
+            provenance: record.source().into(),
+            processing: prepared.scene().record.processing(),
+            readings: origin.map_or_else(Vec::new, |origin| {
+                origin.file.readings().iter().map(read).collect()
+            }),
+        }
+    }
+}
+
+impl StructureSummary {
+    /// Of every structure and wall, from left to right.
+    pub fn of_run(prepared: &Prepared, review: &Review) -> Vec<Self> {
+        let structures = 0..prepared.scene().structures.len();
+        let measured = review.measured();
+        structures
+            .map(|index| structure(prepared, review, (index, measured)))
+            .collect()
+    }
+}
+
+impl PairSummary {
+    /// Of every pair that can touch, from left to right.
+    pub fn of_run(prepared: &Prepared, review: &Review) -> Vec<Self> {
+        let pairs = 0..prepared.scene().contacts.as_ref().map_or(0, Vec::len);
+        let measured = review.measured();
+        pairs
+            .map(|index| pair(prepared, review, (index, measured)))
+            .collect()
+    }
+}
+
+fn method(prepared: &Prepared, errors: &Errors) -> MethodSummary {
     let method = prepared.method();
     let (known, largest) = match errors {
         Errors::Exact => ("exact", None),
@@ -50,40 +97,10 @@ fn method(prepared: &Prepared, errors: &Errors, interval: f64) -> MethodSummary 
         name: method.name().into(),
         time_step_s: method.time_step(),
         duration_s: prepared.duration(),
-        history_interval_s: interval,
+        history_interval_s: Sampling::of(prepared).interval,
         chosen_for_error: prepared.advice().map(|advice| advice.goal.error),
         errors: known.into(),
         largest_error: largest,
-    }
-}
-
-fn record(prepared: &Prepared) -> RecordSummary {
-    let record = prepared.record();
-    let file = match &prepared.scene().record.source {
-        Source::File(file) => Some(file.file.clone()),
-        Source::Generated(_) => None,
-    };
-    let origin = prepared.origin();
-    let read = |reading: &pounding_motion::Reading| ReadingSummary {
-        what: reading.what.into(),
-        line: reading.line,
-        found: reading.found.clone(),
-    };
-    let (peak_time_s, peak_m_per_s2) = record.peak();
-    RecordSummary {
-        file,
-        sha256: origin.map(|origin| origin.sha256.clone()),
-        format: origin.map(|origin| origin.file.format().name().into()),
-        unit: origin.map(|origin| origin.file.unit().symbol().into()),
-        samples: record.samples().len(),
-        time_step_s: record.time_step(),
-        // A negative zero loses its sign.
-        peak_m_per_s2: peak_m_per_s2 + 0.0,
-        peak_time_s,
-        provenance: record.source().into(),
-        readings: origin.map_or_else(Vec::new, |origin| {
-            origin.file.readings().iter().map(read).collect()
-        }),
     }
 }
 
@@ -139,42 +156,39 @@ fn structure_errors(errors: &StructureErrors) -> StructureErrorSummary {
 const ROUNDING: f64 = 1e-12;
 
 fn pair(
+    prepared: &Prepared,
     review: &Review,
-    motion: &Motion<'_>,
     (index, measured): (usize, Option<&RunErrors>),
 ) -> PairSummary {
-    let scene = motion.scene;
+    let scene = prepared.scene();
     let contact = scene.contacts.iter().flatten().nth(index);
     let contact = contact.expect("a pair is made of a contact");
-    let all = review.outcome.collisions.all().iter();
-    let collisions: Vec<&Collision> = all.filter(|one| one.pair == index).collect();
-    let largest = collisions.iter().copied().reduce(|largest, next| {
-        if next.impulse > largest.impulse {
-            next
-        } else {
-            largest
-        }
+    let PairOutcome {
+        collisions,
+        first,
+        largest,
+        peak_force,
+        total_impulse,
+    } = review.outcome.of_pair(index);
+    let closing = review.closings.of(index);
+    let (opening, time) = closing.map_or((contact.gap_m, 0.0), |closing| {
+        (contact.gap_m - closing.distance, closing.time)
     });
-    let (opening, time) = motion.least_opening(index);
-    let (opening, time) = match largest {
-        // What touches between two instants was open at both.
-        Some(largest) if opening > 0.0 => (0.0, largest.start),
-        _ if opening.abs() < ROUNDING => (0.0, time),
+    let (opening, time) = match first {
+        // Impulses leave the gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
+        Some(first) if opening > -ROUNDING => (0.0, first.start),
         _ => (opening, time),
     };
-    let impulsive = !contact.law.is_compliant();
-    let forces = collisions.iter().filter_map(|one| one.peak_force);
     PairSummary {
         left: scene.structures[index].name().into(),
         right: scene.structures[index + 1].name().into(),
         gap_m: contact.gap_m,
         law: contact.law.name().into(),
-        collisions: collisions.len(),
-        first: collisions.first().copied().map(collision),
-        largest: largest.map(collision),
-        // Of an impulsive law only rest between impacts has a force.
-        peak_force_n: forces.max_by(f64::total_cmp).filter(|_| !impulsive),
-        total_impulse_n_s: collisions.iter().map(|one| one.impulse).sum(),
+        collisions,
+        first: first.as_ref().map(collision),
+        largest: largest.as_ref().map(collision),
+        peak_force_n: peak_force,
+        total_impulse_n_s: total_impulse,
         least_opening_m: opening,
         least_opening_time_s: time,
         errors: measured.map(|errors| pair_errors(&errors.pairs[index])),

@@ -3,8 +3,10 @@
 use clap::ValueEnum;
 use pounding::studies::{Detrend, FilterBand, ScaleTo};
 
-use crate::commands::motion::part_of_one;
-use crate::commands::positive;
+use crate::commands::{part_of_one, positive};
+
+/// Three words of a target: a period, a damping ratio that may be per cent, an acceleration.
+const TARGET: &str = "allowed are T in s, Z such as 0.05 or 5%, and SA in g: finite numbers >= 0";
 
 /// What is done to the record, in this order.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -29,8 +31,8 @@ pub(super) struct Processing {
     #[arg(long, value_name = "PGA", value_parser = positive)]
     scale_to_pga: Option<f64>,
     /// Scale to Sa [g] at T [s], damping Z such as 5%.
-    #[arg(long, num_args = 3, value_names = ["T", "Z", "SA"], conflicts_with = "scale_to_pga", value_parser = part_of_one)]
-    scale_to_sa: Vec<f64>,
+    #[arg(long, num_args = 3, value_names = ["T", "Z", "SA"], conflicts_with = "scale_to_pga")]
+    scale_to_sa: Vec<String>,
     /// Multiply.
     #[arg(
         long,
@@ -90,15 +92,28 @@ impl Processing {
         })
     }
 
-    pub(super) fn scale_to(&self) -> Option<ScaleTo> {
-        match (self.scale_to_pga, &self.scale_to_sa[..]) {
-            (Some(peak), _) => Some(ScaleTo::PgaG(peak)),
-            (None, &[period_s, damping_ratio, sa_g]) => Some(ScaleTo::Sa {
-                period_s,
-                damping_ratio,
-                sa_g,
-            }),
-            _ => None,
+    /// The target to scale to.
+    ///
+    /// # Errors
+    /// A word that is not the number it should be: only a damping ratio may be per cent.
+    pub(super) fn scale_to(&self) -> Result<Option<ScaleTo>, String> {
+        if let Some(peak) = self.scale_to_pga {
+            return Ok(Some(ScaleTo::PgaG(peak)));
         }
+        let [period, damping, acceleration] = &self.scale_to_sa[..] else {
+            return Ok(None);
+        };
+        let refused =
+            |name: &str, word: &str| format!("--scale-to-sa: found {word:?} as {name}, {TARGET}");
+        let plain = |name, word: &String| {
+            let is_plain = !word.contains('%');
+            let number = part_of_one(word).ok().filter(|_| is_plain);
+            number.ok_or_else(|| refused(name, word))
+        };
+        Ok(Some(ScaleTo::Sa {
+            period_s: plain("T", period)?,
+            damping_ratio: part_of_one(damping).map_err(|_| refused("Z", damping))?,
+            sa_g: plain("SA", acceleration)?,
+        }))
     }
 }

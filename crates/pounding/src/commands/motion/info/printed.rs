@@ -5,6 +5,7 @@ use pounding::studies::digits;
 use serde_json::{Value, json};
 
 use super::{Found, Line};
+use crate::commands::{csv_text, json_text};
 use crate::text::{NONE, cut, paragraph, short, table};
 
 /// Paragraphs of one motion, a table of several.
@@ -169,15 +170,13 @@ fn numbers(found: &Found) -> [(&'static str, Option<f64>); 14] {
 
 /// One row per motion.
 pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut write = |row: &[String]| writer.write_record(row).expect("memory takes all");
     let words = ["file", "component", "format", "unit", "gravity_m_per_s2"];
     let found = lines.iter().find_map(|line| line.found.as_ref().ok());
     let names = found.map(numbers).into_iter().flatten();
     let names: Vec<&str> = names.map(|(name, _)| name).collect();
     let header = words.iter().chain(&names).chain(&["refused"]);
-    write(&header.map(ToString::to_string).collect::<Vec<_>>());
-    for line in lines {
+    let header: Vec<String> = header.map(ToString::to_string).collect();
+    let row = |line: &Line| {
         let mut row = vec![
             line.file.display().to_string(),
             line.component.clone().unwrap_or_default(),
@@ -196,10 +195,9 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
                 row.push(reason.clone());
             }
         }
-        write(&row);
-    }
-    let bytes = writer.into_inner().expect("memory takes all");
-    String::from_utf8(bytes).expect("text goes in")
+        row
+    };
+    csv_text(std::iter::once(header).chain(lines.iter().map(row)))
 }
 
 /// Every motion with what was read from which line.
@@ -227,6 +225,5 @@ pub(super) fn json_of(lines: &[Line], gravity: f64) -> String {
     };
     let motions: Vec<Value> = lines.iter().map(line).collect();
     let all = json!({"gravity_m_per_s2": gravity, "motions": motions});
-    let text = serde_json::to_string_pretty(&all).expect("plain data");
-    format!("{text}\n")
+    json_text(&all)
 }

@@ -1,5 +1,8 @@
 //! Scene files: JSON and TOML say the same, and every way to say a structure gives the same structure.
 
+mod choices;
+mod motions;
+
 use std::path::Path;
 
 use insta::assert_snapshot;
@@ -103,10 +106,10 @@ fn limit_a_scene_without_method_and_duration() {
 
 #[test]
 fn extreme_too_few_or_too_many_words() {
-    assert_snapshot!(refusal(&changed("period_s = 1.2\n", "")), @"scene.toml, line 5, column 1: structures[0].sdof: found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known");
-    assert_snapshot!(refusal(&changed("period_s = 1.2\n", "period_s = 1.2\nstiffness_n_per_m = 1e6\n")), @"scene.toml, line 5, column 1: structures[0].sdof: found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other");
-    assert_snapshot!(refusal(&changed("height_m = 12\n", "")), @"scene.toml, line 5, column 1: structures[0].sdof: found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`");
-    assert_snapshot!(refusal(&changed("height_m = 12\n", "height_m = 12\nyield_force_n = 1e5\n")), @"scene.toml, line 5, column 1: structures[0].sdof: found several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`, allowed is at most one; delete the others");
+    assert_snapshot!(refusal(&changed("period_s = 1.2\n", "")), @"scene.toml, line 6, column 1: structures[0].sdof: found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known");
+    assert_snapshot!(refusal(&changed("period_s = 1.2\n", "period_s = 1.2\nstiffness_n_per_m = 1e6\n")), @"scene.toml, line 6, column 1: structures[0].sdof: found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other");
+    assert_snapshot!(refusal(&changed("height_m = 12\n", "")), @"scene.toml, line 6, column 1: structures[0].sdof: found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`");
+    assert_snapshot!(refusal(&changed("height_m = 12\n", "height_m = 12\nyield_force_n = 1e5\n")), @"scene.toml, line 6, column 1: structures[0].sdof: found several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`, allowed is at most one; delete the others");
     assert_snapshot!(refusal(&changed("record.file = \"record.csv\"", "record.scale = 2")), @"scene.toml, line 3, column 1: record: found neither `file` nor `generated`, allowed is one of them; name the record");
 }
 
@@ -156,58 +159,10 @@ fn extreme_text_that_is_not_utf8() {
     assert_snapshot!(refused.expect_err("Latin-1").to_string(), @"scene.toml: the text is not UTF-8 from byte 9 on; save it as UTF-8");
 }
 
-/// The scene with another record; it is prepared without a file.
-fn shaken(record: &str) -> Result<pounding_studies::Prepared, String> {
-    let text = changed("record.file = \"record.csv\"", record);
-    let scene = parse::<Scene>(text.as_bytes(), Path::new("scene.toml"))
-        .map_err(|error| error.to_string())?;
-    pounding_studies::Prepared::new(&scene, Path::new("")).map_err(|error| error.to_string())
-}
-
+/// The schema allows no fields but those that it knows, among them those that are words only. That what ships keeps to it the tests
+/// of the program say.
 #[test]
-fn reference_motions_without_a_file() {
-    let harmonic = "record.generated.harmonic = { amplitude_m_per_s2 = 2, frequency_hz = 0.5, duration_s = 4, time_step_s = 0.01 }";
-    let prepared = shaken(harmonic).expect("a harmonic motion");
-    let (time, peak) = prepared.record().peak();
-    assert!(
-        (time - 0.5).abs() < 1e-12 && (peak - 2.0).abs() < 1e-12,
-        "{peak} at {time}"
-    );
-    let scaled = format!(
-        "{harmonic}\nrecord.scale_to = {{ pga_g = 0.1 }}\nrecord.gravity_m_per_s2 = 10\nrecord.scale = 3\nrecord.reversed = true"
-    );
-    let (_, peak) = shaken(&scaled).expect("a harmonic motion").record().peak();
-    assert!((peak + 3.0).abs() < 1e-12, "{peak}");
-    let soft = "record.generated.stochastic = { ground = \"soft\", pga_m_per_s2 = 3, strong_from_s = 2, strong_until_s = 8, \
-                decay_per_s = 0.5, duration_s = 16, time_step_s = 0.01, seed = 7 }";
-    let (_, peak) = shaken(soft).expect("a stochastic motion").record().peak();
-    assert!((peak.abs() - 3.0).abs() < 1e-12, "{peak}");
-    let by_sa = format!("{soft}\nrecord.scale_to.sa = {{ period_s = 0.8, sa_g = 0.5 }}");
-    let prepared = shaken(&by_sa).expect("a stochastic motion");
-    let spectrum =
-        pounding_studies::response_spectrum(prepared.record(), &[0.8], 0.05).expect("a spectrum");
-    let found = spectrum[0].pseudo_acceleration / pounding_studies::STANDARD_GRAVITY;
-    assert!((found - 0.5).abs() < 1e-12, "{found}");
-}
-
-#[test]
-fn extreme_motions_that_cannot_be() {
-    let refused = |record: &str| shaken(record).expect_err("a motion that is refused");
-    let harmonic = "record.generated.harmonic = { amplitude_m_per_s2 = 2, frequency_hz = 0.5, duration_s = 4, time_step_s = 0.01 }";
-    assert_snapshot!(refused(&harmonic.replace("0.5", "60")), @r#"scene "two towers": record.generated: frequency is 60 Hz, allowed is below 50 Hz, the highest frequency that samples of this time step hold; lower it, or shorten the time step"#);
-    assert_snapshot!(refused(&harmonic.replace("0.01", "-0.01")), @r#"scene "two towers": record.generated: the time step is -0.01 s, and must be finite and above 0 s"#);
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.unit = \"g\"")), @"scene.toml, line 3, column 1: record: found `unit` beside `generated`, allowed is it beside `file`; delete it");
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.file = \"x\"")), @"scene.toml, line 3, column 1: record: found both `file` and `generated`, allowed is one of them; delete the other");
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.band_pass = {{ low_hz = 1, high_hz = 50 }}")), @r#"scene "two towers": record: high_corner is 50 Hz, allowed is below 50 Hz, the highest frequency that samples of this time step hold; lower it, or shorten the time step; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.resample_s = 0")), @r#"scene "two towers": record: the time step is 0 s, and must be finite and above 0 s; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.scale_to.pga_g = -1")), @r#"scene "two towers": record: the peak to scale to is -9.80665, allowed is a finite number >= 0 m/s²; the fields of `record` decide it, such as scale and gravity_m_per_s2"#);
-    assert_snapshot!(refused(&format!("{harmonic}\nrecord.scale_to.sa = {{ period_s = -1, sa_g = 1 }}")), @r#"scene "two towers": record.scale_to.sa: periods[0]: found -1.0, allowed 0 s, or 1e-6 s to 1e6 s"#);
-    assert_snapshot!(refused("record.file = \"x\"\nrecord.unit = \"kg\""), @"scene.toml, line 4, column 15: record.unit: found `kg`, allowed are `g`, `m_per_s2`, `cm_per_s2`, `mm_per_s2`, `mg`, `g_per_10`");
-}
-
-/// Every field that a scene may have, and nothing else, is in the schema; what the project ships keeps to it.
-#[test]
-fn limit_the_schema_knows_every_field() {
+fn limit_the_schema_knows_the_words_of_a_file() {
     let schema: Value = serde_json::from_str(&scene_schema()).expect("JSON");
     assert_eq!(schema["additionalProperties"], json!(false));
     let Damping::Ratio(_) = sdof(&scene(TOML, "x.toml"), 0).damping else {

@@ -1,0 +1,91 @@
+//! The plan of a scene as JSON: fields of [`Summary`](pounding::studies::Summary) where it has them, SI units.
+
+use pounding::studies::{ContactLimit, Doubt, RecordSummary, Structure};
+use serde_json::{Value, json};
+
+use super::Plan;
+use crate::commands::json_text;
+
+/// What is not known, or does not apply, is null; what follows from an exact run that fails is null as a whole.
+pub(super) fn of(plan: &Plan<'_>) -> String {
+    let prepared = plan.prepared;
+    let scene = prepared.scene();
+    let limits = prepared.critical_time_steps();
+    let structures = scene.structures.iter().zip(&limits);
+    let doubt =
+        |doubt: &Doubt| json!({"place": doubt.place, "found": doubt.found, "usual": doubt.usual});
+    let exact = plan.expected.as_ref().map(|expected| {
+        let work = &expected.outcome.work;
+        json!({"segments": work.segments, "events": work.events})
+    });
+    let unneeded = plan.expected.as_ref().map(|expected| &expected.unneeded);
+    json_text(&json!({
+        "scene": scene,
+        "record": RecordSummary::of(prepared),
+        "method": {
+            "name": scene.method.name(),
+            "time_step_s": scene.method.time_step(),
+            "duration_s": prepared.duration(),
+            "chosen_for_error": prepared.advice().map(|advice| advice.goal.error),
+        },
+        "structures": structures.map(|(one, limit)| structure(one, *limit)).collect::<Vec<_>>(),
+        "pairs": plan.expected.as_ref().map(|_| pairs(plan)),
+        "exact_run": exact,
+        "not_needed": unneeded,
+        "unusual": prepared.doubts().iter().map(doubt).collect::<Vec<_>>(),
+        "warnings": plan.warnings,
+    }))
+}
+
+fn structure(structure: &Structure, limit: Option<f64>) -> Value {
+    let Structure::Sdof(sdof) = structure else {
+        return json!({"name": structure.name()});
+    };
+    json!({
+        "name": sdof.name,
+        "period_s": sdof.period(),
+        "damping_ratio": sdof.damping_ratio(),
+        "yield_force_n": sdof.yield_force_n,
+        "critical_time_step_s": limit,
+    })
+}
+
+/// Every pair; what is expected of it is null where it never touches.
+fn pairs(plan: &Plan<'_>) -> Vec<Value> {
+    let scene = plan.prepared.scene();
+    let limits = plan
+        .expected
+        .as_ref()
+        .map(|expected| &expected.limits.contacts);
+    let contacts = scene.contacts.iter().flatten().enumerate();
+    let pair = |(index, contact): (usize, &pounding::studies::Contact)| {
+        let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
+        let limit = limits
+            .into_iter()
+            .flatten()
+            .find(|limit| limit.pair == index);
+        json!({
+            "left": left,
+            "right": right,
+            "gap_m": contact.gap_m,
+            "law": contact.law.name(),
+            "touches": limit.map(touches),
+        })
+    };
+    contacts.map(pair).collect()
+}
+
+/// What a free collision at the largest speed is, and what the method makes of it.
+fn touches(limit: &ContactLimit) -> Value {
+    let free = limit.free;
+    let delivered = free.and_then(|free| free.delivered);
+    json!({
+        "critical_time_step_s": limit.critical_time_step,
+        "approach_speed_m_per_s": free.map(|free| free.approach_speed),
+        "contact_duration_s": free.and_then(|free| free.duration),
+        "steps_per_contact": free.and_then(|free| free.steps),
+        "restitution": free.and_then(|free| free.restitution),
+        "least_restitution": delivered.map(|delivered| delivered.range[0]),
+        "largest_restitution": delivered.map(|delivered| delivered.range[1]),
+    })
+}

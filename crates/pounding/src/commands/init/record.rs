@@ -1,0 +1,199 @@
+//! A record of one's own: how a scene names it, and what of it the scene has to say.
+
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use pounding::motion::{AccelerationUnit, Declared, ReadError, read_declared};
+use pounding::studies::{STANDARD_GRAVITY, digits};
+use serde_json::json;
+
+use crate::commands::folder;
+use crate::text::short;
+
+/// A record as the lines of a scene.
+pub(super) struct Named {
+    /// From the folder of the scene, or absolute.
+    path: String,
+    is_absolute: bool,
+    /// What it holds, in words; nothing while something is missing.
+    holds: Option<String>,
+    missing: Vec<Missing>,
+}
+
+/// A field that the scene has to give.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Missing {
+    field: &'static str,
+    /// Why.
+    why: &'static str,
+    /// What may stand there, to begin with.
+    example: &'static str,
+    /// What is allowed.
+    allowed: String,
+}
+
+/// Folders up to the one that scene and record share, above which a path from the scene is no help.
+const MOST_UP: usize = 3;
+
+impl Named {
+    /// Reads a record, as far as it goes, and names it from the folder of a scene; both paths are seen from here.
+    ///
+    /// # Errors
+    /// Says what cannot be read, or is no record.
+    pub(super) fn of(record: &Path, scene: &Path) -> Result<Self, String> {
+        let refused =
+            |reason: &dyn std::fmt::Display| format!("--record {}: {reason}", record.display());
+        let unreadable = |error| refused(&format!("cannot be read: {error}"));
+        if fs::metadata(record).map_err(unreadable)?.is_dir() {
+            return Err(refused(
+                &"found a folder, allowed is a file; `pounding run SCENE --records` takes a folder",
+            ));
+        }
+        let bytes = fs::read(record).map_err(unreadable)?;
+        let (holds, missing) = read(&bytes).map_err(|error| refused(&error))?;
+        let (path, is_absolute) = match from_scene(record, scene) {
+            Some(path) => (path, false),
+            None => (std::path::absolute(record).map_err(unreadable)?, true),
+        };
+        Ok(Self {
+            path: path.to_string_lossy().into_owned(),
+            is_absolute,
+            holds,
+            missing,
+        })
+    }
+
+    /// The lines of a scene.
+    pub(super) fn lines(&self) -> String {
+        // A literal string of TOML, in which a backslash is itself; JSON's strings are TOML's, too.
+        let awkward = |letter: char| letter == '\'' || letter.is_control();
+        let quoted = if self.path.contains(awkward) {
+            json!(self.path).to_string()
+        } else {
+            format!("'{}'", self.path)
+        };
+        let seen = if self.is_absolute {
+            "absolute: other machines do not have it there"
+        } else {
+            "seen from the folder of this file"
+        };
+        let file = format!("file = {quoted}    # {seen}");
+        let missing = self.missing.iter().map(|one| {
+            // Names come from the file; a comment is one line.
+            let allowed = one.allowed.replace(char::is_control, " ");
+            format!(
+                "# {} = {}    # to fill in, {}: {allowed}",
+                one.field, one.example, one.why
+            )
+        });
+        std::iter::once(file)
+            .chain(missing)
+            .collect::<Vec<_>>()
+            .join("\n")
+    }
+
+    /// What is said of it after the scene is written.
+    pub(super) fn said(&self, scene: &str) -> String {
+        let missing = self.missing.iter();
+        let missing: Vec<String> = missing
+            .map(|one| format!("`{}` ({})", one.field, one.why))
+            .collect();
+        match &self.holds {
+            Some(holds) => holds.clone(),
+            None => format!(
+                "it needs {}: fill in what stands for it in {scene} as a comment",
+                missing.join(" and ")
+            ),
+        }
+    }
+}
+
+/// What a record holds, in words, or what is missing before that can be known.
+fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), ReadError> {
+    let mut declared = Declared::default();
+    let mut missing: Vec<Missing> = Vec::new();
+    loop {
+        // What is declared below only finds out what else is missing.
+        let (field, example, allowed) = match read_declared(bytes, &declared) {
+            Ok(file) if missing.is_empty() => {
+                let format = file.format().name();
+                let record = file.into_record(STANDARD_GRAVITY);
+                let holds = record.map(|record| {
+                    let (time, peak) = record.peak();
+                    format!(
+                        "{format}, {} samples, {} s apart, peak {} m/s² at {} s",
+                        record.samples().len(),
+                        digits(record.time_step()),
+                        short(peak),
+                        digits(time)
+                    )
+                });
+                return Ok((holds.ok(), missing));
+            }
+            Ok(_) => return Ok((None, missing)),
+            Err(ReadError::UnitNotStated) => {
+                declared.unit = Some(AccelerationUnit::MetrePerSecondSquared);
+                let names = AccelerationUnit::ALL.map(AccelerationUnit::name);
+                ("unit", "\"g\"", format!("one of {}", names.join(", ")))
+            }
+            Err(ReadError::TimeStepNotStated) => {
+                declared.time_step = Some(1.0);
+                ("time_step_s", "0.01", "time between samples [s]".into())
+            }
+            Err(ReadError::Counts { .. }) => {
+                declared.per_count = Some(1.0);
+                let allowed = "what one count of the digitiser is worth, in `unit`";
+                ("per_count", "1e-6", allowed.into())
+            }
+            Err(ReadError::ComponentNeeded { names }) => {
+                declared.component = Some("1".into());
+                ("component", "\"1\"", format!("one of {}", names.join("; ")))
+            }
+            Err(other) => return Err(other),
+        };
+        let why = if field == "component" {
+            "the file holds several"
+        } else {
+            "the file does not say it"
+        };
+        // Said to be missing though it was declared: no end to it.
+        if missing.iter().any(|one| one.field == field) {
+            return Ok((None, missing));
+        }
+        missing.push(Missing {
+            field,
+            why,
+            example,
+            allowed,
+        });
+    }
+}
+
+/// A record as seen from the folder of a scene: in it, below it, or not far beside it; nothing where that is no help.
+fn from_scene(record: &Path, scene: &Path) -> Option<PathBuf> {
+    let canonical = |path: &Path| {
+        let folder = folder(path);
+        let here = folder.as_os_str().is_empty();
+        fs::canonicalize(if here { Path::new(".") } else { folder }).ok()
+    };
+    let (to, from) = (canonical(record)?, canonical(scene)?);
+    let shared = to
+        .components()
+        .zip(from.components())
+        .take_while(|(one, other)| one == other)
+        .map(|(one, _)| one);
+    let n_shared = shared.clone().count();
+    // The root is shared by all.
+    let related = shared
+        .filter(|one| matches!(one, Component::Normal(_)))
+        .count()
+        > 0;
+    let up = from.components().count() - n_shared;
+    if up > MOST_UP || (up > 0 && !related) {
+        return None;
+    }
+    let up = std::iter::repeat_n(Component::ParentDir, up);
+    let down = to.components().skip(n_shared);
+    let name = Component::Normal(record.file_name()?);
+    Some(up.chain(down).chain([name]).collect())
+}

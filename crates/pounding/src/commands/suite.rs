@@ -1,0 +1,135 @@
+//! A scene under every record of a folder: what became of each motion, and what is said of those that are left out.
+
+use std::path::Path;
+
+use pounding::studies::{Motion, Prepared, Scene, StudyError};
+use rayon::prelude::*;
+
+use crate::progress::Progress;
+
+/// What became of a scene under one motion in one direction.
+pub(super) struct Line<T> {
+    pub(super) motion: String,
+    pub(super) reversed: bool,
+    pub(super) found: Result<T, String>,
+}
+
+impl<T> Line<T> {
+    /// Name for tables.
+    pub(super) fn name(&self) -> String {
+        let reversed = if self.reversed { " rev." } else { "" };
+        format!("{}{reversed}", self.motion)
+    }
+}
+
+/// Runs a scene under every motion of a folder, in these directions (whether reversed); a line each, in order.
+///
+/// # Errors
+/// Says of a folder without records, and of one of which every record is refused, why.
+pub(super) fn lines<T: Send>(
+    scene: &Scene,
+    folder: &Path,
+    directions: &[bool],
+    run: impl Fn(&Prepared) -> Result<T, StudyError> + Sync,
+) -> Result<Vec<Line<T>>, String> {
+    let motions = motions(folder)?;
+    let cases: Vec<_> = motions
+        .iter()
+        .flat_map(|motion| directions.iter().map(move |reversed| (motion, *reversed)))
+        .collect();
+    let progress = Progress::new();
+    let line = |&(motion, reversed): &(&Motion, bool)| {
+        let found = motion.shake(scene, reversed);
+        let found = found.and_then(|prepared| run(&prepared));
+        progress.step(cases.len());
+        Line {
+            motion: motion.name(),
+            reversed,
+            found: found.map_err(|error| error.reason()),
+        }
+    };
+    let lines: Vec<_> = cases.par_iter().map(line).collect();
+    match nothing_found(lines.iter().map(|line| &line.found)) {
+        Some(first) => Err(format!(
+            "none of the records in {} shakes the row; the first: {first}",
+            folder.display()
+        )),
+        None => Ok(lines),
+    }
+}
+
+/// The first reason, where there are nothing but reasons.
+pub(super) fn nothing_found<'a, T: 'a>(
+    mut found: impl Iterator<Item = &'a Result<T, String>>,
+) -> Option<&'a str> {
+    let first = found.next()?.as_ref().err()?;
+    found.all(Result::is_err).then_some(first)
+}
+
+/// What is said of motions that are left out, a line each: the direction only where the other one is not left out for the
+/// same reason.
+pub(super) fn left_out<T>(lines: &[Line<T>]) -> Vec<String> {
+    let said = |line: &Line<T>| {
+        let reason = line.found.as_ref().err()?;
+        let mut same = lines.iter().filter(|other| other.motion == line.motion);
+        let both = same.all(|other| other.found.as_ref().err() == Some(reason));
+        let direction = match (both, line.reversed) {
+            (true, _) => "",
+            (false, true) => ", reversed",
+            (false, false) => ", as recorded",
+        };
+        Some(format!("{}{direction}: {reason}", line.motion))
+    };
+    let mut said: Vec<String> = lines.iter().filter_map(said).collect();
+    said.dedup();
+    said
+}
+
+/// The motions of a folder, at least one.
+fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
+    let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
+    if motions.is_empty() {
+        return Err(format!(
+            "{}: found no file, allowed is a folder with one record or more",
+            folder.display()
+        ));
+    }
+    Ok(motions)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Line, left_out, nothing_found};
+
+    fn line(motion: &str, reversed: bool, found: Result<(), &str>) -> Line<()> {
+        Line {
+            motion: motion.into(),
+            reversed,
+            found: found.map_err(String::from),
+        }
+    }
+
+    /// A motion that failed only when reversed was said nowhere.
+    #[test]
+    fn issue_what_fails_in_one_direction_is_said() {
+        let lines = [
+            line("a", false, Ok(())),
+            line("a", true, Err("diverges")),
+            line("b", false, Err("no record")),
+            line("b", true, Err("no record")),
+            line("c", false, Err("one")),
+            line("c", true, Err("another")),
+        ];
+        let wanted = [
+            "a, reversed: diverges",
+            "b: no record",
+            "c, as recorded: one",
+            "c, reversed: another",
+        ];
+        assert_eq!(left_out(&lines), wanted);
+        assert_eq!(left_out(&[line("d", true, Err("x"))]), ["d: x"]);
+        assert_eq!(nothing_found(lines.iter().map(|line| &line.found)), None);
+        let refused = lines[2..].iter().map(|line| &line.found);
+        assert_eq!(nothing_found(refused), Some("no record"));
+    }
+}

@@ -1,0 +1,273 @@
+//! The JSON Schema of a scene file: what the project ships keeps to it, and what a scene may not say it refuses.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use crate::{folder, pounding};
+
+/// A JSON Schema, as far as the one of scenes goes; a keyword that is not known here fails the test, so that nothing is left
+/// unchecked.
+struct Schema(Value);
+
+/// Keywords that allow and forbid nothing.
+const WORDS_ONLY: [&str; 6] = [
+    "$defs",
+    "$schema",
+    "default",
+    "description",
+    "format",
+    "title",
+];
+
+impl Schema {
+    fn of_scenes() -> Self {
+        let ended = pounding(Path::new(env!("CARGO_MANIFEST_DIR")), &["schema"]);
+        assert_eq!(
+            (ended.code, ended.stderr.as_str()),
+            (0, ""),
+            "it is printed"
+        );
+        Self(serde_json::from_str(&ended.stdout).expect("the schema is JSON"))
+    }
+
+    /// What of a scene does not keep to the schema.
+    fn faults(&self, scene: &Value) -> Vec<String> {
+        let mut faults = Vec::new();
+        self.check(&self.0, scene, "scene", &mut faults);
+        faults
+    }
+
+    fn check(&self, schema: &Value, value: &Value, place: &str, faults: &mut Vec<String>) {
+        if *schema == json!(true) {
+            return;
+        }
+        let schema = schema.as_object().expect("a schema is an object");
+        for (keyword, rule) in schema {
+            let within = self.check_within((keyword, rule), value, place, faults);
+            let keeps = within || keeps((keyword, rule), value, schema);
+            if !keeps {
+                faults.push(format!(
+                    "{place}: {value} does not keep to {keyword} {rule}"
+                ));
+            }
+        }
+    }
+
+    /// Checks what lies within a value; whether the keyword is one that asks for that.
+    fn check_within(
+        &self,
+        (keyword, rule): (&str, &Value),
+        value: &Value,
+        place: &str,
+        faults: &mut Vec<String>,
+    ) -> bool {
+        match keyword {
+            "$ref" => self.check(self.referred(rule), value, place, faults),
+            "oneOf" | "anyOf" => {
+                let fits = |way: &&Value| {
+                    let mut of_way = Vec::new();
+                    self.check(way, value, place, &mut of_way);
+                    of_way.is_empty()
+                };
+                let n = rule.as_array().into_iter().flatten().filter(fits).count();
+                let keeps = n == 1 || (n > 1 && keyword == "anyOf");
+                if !keeps {
+                    faults.push(format!("{place}: {value} fits {n} of {keyword}"));
+                }
+            }
+            "items" => {
+                for (index, one) in value.as_array().into_iter().flatten().enumerate() {
+                    self.check(rule, one, &format!("{place}[{index}]"), faults);
+                }
+            }
+            "properties" => {
+                for (name, field) in rule.as_object().into_iter().flatten() {
+                    if let Some(value) = value.get(name) {
+                        self.check(field, value, &format!("{place}.{name}"), faults);
+                    }
+                }
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// The schema that a reference names.
+    fn referred(&self, reference: &Value) -> &Value {
+        let pointer = reference.as_str().and_then(|text| text.strip_prefix('#'));
+        let found = pointer.and_then(|pointer| self.0.pointer(pointer));
+        found.unwrap_or_else(|| panic!("{reference} leads nowhere"))
+    }
+}
+
+/// Whether a value keeps to one keyword of a schema that looks at the value alone.
+fn keeps((keyword, rule): (&str, &Value), value: &Value, schema: &Map<String, Value>) -> bool {
+    match keyword {
+        "type" => is_of_type(rule, value),
+        "const" => rule == value,
+        "minimum" => value.as_f64() >= rule.as_f64() || !value.is_number(),
+        "minItems" => length(value).is_none_or(|n| Some(n) >= rule.as_u64()),
+        "maxItems" => length(value).is_none_or(|n| Some(n) <= rule.as_u64()),
+        "required" => {
+            let mut names = rule.as_array().into_iter().flatten();
+            let there = |name: &Value| name.as_str().is_some_and(|name| value.get(name).is_some());
+            !value.is_object() || names.all(there)
+        }
+        "additionalProperties" => {
+            assert_eq!(*rule, json!(false), "nothing else is understood");
+            let known = schema.get("properties").and_then(Value::as_object);
+            let known = |name: &String| known.is_some_and(|known| known.contains_key(name));
+            let mut found = value.as_object().into_iter().flat_map(Map::keys);
+            found.all(known)
+        }
+        other => {
+            assert!(WORDS_ONLY.contains(&other), "the keyword {other} is known");
+            true
+        }
+    }
+}
+
+fn is_of_type(rule: &Value, value: &Value) -> bool {
+    let is = |name: &Value| match name.as_str() {
+        Some("object") => value.is_object(),
+        Some("array") => value.is_array(),
+        Some("string") => value.is_string(),
+        Some("boolean") => value.is_boolean(),
+        Some("null") => value.is_null(),
+        Some("number") => value.is_number(),
+        Some("integer") => value.is_u64() || value.is_i64(),
+        _ => panic!("the type {name} is not known"),
+    };
+    match rule.as_array() {
+        Some(names) => names.iter().any(is),
+        None => is(rule),
+    }
+}
+
+fn length(value: &Value) -> Option<u64> {
+    value.as_array().map(|all| all.len() as u64)
+}
+
+/// The scene or scenes of a file.
+fn scenes(path: &Path) -> Vec<Value> {
+    let text = fs::read_to_string(path).expect("the file is there");
+    let is_toml = path.extension().is_some_and(|ending| ending == "toml");
+    let value: Value = if is_toml {
+        toml::from_str(&text).expect("TOML")
+    } else {
+        serde_json::from_str(&text).expect("JSON")
+    };
+    match value.get("scenes") {
+        Some(scenes) => scenes.as_array().expect("a list").clone(),
+        None => vec![value],
+    }
+}
+
+/// The scenes and studies of a folder.
+fn in_folder(folder: &Path) -> Vec<Value> {
+    let entries = fs::read_dir(folder).expect("the folder is there");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let is_scene = |path: &std::path::PathBuf| {
+        let ending = path.extension();
+        ending.is_some_and(|ending| ending == "toml" || ending == "json")
+    };
+    paths
+        .filter(is_scene)
+        .flat_map(|path| scenes(&path))
+        .collect()
+}
+
+#[test]
+fn limit_what_ships_keeps_to_the_schema() {
+    let schema = Schema::of_scenes();
+    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
+    let folder = folder("schema_ships");
+    for arguments in [&["demo"] as &[&str], &["init"]] {
+        let ended = pounding(&folder, arguments);
+        assert_eq!(
+            (ended.code, ended.stderr.as_str()),
+            (0, ""),
+            "{arguments:?}"
+        );
+    }
+    let places = [
+        (studies.clone(), 40),
+        (studies.join("examples"), 3),
+        (folder.join("pounding-demo"), 1),
+        (folder.clone(), 1),
+    ];
+    for (place, least) in places {
+        let scenes = in_folder(&place);
+        assert!(
+            scenes.len() >= least,
+            "{}: {}",
+            place.display(),
+            scenes.len()
+        );
+        for scene in scenes {
+            let faults = schema.faults(&scene);
+            assert!(
+                faults.is_empty(),
+                "{}: {}",
+                scene["name"],
+                faults.join("\n")
+            );
+        }
+    }
+    // What a results folder repeats is a scene, too.
+    let summary = fs::read_to_string(folder.join("pounding-demo/results/summary.json"));
+    let summary: Value = serde_json::from_str(&summary.expect("it is there")).expect("JSON");
+    assert_eq!(schema.faults(&summary["scene"]), [""; 0], "of a summary");
+}
+
+/// An editor marks what the program refuses for its form.
+#[test]
+fn extreme_what_has_another_form_does_not_keep_to_the_schema() {
+    let schema = Schema::of_scenes();
+    let good = crate::good_scene();
+    assert_eq!(schema.faults(&good), [""; 0], "the example");
+    let damping = |damping: Value| {
+        let mut scene = good.clone();
+        scene["structures"][0]["sdof"]["damping"] = damping;
+        scene
+    };
+    let at = |pointer: &str, value: Value| {
+        let mut scene = good.clone();
+        *scene.pointer_mut(pointer).expect("it is there") = value;
+        scene
+    };
+    let with = |pointer: &str, field: &str| {
+        let mut scene = good.clone();
+        scene.pointer_mut(pointer).expect("it is there")[field] = json!(1);
+        scene
+    };
+    let mut nameless = good.clone();
+    nameless.as_object_mut().expect("fields").remove("name");
+    for (what, scene) in [
+        ("no name", nameless),
+        ("a misspelt field", with("", "metod")),
+        ("another one", with("/structures/0/sdof", "mas_kg")),
+        ("an unknown unit", with("/record", "unit")),
+        (
+            "a text for a number",
+            at("/contacts/0/gap_m", json!("3 cm")),
+        ),
+        ("an unknown law", at("/contacts/0/law", json!({"glue": {}}))),
+        (
+            "a structure that is a number",
+            at("/structures/1", json!(3)),
+        ),
+        (
+            "two dampings",
+            damping(json!({"ratio": 0.05, "rayleigh": {"alpha_per_s": 0, "beta_s": 0}})),
+        ),
+        (
+            "one frequency",
+            damping(json!({"two_frequencies": {"frequencies_hz": [1], "ratios": [0.05, 0.05]}})),
+        ),
+    ] {
+        assert!(!schema.faults(&scene).is_empty(), "{what} is found");
+    }
+}

@@ -1,0 +1,108 @@
+//! The collisions of one pair, summed up: the numbers that are printed of it.
+
+use pounding_solver::Collision;
+
+use super::Outcome;
+
+/// What happened between two neighbours.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PairOutcome {
+    /// Number of collisions.
+    pub collisions: usize,
+    /// The first of them.
+    pub first: Option<Collision>,
+    /// The one with the largest impulse; of equal ones the first.
+    pub largest: Option<Collision>,
+    /// Largest pounding force \[N\]; nothing where one of the collisions is an impulse, which has none: the force of rest
+    /// between impacts would hide it.
+    pub peak_force: Option<f64>,
+    /// Sum of the impulses \[N·s\].
+    pub total_impulse: f64,
+}
+
+impl PairOutcome {
+    /// Of some collisions in the order in which they begin: those of one pair, or of all.
+    pub fn of<'a, All: IntoIterator<Item = &'a Collision>>(all: All) -> Self {
+        all.into_iter().fold(Self::default(), Self::and)
+    }
+
+    fn and(self, next: &Collision) -> Self {
+        let is_largest = self
+            .largest
+            .is_none_or(|largest| next.impulse > largest.impulse);
+        let peak_force = match (self.collisions, self.peak_force, next.peak_force) {
+            (0, _, force) => force,
+            (_, Some(peak), Some(force)) => Some(peak.max(force)),
+            _ => None,
+        };
+        Self {
+            collisions: self.collisions + 1,
+            first: self.first.or(Some(*next)),
+            largest: if is_largest {
+                Some(*next)
+            } else {
+                self.largest
+            },
+            peak_force,
+            total_impulse: self.total_impulse + next.impulse,
+        }
+    }
+}
+
+impl Outcome {
+    /// The collisions of a pair, in the order in which they begin.
+    pub fn collisions_of(&self, pair: usize) -> impl Iterator<Item = &Collision> {
+        let all = self.collisions.all().iter();
+        all.filter(move |one| one.pair == pair)
+    }
+
+    /// What happened between the neighbours of a pair.
+    pub fn of_pair(&self, pair: usize) -> PairOutcome {
+        PairOutcome::of(self.collisions_of(pair))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn collision(start: f64, impulse: f64, peak_force: Option<f64>) -> Collision {
+        Collision {
+            pair: 0,
+            start,
+            uncertainty: None,
+            approach_speed: None,
+            end: start,
+            peak_force,
+            impulse,
+        }
+    }
+
+    #[test]
+    fn reference_first_largest_and_sum() {
+        let all = [
+            collision(1.0, 2.0, Some(7.0)),
+            collision(2.0, 5.0, Some(6.0)),
+            collision(3.0, 5.0, Some(9.0)),
+        ];
+        let found = PairOutcome::of(&all);
+        let wanted = PairOutcome {
+            collisions: 3,
+            first: Some(all[0]),
+            largest: Some(all[1]),
+            peak_force: Some(9.0),
+            total_impulse: 12.0,
+        };
+        assert_eq!(found, wanted);
+        assert_eq!(PairOutcome::of(&[]), PairOutcome::default());
+    }
+
+    #[test]
+    fn limit_rest_does_not_hide_an_impulse() {
+        let (rest, impact) = (collision(1.0, 2.0, Some(7.0)), collision(2.0, 1.0, None));
+        assert_eq!(PairOutcome::of(&[rest]).peak_force, Some(7.0));
+        for both in [[rest, impact], [impact, rest]] {
+            assert_eq!(PairOutcome::of(&both).peak_force, None);
+        }
+    }
+}
