@@ -2,8 +2,8 @@
 
 use pounding::solver::{Collision, ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
-    Errors, Method, Outcome, PairErrors, PairOutcome, Prepared, Quantity, Review, RunErrors, Scene,
-    Structure, StructureErrors, Warning, digits,
+    Contact, Errors, Floor, Floors, Method, Outcome, PairErrors, PairOutcome, Prepared, Quantity,
+    Review, RunErrors, Scene, StructureErrors, Warning, digits,
 };
 
 use crate::record;
@@ -20,12 +20,16 @@ pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
         paragraph("Scene", &scene.name),
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
-        structures(scene, outcome, measured),
-        pairs(scene, outcome, measured),
+        structures(prepared, outcome, measured),
+        storeys(prepared.floors(), outcome),
+        pairs(prepared, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
         warnings(&of_run(&review.warnings)),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ]
+    .into_iter()
+    .filter(|part| !part.is_empty())
+    .collect::<Vec<_>>()
     .join("\n")
 }
 
@@ -179,7 +183,7 @@ fn words(start: Start) -> &'static str {
     }
 }
 
-fn structures(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+fn structures(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
     let header = [
         ["Structure", "", ""],
         ["Period", "[s]", ""],
@@ -190,45 +194,79 @@ fn structures(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> S
         ["Ductility", "", ""],
         ["Transf.", "momentum", "[kN·s]"],
     ];
-    let rows = scene
-        .structures
-        .iter()
-        .enumerate()
-        .flat_map(|(index, structure)| {
-            let errors = errors.map(|errors| structure_errors(errors.structures[index], structure));
-            std::iter::once(structure_row(structure, index, outcome)).chain(errors)
-        });
+    let floors = prepared.floors().all().iter().enumerate();
+    let rows = floors.flat_map(|(index, floor)| {
+        let errors = errors.map(|errors| structure_errors(errors.structures[index], floor));
+        let row = structure_row((prepared.scene(), floor), index, outcome);
+        std::iter::once(row).chain(errors)
+    });
     table(&header, &rows.collect::<Vec<_>>())
 }
 
-fn structure_row(structure: &Structure, index: usize, outcome: &Outcome) -> Vec<String> {
+/// Drifts of the storeys of buildings, from the ground up; nothing where every structure has one storey.
+fn storeys(floors: &Floors, outcome: &Outcome) -> String {
+    let header = [
+        ["Storey", ""],
+        ["Peak", "drift [mm]"],
+        ["at", "[s]"],
+        ["Drift", "ratio"],
+        ["Shear", "[kN]"],
+        ["Ductility", ""],
+    ];
+    let n_structures = floors.all().iter().map(|floor| floor.structure).max();
+    let in_order = (0..=n_structures.unwrap_or(0)).flat_map(|one| floors.of_structure(one));
+    let row = |index: &usize| {
+        let floor = &floors.all()[*index];
+        floor.storey?;
+        let peaks = outcome.peaks.of(*index);
+        let drift = peaks.drift();
+        let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
+        Some(vec![
+            floor.name.clone(),
+            short(1e3 * drift.value),
+            digits((drift.time * 1e4).round() * 1e-4),
+            floor.drift_ratio(drift.value).map_or(NONE.into(), percent),
+            short(1e-3 * peaks.restoring_force.value),
+            number(floor.ductility(drift.value)),
+        ])
+    };
+    let rows: Vec<_> = in_order.filter_map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table(&header, &rows)
+}
+
+fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outcome) -> Vec<String> {
     let momentum = short(outcome.momentum.of(index) / 1e3);
-    let Structure::Sdof(sdof) = structure else {
-        let mut row = vec![structure.name().to_string()];
+    let Some((period, damping_ratio)) = floor.oscillation(scene) else {
+        let mut row = vec![floor.name.clone()];
         row.resize(7, NONE.into());
         row.push(momentum);
         return row;
     };
     let peaks = outcome.peaks.of(index);
     vec![
-        sdof.name.clone(),
-        short(sdof.period()),
-        short(sdof.damping_ratio()),
+        floor.name.clone(),
+        short(period),
+        short(damping_ratio),
         short(peaks.displacement.value * 1e3),
         // To a tenth of a millisecond: the line must fit.
         digits((peaks.displacement.time * 1e4).round() * 1e-4),
         short(peaks.restoring_force.value / 1e3),
-        sdof.ductility(peaks.displacement.value)
+        floor
+            .ductility(peaks.drift().value)
             .map_or_else(|| NONE.into(), short),
         momentum,
     ]
 }
 
 /// The errors of a structure, for the line below it.
-fn structure_errors(errors: StructureErrors, structure: &Structure) -> Vec<String> {
-    let wall = matches!(structure, Structure::Wall);
+fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
+    let wall = floor.is_wall();
     let peak = |text: String| if wall { String::new() } else { text };
-    let yields = matches!(structure, Structure::Sdof(sdof) if sdof.yield_force_n.is_some());
+    // A drift between floors is not compared.
+    let yields = floor.can_yield() && floor.storey.is_none_or(|storey| storey == 1);
     vec![
         ERROR.into(),
         String::new(),
@@ -249,14 +287,12 @@ fn structure_errors(errors: StructureErrors, structure: &Structure) -> Vec<Strin
 /// Begins a line of errors.
 const ERROR: &str = "  error";
 
-fn pairs(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
-    let Some(contacts) = scene
-        .contacts
-        .as_ref()
-        .filter(|contacts| !contacts.is_empty())
-    else {
+fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+    let (floors, scene) = (prepared.floors(), prepared.scene());
+    if floors.facing().is_empty() {
         return paragraph("Pairs", "none: no structure can touch another");
-    };
+    }
+    let contacts: Vec<&Contact> = scene.contacts.iter().flatten().collect();
     let header = [
         ["Pair", "", ""],
         ["Gap", "[mm]", ""],
@@ -266,13 +302,18 @@ fn pairs(scene: &Scene, outcome: &Outcome, errors: Option<&RunErrors>) -> String
         ["Largest", "impulse", "[kN·s]"],
         ["Peak", "force", "[kN]"],
     ];
-    let rows = contacts.iter().enumerate().flat_map(|(index, contact)| {
-        let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
-        let mut row = vec![format!("{left} – {right}"), digits(contact.gap_m * 1e3)];
-        row.extend(pair_numbers(&outcome.of_pair(index)));
-        let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
-        std::iter::once(row).chain(errors)
-    });
+    let rows = floors
+        .facing()
+        .iter()
+        .enumerate()
+        .flat_map(|(index, facing)| {
+            let [left, right] = floors.names(index);
+            let gap = contacts[facing.contact].gap_m;
+            let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
+            row.extend(pair_numbers(&outcome.of_pair(index)));
+            let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
+            std::iter::once(row).chain(errors)
+        });
     table(&header, &rows.collect::<Vec<_>>())
 }
 

@@ -3,7 +3,7 @@
 pub(crate) mod record;
 mod structure;
 
-use crate::{Method, Scene, SceneError};
+use crate::{Method, Scene, SceneError, Structure};
 
 /// Refuses a value that is not `valid`.
 fn require(
@@ -87,9 +87,18 @@ fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> 
     let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
     let allowed = "a whole number of the method's time_step_s, at least 1";
     require(whole, place(), duration, allowed)?;
-    let few = steps * scene.structures.len() as f64 <= MOST_STEPS;
+    let few = steps * n_floors(scene) as f64 <= MOST_STEPS;
     let allowed = "at most 1e8 steps times structures; a longer time_step_s allows more";
     require(few, place(), duration, allowed)
+}
+
+/// Number of floors of all structures, of which each wall is one.
+pub(crate) fn n_floors(scene: &Scene) -> usize {
+    let floors = |structure: &Structure| match structure {
+        Structure::Building(building) => building.storeys.len(),
+        Structure::Sdof(_) | Structure::Wall => 1,
+    };
+    scene.structures.iter().map(floors).sum()
 }
 
 fn check_contacts(scene: &Scene) -> Result<(), SceneError> {

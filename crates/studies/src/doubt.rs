@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{Prepared, Sdof, Structure, digits};
+use crate::{Building, Prepared, Sdof, Structure, digits};
 
 /// A value that looks wrong, though it can be modelled.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,23 +51,32 @@ impl Prepared {
         self.doubt_the_record(&mut doubts);
         let scene = self.scene();
         for (index, structure) in scene.structures.iter().enumerate() {
-            if let Structure::Sdof(sdof) = structure {
-                doubt_a_structure(index, sdof, &mut doubts);
-                let before = &scene.structures[..index];
-                let first = before.iter().position(|other| other.name() == sdof.name);
-                doubts.unless(
-                    first.is_none(),
-                    format!("structures[{index}].sdof.name"),
-                    (
-                        format!(
-                            "\"{}\", as structures[{}] is called",
-                            sdof.name,
-                            first.unwrap_or(0)
-                        ),
-                        "names that differ, by which results tell structures",
+            let kind = match structure {
+                Structure::Sdof(sdof) => {
+                    doubt_a_structure(index, sdof, &mut doubts);
+                    "sdof"
+                }
+                Structure::Building(building) => {
+                    doubt_a_building(index, building, &mut doubts);
+                    "building"
+                }
+                Structure::Wall => continue,
+            };
+            let before = &scene.structures[..index];
+            let name = structure.name();
+            let first = before.iter().position(|other| other.name() == name);
+            doubts.unless(
+                first.is_none(),
+                format!("structures[{index}].{kind}.name"),
+                (
+                    format!(
+                        "\"{}\", as structures[{}] is called",
+                        name,
+                        first.unwrap_or(0)
                     ),
-                );
-            }
+                    "names that differ, by which results tell structures",
+                ),
+            );
         }
         doubts.0
     }
@@ -117,6 +126,41 @@ impl Prepared {
             ),
         );
     }
+}
+
+fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
+    let place = |field: &str| format!("structures[{index}].building{field}");
+    for (storey, one) in building.storeys.iter().enumerate() {
+        doubts.unless(
+            (1e3..=1e9).contains(&one.mass_kg),
+            place(&format!(".storeys[{storey}].mass_kg")),
+            (
+                format!("{} kg", digits(one.mass_kg)),
+                "1e3 to 1e9 kg for a floor",
+            ),
+        );
+    }
+    let modes = building.modes();
+    if let Some(first) = modes.first() {
+        doubts.unless(
+            (0.03..=10.0).contains(&first.period()),
+            place(""),
+            (
+                format!("a first period of {} s", digits(first.period())),
+                "0.03 to 10 s",
+            ),
+        );
+    }
+    let most = modes.iter().map(|mode| mode.damping_ratio);
+    let most = most.fold(0.0, f64::max);
+    doubts.unless(
+        most <= 0.3,
+        place(".damping"),
+        (
+            format!("a damping ratio of {} in some mode", digits(most)),
+            "up to 0.3; 0.05 is 5 %",
+        ),
+    );
 }
 
 fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {

@@ -5,7 +5,7 @@ use pounding_solver::Levels;
 use crate::{Columns, Scene, SceneError, Structure};
 
 /// Heights of floors that differ by no more are equal \[m\].
-const EQUAL_HEIGHTS: f64 = 1e-3;
+pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
 
 /// The floors and walls of a scene, as its row numbers them: those of the lowest level from left to right, then those of
 /// the next, and so on. In a row of structures of one storey they are the structures.
@@ -60,6 +60,18 @@ impl Floor {
     /// Whether it is a wall.
     pub fn is_wall(&self) -> bool {
         self.made_of.is_none()
+    }
+
+    /// Natural period \[s\] and damping ratio of its structure, of a building in the first mode; nothing of a wall.
+    pub fn oscillation(&self, scene: &Scene) -> Option<(f64, f64)> {
+        let structure = &scene.structures[self.structure];
+        structure.period().zip(structure.damping_ratio())
+    }
+
+    /// Whether its columns can yield.
+    pub fn can_yield(&self) -> bool {
+        let force = |made: Made| made.columns.yield_force_n;
+        self.made_of.and_then(force).is_some()
     }
 
     /// Ductility demand \[–\] of a drift \[m\], of columns that can yield.
@@ -126,6 +138,13 @@ impl Floors {
         self.levels.of(structure)
     }
 
+    /// The floor below, in the same building; nothing for one that stands on the ground.
+    pub fn below(&self, floor: usize) -> Option<usize> {
+        let (structure, storey) = self.levels.place(floor);
+        let lower = storey.checked_sub(1)?;
+        (!self.floors[floor].is_wall()).then(|| self.levels.of(structure)[lower])
+    }
+
     /// Floors that can touch, in the order of the row's pairs.
     pub fn facing(&self) -> &[Facing] {
         &self.facing
@@ -137,9 +156,17 @@ impl Floors {
         [left, right].map(|floor| self.floors[floor].name.clone())
     }
 
-    /// Number of structures and walls.
-    pub(crate) fn n_structures(&self) -> usize {
-        self.n_structures
+    /// Pairs of all floors that face each other, contacts or not: index of the left structure, left and right floor.
+    pub(crate) fn all_facing(&self) -> Vec<(usize, usize, usize)> {
+        let facing = |left: usize| {
+            let facing = self.levels.facing(left);
+            facing.map(move |(one, other)| (left, one, other))
+        };
+        let mut all: Vec<_> = (1..self.n_structures)
+            .flat_map(|right| facing(right - 1))
+            .collect();
+        all.sort_unstable_by_key(|one| one.1);
+        all
     }
 
     /// How floors stand in the row.

@@ -23,7 +23,7 @@ impl Ladder {
         let duration = scene.duration();
         // The longest, or the next shorter step of which the duration is a whole number.
         let first = (duration / longest - 1e-6).ceil().max(1.0);
-        let per_run = scene.structures.len() as f64;
+        let per_run = crate::check::n_floors(scene) as f64;
         let numbers = std::iter::successors(Some(first), |n_steps| Some(2.0 * n_steps));
         let numbers = numbers.take_while(|n_steps| n_steps * per_run <= most);
         Self {

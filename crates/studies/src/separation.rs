@@ -1,15 +1,18 @@
 //! The width that the gaps of a row need, and what the rules of codes and literature ask for.
 
+use std::collections::BTreeMap;
+
 use pounding_solver::Peaks;
 
-use crate::{Prepared, Scene, Structure, StudyError};
+use crate::floors::EQUAL_HEIGHTS;
+use crate::{Floor, Prepared, Scene, StudyError};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Separation {
     /// Index of the structure on the left.
     pub left: usize,
-    /// Width below which the neighbours touch \[m\]: the largest closing of the gap while every structure stands alone.
+    /// Width below which the neighbours touch \[m\]: at the level that needs most, the largest closing of the gap while every structure stands alone.
     pub required: f64,
     /// When it is needed \[s\].
     pub time: f64,
@@ -121,45 +124,41 @@ impl Prepared {
             ..self.scene().clone()
         };
         let apart = self.variant(&apart, self.record().clone())?.exact()?;
-        let structures = &apart.scene().structures;
-        let mut recorders = (Peaks::new(structures.len()), apart.closings());
+        let floors = apart.floors();
+        let mut recorders = (Peaks::new(floors.all().len()), apart.closings());
         apart.integrate(&mut recorders)?;
         let (peaks, closings) = recorders;
-        let neighbours = structures.windows(2).enumerate();
-        let separation = |(left, pair): (usize, &[Structure])| {
-            let closing = closings.of(left)?;
+        let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
+        for (left, one, other) in floors.all_facing() {
+            let Some(closing) = closings.of(one) else {
+                continue;
+            };
             // Neighbours that are apart from the start on, and further, need no gap.
             let (required, time) = if closing.distance > 0.0 {
                 (closing.distance, closing.time)
             } else {
                 (0.0, 0.0)
             };
-            Some(Separation {
+            let sides = [one, other].map(|index| &floors.all()[index]);
+            let at_level = Separation {
                 left,
                 required,
                 time,
-                peaks: [left, left + 1].map(|index| peaks.of(index).displacement.value.abs()),
-                level: level(pair),
-                oscillations: [left, left + 1].map(|index| oscillation(&structures[index])),
-            })
-        };
-        Ok(neighbours.filter_map(separation).collect())
+                peaks: [one, other].map(|index| peaks.of(index).displacement.value.abs()),
+                level: level(sides),
+                oscillations: sides.map(|floor| floor.oscillation(apart.scene())),
+            };
+            let so_far = widest.entry(left).or_insert(at_level);
+            if at_level.required > so_far.required {
+                *so_far = at_level;
+            }
+        }
+        Ok(widest.into_values().collect())
     }
 }
 
 /// Whether both have heights, the same ones.
-fn level(pair: &[Structure]) -> bool {
-    let height = |structure: &Structure| match structure {
-        Structure::Sdof(sdof) => sdof.height_m,
-        Structure::Building(_) | Structure::Wall => None,
-    };
-    let heights = (height(&pair[0]), height(&pair[1]));
-    matches!(heights, (Some(left), Some(right)) if left.total_cmp(&right).is_eq())
-}
-
-fn oscillation(structure: &Structure) -> Option<(f64, f64)> {
-    match structure {
-        Structure::Sdof(sdof) => Some((sdof.period(), sdof.damping_ratio())),
-        Structure::Building(_) | Structure::Wall => None,
-    }
+fn level([left, right]: [&Floor; 2]) -> bool {
+    let heights = (left.elevation_m, right.elevation_m);
+    matches!(heights, (Some(left), Some(right)) if (left - right).abs() <= EQUAL_HEIGHTS)
 }

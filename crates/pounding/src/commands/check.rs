@@ -5,7 +5,7 @@ mod json;
 use std::path::PathBuf;
 
 use pounding::studies::{
-    ContactLimit, Limits, Outcome, Prepared, STEPS_PER_CONTACT, Structure, digits,
+    Columns, ContactLimit, Limits, Outcome, Prepared, STEPS_PER_CONTACT, Structure, digits,
 };
 
 use crate::progress::Waiting;
@@ -128,12 +128,22 @@ const NOTES: &str = "Limit: from this time step on the motion grows without boun
 fn model_lines(plan: &Plan<'_>) -> String {
     let prepared = plan.prepared;
     let scene = prepared.scene();
-    let yields = |structure: &&Structure| matches!(structure, Structure::Sdof(sdof) if sdof.yield_force_n.is_some());
-    let columns = match scene.structures.iter().filter(yields).count() {
-        0 => "elastic: none yields, none remembers".to_string(),
-        n => format!("elastic-perfectly plastic, of which {n} can yield"),
+    let floors = prepared.floors();
+    let columns = floors.all().iter().filter_map(|floor| floor.made_of);
+    let columns: Vec<_> = columns.map(|made| made.columns).collect();
+    let yields = |one: &&Columns| one.yield_force_n.is_some();
+    let kind = if columns.iter().any(|one| one.bouc_wen.is_some()) {
+        "smooth loops (Bouc–Wen)"
+    } else if columns.iter().any(|one| one.hardening_ratio.is_some()) {
+        "bilinear"
+    } else {
+        "elastic-perfectly plastic"
     };
-    let contact = match scene.contacts.as_ref().map_or(0, Vec::len) {
+    let columns = match columns.iter().filter(yields).count() {
+        0 => "elastic: none yields, none remembers".to_string(),
+        n => format!("{kind}, of which {n} can yield"),
+    };
+    let contact = match floors.facing().len() {
         0 => "none: every structure moves alone".to_string(),
         n => format!(
             "{n} pair{}, each a law only while it touches",
@@ -141,14 +151,19 @@ fn model_lines(plan: &Plan<'_>) -> String {
         ),
     };
     let walls = prepared.walls().iter().filter(|wall| **wall).count();
-    let structures = scene.structures.len() - walls;
+    let structures = floors.all().len() - walls;
+    let moving = if floors.all().iter().any(|floor| floor.storey.is_some()) {
+        "floors moving"
+    } else {
+        "moving"
+    };
     let walls = if walls == 0 {
         String::new()
     } else {
         format!(" and {walls} fixed")
     };
     let mut lines = vec![
-        format!("{structures} moving{walls}; columns: {columns};"),
+        format!("{structures} {moving}{walls}; columns: {columns};"),
         format!("contact: {contact};"),
         "no histories unless `run --out` asks for them".into(),
     ];
@@ -168,7 +183,7 @@ fn cost_lines(prepared: &Prepared, expected: &Outcome) -> String {
     match prepared.scene().method.time_step() {
         None => exact_lines,
         Some(step) => {
-            let n = prepared.scene().structures.len();
+            let n = prepared.floors().all().len();
             let steps = (prepared.duration() / step).round() * n as f64;
             format!("{steps} steps of structures, and for the errors {exact_lines}")
         }
@@ -186,19 +201,14 @@ fn structures(prepared: &Prepared) -> String {
     ];
     let row = |(index, structure): (usize, &Structure)| {
         let limit = limits[index].map_or(NONE.into(), short);
-        match structure {
-            Structure::Sdof(sdof) => vec![
-                sdof.name.clone(),
-                short(sdof.period()),
-                short(sdof.damping_ratio()),
-                sdof.yield_force_n
-                    .map_or(NONE.into(), |force| short(force / 1e3)),
-                limit,
-            ],
-            Structure::Wall => [structure.name(), NONE, NONE, NONE, NONE]
-                .map(String::from)
-                .to_vec(),
-        }
+        let number = |value: Option<f64>| value.map_or(NONE.into(), short);
+        vec![
+            structure.name().into(),
+            number(structure.period()),
+            number(structure.damping_ratio()),
+            number(structure.yield_force().map(|force| force / 1e3)),
+            limit,
+        ]
     };
     let structures = prepared.scene().structures.iter().enumerate();
     table(&header, &structures.map(row).collect::<Vec<_>>())
@@ -220,9 +230,11 @@ fn pairs(prepared: &Prepared, limits: &Limits) -> String {
         ["e", ""],
         ["Method's", "e"],
     ];
-    let rows = contacts.iter().enumerate().map(|(index, contact)| {
-        let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
-        let mut row = vec![format!("{left} – {right}"), digits(contact.gap_m * 1e3)];
+    let floors = prepared.floors();
+    let rows = floors.facing().iter().enumerate().map(|(index, facing)| {
+        let [left, right] = floors.names(index);
+        let gap = contacts[facing.contact].gap_m;
+        let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
         match limits.contacts.iter().find(|limit| limit.pair == index) {
             Some(limit) => row.extend(contact_numbers(limit)),
             None => row.extend(["never", "", "", "", "", ""].map(String::from)),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use pounding::studies::{
-    Errors, PairOutcome, Prepared, Quantity, Review, Structure, StudyError, Summary, digits,
+    Errors, Floor, PairOutcome, Prepared, Quantity, Review, StudyError, Summary, digits,
 };
 
 use crate::progress::Waiting;
@@ -50,8 +50,8 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let mut rows = vec![row("Scene", &runs, |run| run.prepared.scene().name.clone())];
     rows.extend(of_runs(&runs));
     let most = |count: fn(&Run) -> usize| runs.iter().map(count).max().unwrap_or(0);
-    let structures = most(|run| run.prepared.scene().structures.len());
-    let pairs = most(|run| run.prepared.scene().contacts.as_ref().map_or(0, Vec::len));
+    let structures = most(|run| run.prepared.floors().all().len());
+    let pairs = most(|run| run.prepared.floors().facing().len());
     rows.extend((0..structures).flat_map(|index| of_structure(&runs, index)));
     rows.extend((0..pairs).flat_map(|index| of_pair(&runs, index)));
     Ok(side_by_side(&rows))
@@ -113,28 +113,30 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
 
 fn of_structure(runs: &[Run], index: usize) -> Vec<Vec<String>> {
     let named = |run: &Run| {
-        let structures = &run.prepared.scene().structures;
-        structures
+        let floors = run.prepared.floors().all();
+        floors
             .get(index)
-            .map_or(NONE.into(), |one| one.name().to_string())
+            .map_or(NONE.into(), |one| one.name.clone())
     };
-    let number = |name: &str, value: &dyn Fn(&Run, &Structure) -> Option<f64>| {
+    let number = |name: &str, value: &dyn Fn(&Run, &Floor) -> Option<f64>| {
         row(name, runs, |run| {
-            let structure = run.prepared.scene().structures.get(index);
+            let structure = run.prepared.floors().all().get(index);
             let value = structure.and_then(|structure| value(run, structure));
             value.map_or(NONE.into(), short)
         })
     };
-    let sdof = |structure: &Structure| matches!(structure, Structure::Sdof(_)).then_some(());
+    let moves = |floor: &Floor| (!floor.is_wall()).then_some(());
     vec![
         row(&format!("Structure {}", index + 1), runs, named),
-        number("  period [s]", &|_, structure| structure.period()),
+        number("  period [s]", &|run, floor| {
+            Some(floor.oscillation(run.prepared.scene())?.0)
+        }),
         number("  peak displacement [mm]", &|run, structure| {
-            sdof(structure)?;
+            moves(structure)?;
             Some(1e3 * run.review.outcome.peaks.of(index).displacement.value)
         }),
         number("  peak shear [kN]", &|run, structure| {
-            sdof(structure)?;
+            moves(structure)?;
             Some(1e-3 * run.review.outcome.peaks.of(index).restoring_force.value)
         }),
         number("  transferred momentum [kN·s]", &|run, _| {

@@ -60,6 +60,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let mut scene: Scene = read_file(path).map_err(message)?;
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
+    one_storey(&scene).map_err(|what| format!("{}: {what}", path.display()))?;
     let materials = materials(&scene, asked)?;
     let _waiting = Waiting::new("running the exact method");
     let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;
@@ -82,11 +83,28 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     ))
 }
 
+/// Refuses what the script does not model.
+fn one_storey(scene: &Scene) -> Result<(), String> {
+    for (index, structure) in scene.structures.iter().enumerate() {
+        let found = match structure {
+            Structure::Building(_) => "a building of several storeys",
+            Structure::Sdof(sdof) if sdof.bouc_wen.is_some() => "columns that yield smoothly",
+            Structure::Sdof(sdof) if sdof.hardening_ratio.is_some() => "columns that harden",
+            Structure::Sdof(_) | Structure::Wall => continue,
+        };
+        return Err(format!(
+            "structures[{index}]: found {found}, which the script does not model; allowed are elastic and perfectly plastic \
+             structures of one storey"
+        ));
+    }
+    Ok(())
+}
+
 /// The material of every contact of a scene.
 fn materials(scene: &Scene, asked: &Arguments) -> Result<Vec<Material>, String> {
     let mass = |structure: &Structure| match structure {
         Structure::Sdof(sdof) => Some(sdof.mass_kg),
-        Structure::Wall => None,
+        Structure::Building(_) | Structure::Wall => None,
     };
     let contacts = scene.contacts.iter().flatten().enumerate();
     let material = |(index, contact): (usize, &Contact)| {

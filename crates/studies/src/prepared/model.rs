@@ -155,20 +155,17 @@ fn pairs(scene: &Scene, floors: &Floors) -> Vec<Pair> {
 }
 
 fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
-    let levels = floors.levels();
     let walls = |node: usize| floors.all()[node].is_wall();
-    let mut pairs: Vec<Pair> = (1..floors.n_structures())
-        .flat_map(|right| levels.facing(right - 1))
-        .filter(|(left, right)| !(walls(*left) && walls(*right)))
-        .map(|(left, right)| Pair {
+    let facing = floors.all_facing().into_iter();
+    facing
+        .filter(|(_, left, right)| !(walls(*left) && walls(*right)))
+        .map(|(_, left, right)| Pair {
             left,
             right,
             gap: OUT_OF_REACH,
             law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 }),
         })
-        .collect();
-    pairs.sort_by_key(|pair| pair.left);
-    pairs
+        .collect()
 }
 
 fn row<Column: Hysteretic>(

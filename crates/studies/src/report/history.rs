@@ -4,12 +4,12 @@ use pounding_solver::{Histories, State};
 
 use super::names::Names;
 use crate::tables::to_csv;
-use crate::{Outcome, Prepared, Scene, Structure, digits};
+use crate::{Floors, Outcome, Prepared, digits};
 
 /// The states of a run at equal intervals.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Motion<'a> {
-    pub(super) scene: &'a Scene,
+    pub(super) prepared: &'a Prepared,
     histories: &'a Histories,
 }
 
@@ -18,15 +18,20 @@ impl<'a> Motion<'a> {
     pub(super) fn of(prepared: &'a Prepared, outcome: &'a Outcome) -> Self {
         let kept = outcome.histories.as_ref();
         Self {
-            scene: prepared.scene(),
+            prepared,
             histories: kept.expect("a report keeps histories"),
         }
     }
 
     /// Number of instants.
     pub(super) fn len(&self) -> usize {
-        let lengths = (0..self.scene.structures.len()).map(|index| self.states(index).len());
+        let lengths = (0..self.floors().all().len()).map(|index| self.states(index).len());
         lengths.min().unwrap_or(0)
+    }
+
+    /// The floors whose states they are.
+    pub(super) fn floors(&self) -> &'a Floors {
+        self.prepared.floors()
     }
 
     /// Instant \[s\].
@@ -34,45 +39,48 @@ impl<'a> Motion<'a> {
         row as f64 * self.histories.interval()
     }
 
-    /// States of a structure or wall.
-    pub(super) fn states(&self, structure: usize) -> &'a [State] {
-        &self.histories.of(structure).states
+    /// States of a floor or wall.
+    pub(super) fn states(&self, floor: usize) -> &'a [State] {
+        &self.histories.of(floor).states
+    }
+
+    /// Drift of the storey below a floor over time \[m\].
+    pub(super) fn drifts(&self, floor: usize) -> impl Iterator<Item = f64> {
+        let below = self.floors().below(floor).map(|below| self.states(below));
+        let states = self.states(floor).iter().enumerate();
+        states.map(move |(row, state)| {
+            state.displacement - below.map_or(0.0, |below| below[row].displacement)
+        })
     }
 
     /// What of the gap of a pair is open \[m\]; negative where its neighbours overlap.
     pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
-        let contact = self.scene.contacts.iter().flatten().nth(pair);
-        let gap = contact.map_or(0.0, |contact| contact.gap_m);
-        gap + self.states(pair + 1)[row].displacement - self.states(pair)[row].displacement
+        let pounding_solver::Pair {
+            left, right, gap, ..
+        } = self.prepared.pairs()[pair];
+        gap + self.states(right)[row].displacement - self.states(left)[row].displacement
     }
 
     /// Pounding force of a compliant pair \[N\], ≥ 0.
     fn force(&self, pair: usize, row: usize) -> f64 {
         // A wall does not move, whatever pushes it: its neighbour tells the force.
-        match self.scene.structures[pair] {
-            Structure::Sdof(_) | Structure::Building(_) => -self.states(pair)[row].force_from_right,
-            Structure::Wall => self.states(pair + 1)[row].force_from_left,
+        let facing = self.floors().facing()[pair];
+        if self.floors().all()[facing.left].is_wall() {
+            self.states(facing.right)[row].force_from_left
+        } else {
+            -self.states(facing.left)[row].force_from_right
         }
     }
 }
 
 /// The file.
 pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
-    let scene = motion.scene;
-    let names = Names::of(scene);
-    let columns: Vec<usize> = scene
-        .structures
-        .iter()
-        .enumerate()
-        .filter(|(_, structure)| matches!(structure, Structure::Sdof(_)))
-        .map(|(index, _)| index)
-        .collect();
-    let compliant: Vec<bool> = scene
-        .contacts
-        .iter()
-        .flatten()
-        .map(|contact| contact.law.is_compliant())
-        .collect();
+    let floors = prepared.floors();
+    let names = Names::of(floors);
+    let moves = |index: &usize| !floors.all()[*index].is_wall();
+    let columns: Vec<usize> = (0..floors.all().len()).filter(moves).collect();
+    let pairs = prepared.pairs().iter();
+    let compliant: Vec<bool> = pairs.map(|pair| pair.law.is_compliant()).collect();
     let row = |row: usize| {
         let time = motion.time(row);
         let ground = prepared.record().at(time);

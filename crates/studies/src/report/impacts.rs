@@ -3,7 +3,7 @@
 use pounding_solver::Collision;
 
 use crate::tables::to_csv;
-use crate::{Outcome, Scene};
+use crate::{Floors, Outcome};
 
 const HEADER: [&str; 10] = [
     "pair",
@@ -19,20 +19,20 @@ const HEADER: [&str; 10] = [
 ];
 
 /// The file.
-pub(super) fn csv(scene: &Scene, outcome: &Outcome) -> String {
+pub(super) fn csv(floors: &Floors, outcome: &Outcome) -> String {
     let header = HEADER.map(String::from);
     let collisions = outcome.collisions.all().iter();
-    let rows: Vec<Vec<String>> = collisions.map(|one| row(scene, one).into()).collect();
+    let rows: Vec<Vec<String>> = collisions.map(|one| row(floors, one).into()).collect();
     to_csv(&header, &rows)
 }
 
-fn row(scene: &Scene, one: &Collision) -> [String; 10] {
-    let name = |index: usize| scene.structures[index].name().to_string();
+fn row(floors: &Floors, one: &Collision) -> [String; 10] {
+    let [left, right] = floors.names(one.pair);
     let known = |value: Option<f64>| value.map_or_else(String::new, exact);
     [
         one.pair.to_string(),
-        name(one.pair),
-        name(one.pair + 1),
+        left,
+        right,
         exact(one.start),
         exact(one.end),
         exact(one.end - one.start),

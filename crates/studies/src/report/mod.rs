@@ -71,7 +71,7 @@ impl<'a> Report<'a> {
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (
                 IMPACTS.into(),
-                impacts::csv(prepared.scene(), outcome).into_bytes(),
+                impacts::csv(prepared.floors(), outcome).into_bytes(),
             ),
             (SUMMARY.into(), summary.to_json().into_bytes()),
             (PAGE.into(), page.into_bytes()),

@@ -1,8 +1,8 @@
 //! Names of structures as parts of the names of columns: letters, digits and underscores.
 
-use crate::Scene;
+use crate::Floors;
 
-/// Part of a column's name for every structure and every pair of a scene, each unlike the others.
+/// Part of a column's name for every floor and every pair of a scene, each unlike the others.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Names {
     pub(super) structures: Vec<String>,
@@ -10,10 +10,10 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(super) fn of(floors: &Floors) -> Self {
         let mut structures = Vec::new();
-        for (index, structure) in scene.structures.iter().enumerate() {
-            let plain = plain(structure.name());
+        for (index, floor) in floors.all().iter().enumerate() {
+            let plain = plain(&floor.name);
             let name = if plain.is_empty() {
                 format!("structure_{}", index + 1)
             } else {
@@ -22,8 +22,8 @@ impl Names {
             add(&mut structures, name);
         }
         let mut pairs = Vec::new();
-        for pair in 0..scene.contacts.iter().flatten().count() {
-            let name = format!("{}_{}", structures[pair], structures[pair + 1]);
+        for facing in floors.facing() {
+            let name = format!("{}_{}", structures[facing.left], structures[facing.right]);
             add(&mut pairs, name);
         }
         Self { structures, pairs }

@@ -102,6 +102,15 @@ impl Structure {
         }
     }
 
+    /// Shear force at which its first storey yields \[N\]; nothing for columns that stay elastic, and a wall.
+    pub fn yield_force(&self) -> Option<f64> {
+        match self {
+            Self::Sdof(structure) => structure.yield_force_n,
+            Self::Building(building) => building.storeys[0].columns.yield_force_n,
+            Self::Wall => None,
+        }
+    }
+
     /// Natural period \[s\], of a building the first; nothing for a wall.
     pub fn period(&self) -> Option<f64> {
         match self {

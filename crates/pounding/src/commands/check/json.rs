@@ -1,6 +1,6 @@
 //! The plan of a scene as JSON: fields of [`Summary`](pounding::studies::Summary) where it has them, SI units.
 
-use pounding::studies::{ContactLimit, Doubt, RecordSummary, Structure};
+use pounding::studies::{ContactLimit, Doubt, Facing, RecordSummary, Structure};
 use serde_json::{Value, json};
 
 use super::Plan;
@@ -38,14 +38,14 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
 }
 
 fn structure(structure: &Structure, limit: Option<f64>) -> Value {
-    let Structure::Sdof(sdof) = structure else {
+    let Some(period) = structure.period() else {
         return json!({"name": structure.name()});
     };
     json!({
-        "name": sdof.name,
-        "period_s": sdof.period(),
-        "damping_ratio": sdof.damping_ratio(),
-        "yield_force_n": sdof.yield_force_n,
+        "name": structure.name(),
+        "period_s": period,
+        "damping_ratio": structure.damping_ratio(),
+        "yield_force_n": structure.yield_force(),
         "critical_time_step_s": limit,
     })
 }
@@ -57,9 +57,11 @@ fn pairs(plan: &Plan<'_>) -> Vec<Value> {
         .expected
         .as_ref()
         .map(|expected| &expected.limits.contacts);
-    let contacts = scene.contacts.iter().flatten().enumerate();
-    let pair = |(index, contact): (usize, &pounding::studies::Contact)| {
-        let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
+    let contacts: Vec<_> = scene.contacts.iter().flatten().collect();
+    let floors = plan.prepared.floors();
+    let pair = |(index, facing): (usize, &Facing)| {
+        let contact = contacts[facing.contact];
+        let [left, right] = floors.names(index);
         let limit = limits
             .into_iter()
             .flatten()
@@ -72,7 +74,7 @@ fn pairs(plan: &Plan<'_>) -> Vec<Value> {
             "touches": limit.map(touches),
         })
     };
-    contacts.map(pair).collect()
+    floors.facing().iter().enumerate().map(pair).collect()
 }
 
 /// What a free collision at the largest speed is, and what the method makes of it.

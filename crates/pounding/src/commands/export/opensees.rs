@@ -90,7 +90,8 @@ fn quoted(text: &str) -> String {
 
 fn structure(structure: &Structure) -> String {
     match structure {
-        Structure::Wall => "None".into(),
+        // Buildings were refused.
+        Structure::Building(_) | Structure::Wall => "None".into(),
         Structure::Sdof(sdof) => sdof_of(sdof),
     }
 }

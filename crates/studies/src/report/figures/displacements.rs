@@ -82,20 +82,19 @@ fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
 
 /// Displacements, each structure shifted by the gaps between it and the first.
 fn displacements(seen: &Seen<'_>) -> Panel {
-    let scene = seen.motion.scene;
-    let gaps: Vec<f64> = scene
-        .contacts
-        .iter()
-        .flatten()
-        .map(|one| one.gap_m)
-        .collect();
-    let first = seen.shown.structures.first().copied().unwrap_or(0);
+    let floors = seen.prepared.floors();
+    let contacts = seen.prepared.scene().contacts.iter().flatten();
+    let gaps: Vec<f64> = contacts.map(|one| one.gap_m).collect();
+    let structure = |index: usize| floors.all()[index].structure;
+    let shown = seen.shown.structures.iter();
+    let first = shown.map(|index| structure(*index)).min().unwrap_or(0);
     let curve = |(position, &index): (usize, &usize)| {
         // Structures that stand apart have no gaps.
-        let shift: f64 = gaps.get(first..index).unwrap_or_default().iter().sum();
+        let between = gaps.get(first..structure(index));
+        let shift: f64 = between.unwrap_or_default().iter().sum();
         let states = seen.motion.states(index);
         let points = seen.curve(|row| 1e3 * (states[row].displacement + shift));
-        let name = named(&scene.structures[index]);
+        let name = named(seen.prepared, index);
         let name = if shift > 0.0 {
             format!("{name} + {} mm", brief(1e3 * shift, 4))
         } else {
@@ -134,10 +133,13 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
     let (unit, factor) = unit(largest, measure.unit);
     let sides = |(position, &index): (usize, &usize)| {
         let on = |(one, value): &(&Collision, f64)| {
-            let sign = match index.checked_sub(one.pair) {
-                Some(0) => -1.0,
-                Some(1) => 1.0,
-                _ => return None,
+            let pair = &seen.prepared.pairs()[one.pair];
+            let sign = if index == pair.left {
+                -1.0
+            } else if index == pair.right {
+                1.0
+            } else {
+                return None;
             };
             Some((one.start, sign * factor * value))
         };

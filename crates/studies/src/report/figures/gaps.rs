@@ -34,7 +34,6 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
 }
 
 fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
-    let scene = seen.motion.scene;
     let gap = 1e3 * seen.prepared.pairs()[pair].gap;
     let closing = seen.curve(|row| gap - 1e3 * seen.motion.opening(pair, row));
     let level = vec![(0.0, gap), (seen.prepared.duration(), gap)];
@@ -48,7 +47,9 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
         let points = touches.into_iter().map(|time| (time, gap)).collect();
         curves.push(Curve::new(Kind::Points, Shade::Ink, points).named("collision"));
     }
-    let [left, right] = [pair, pair + 1].map(|index| name(&scene.structures[index]));
+    let facing = seen.prepared.floors().facing()[pair];
+    let floors = seen.prepared.floors().all();
+    let [left, right] = [facing.left, facing.right].map(|index| name(&floors[index]));
     Panel {
         title: format!("{left} – {right}, gap {} mm", brief(gap, 4)),
         y: Axis {

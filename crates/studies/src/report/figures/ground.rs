@@ -79,10 +79,10 @@ fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
 
 /// Nothing where the spectrum is refused: a period so short that the record holds some hundred thousand.
 fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
-    let structures = &seen.motion.scene.structures;
+    let (scene, floors) = (seen.prepared.scene(), seen.prepared.floors().all());
     let shown = seen.shown.structures.iter();
     let own: Vec<(usize, f64)> = shown
-        .filter_map(|&index| Some((index, structures[index].period()?)))
+        .filter_map(|&index| Some((index, floors[index].oscillation(scene)?.0)))
         .collect();
     let shortest = own.iter().map(|one| one.1 / BEYOND).fold(USUAL.0, f64::min);
     let longest = own.iter().map(|one| one.1 * BEYOND).fold(USUAL.1, f64::max);
@@ -99,7 +99,7 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let mut curves = vec![Curve::new(Kind::Line, Shade::Grey, all)];
     for (position, (&(index, _), value)) in own.iter().zip(of_structures).enumerate() {
         let curve = Curve::new(Kind::Points, shade(position), vec![point(value)]);
-        let label = named(&structures[index]);
+        let label = named(seen.prepared, index);
         curves.push(curve.marked(MARKS[position % MARKS.len()]).named(label));
     }
     Some(Panel {

@@ -2,7 +2,6 @@
 
 use super::thin::thinned;
 use super::{Seen, name, unit};
-use crate::Structure;
 use crate::plot::{Axis, Curve, Figure, Kind, Panel, Shade};
 
 /// More panels than this do not fit on a page.
@@ -10,9 +9,12 @@ const MOST: usize = 6;
 
 /// Nothing where no structure can yield.
 pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
-    let structures = seen.motion.scene.structures.iter().enumerate();
-    let mut found: Vec<(usize, f64)> = structures
-        .filter_map(|(index, structure)| Some((index, ductility(seen, index, structure)?)))
+    let floors = seen.prepared.floors().all().iter().enumerate();
+    let mut found: Vec<(usize, f64)> = floors
+        .filter_map(|(index, floor)| {
+            let drift = seen.outcome.peaks.of(index).drift().value;
+            Some((index, floor.ductility(drift)?))
+        })
         .collect();
     let n = found.len();
     found.sort_by(|one, other| other.1.total_cmp(&one.1));
@@ -41,24 +43,22 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
     Some((figure, caption))
 }
 
-/// Ductility demand of columns that can yield.
-fn ductility(seen: &Seen<'_>, index: usize, structure: &Structure) -> Option<f64> {
-    match structure {
-        Structure::Sdof(sdof) => sdof.ductility(seen.outcome.peaks.of(index).displacement.value),
-        Structure::Building(_) | Structure::Wall => None,
-    }
-}
-
 fn panel(seen: &Seen<'_>, index: usize) -> Panel {
-    let structure = &seen.motion.scene.structures[index];
+    let floor = &seen.prepared.floors().all()[index];
     let peaks = seen.outcome.peaks.of(index);
     let (unit, factor) = unit(peaks.restoring_force.value, "N");
-    let states = seen.motion.states(index).iter();
-    let points = states.map(|state| (1e3 * state.displacement, factor * state.restoring_force));
+    let (states, drifts) = (seen.motion.states(index), seen.motion.drifts(index));
+    let points = drifts.zip(states);
+    let points = points.map(|(drift, state)| (1e3 * drift, factor * state.restoring_force));
     let points = thinned(points.collect());
+    let upper = floor.storey.is_some_and(|storey| storey > 1);
     Panel {
-        title: name(structure),
-        x: Some(Axis::auto("Displacement (mm)")),
+        title: name(floor),
+        x: Some(Axis::auto(if upper {
+            "Storey drift (mm)"
+        } else {
+            "Displacement (mm)"
+        })),
         y: Axis::auto(format!("Shear force ({unit})")),
         levels: vec![0.0],
         curves: vec![Curve::new(Kind::Thin, Shade::Blue, points)],

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::history::Motion;
 use crate::figures::minus;
 use crate::plot::{Curve, Figure, PlotError, render_both, writable};
-use crate::{Outcome, PairSummary, Prepared, Structure, digits};
+use crate::{Floor, Outcome, PairSummary, Prepared, digits};
 use shown::Shown;
 
 /// The names that pictures can have, without the ends of their files.
@@ -70,7 +70,7 @@ pub(super) fn illustrations(
         prepared,
         outcome,
         motion,
-        shown: &Shown::of(prepared.scene().structures.len(), pairs),
+        shown: &Shown::of(prepared, pairs),
     };
     let figures: [Option<(Figure, String)>; 4] = [
         Some(displacements::figure(&seen)),
@@ -94,8 +94,8 @@ pub(super) fn illustrations(
 const LONGEST: usize = 22;
 
 /// A name as a picture can write it: not too long, in the letters of its font.
-fn name(structure: &Structure) -> String {
-    let name = writable(structure.name());
+fn name(floor: &Floor) -> String {
+    let name = writable(&floor.name);
     if name.chars().count() <= LONGEST {
         return name;
     }
@@ -103,10 +103,11 @@ fn name(structure: &Structure) -> String {
 }
 
 /// Name and period, for a legend.
-fn named(structure: &Structure) -> String {
-    match structure.period() {
-        Some(period) => format!("{} (T = {} s)", name(structure), brief(period, 3)),
-        None => name(structure),
+fn named(prepared: &Prepared, index: usize) -> String {
+    let floor = &prepared.floors().all()[index];
+    match floor.oscillation(prepared.scene()) {
+        Some((period, _)) => format!("{} (T = {} s)", name(floor), brief(period, 3)),
+        None => name(floor),
     }
 }
 

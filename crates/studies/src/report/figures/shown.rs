@@ -1,6 +1,6 @@
 //! What of a long row is shown: the pairs that are hit hardest.
 
-use crate::PairSummary;
+use crate::{PairSummary, Prepared};
 
 /// More curves than this cannot be told from each other.
 const MOST_STRUCTURES: usize = 6;
@@ -22,7 +22,9 @@ pub(super) struct Shown {
 
 impl Shown {
     /// Of `n` structures with these pairs: the pairs with the largest impulses, then those that come closest to touching.
-    pub(super) fn of(n: usize, all_pairs: &[PairSummary]) -> Self {
+    pub(super) fn of(prepared: &Prepared, all_pairs: &[PairSummary]) -> Self {
+        let (n, facing) = (prepared.floors().all().len(), prepared.floors().facing());
+        let sides = |pair: usize| [facing[pair].left, facing[pair].right];
         let n_pairs = all_pairs.len();
         let all_pairs = all_pairs.iter().enumerate();
         let mut ranked: Vec<(f64, f64, usize)> = all_pairs
@@ -40,7 +42,7 @@ impl Shown {
             structures.extend(0..n.min(MOST_STRUCTURES));
         } else {
             for &(_, _, pair) in &ranked {
-                let new: Vec<usize> = [pair, pair + 1]
+                let new: Vec<usize> = sides(pair)
                     .into_iter()
                     .filter(|index| !structures.contains(index))
                     .collect();
@@ -50,7 +52,7 @@ impl Shown {
             }
         }
         structures.sort_unstable();
-        let both = |pair: &usize| structures.contains(pair) && structures.contains(&(pair + 1));
+        let both = |pair: &usize| sides(*pair).iter().all(|one| structures.contains(one));
         let pairs = (0..n_pairs).filter(both).collect();
         let mut panels: Vec<usize> = ranked.iter().map(|one| one.2).take(MOST_PAIRS).collect();
         panels.sort_unstable();

@@ -228,18 +228,20 @@ pub(super) fn method(summary: &Summary, review: &Review, sampling: &str) -> Stri
         let chosen = format!("the cheapest that keeps all errors below {}", percent(goal));
         rows.push(("chosen".into(), chosen));
     }
-    for (pair, contact) in summary
-        .pairs
-        .iter()
-        .zip(summary.scene.contacts.iter().flatten())
-    {
+    let contacts = summary.scene.contacts.iter().flatten();
+    for (neighbours, contact) in summary.scene.structures.windows(2).zip(contacts) {
+        let name = contact.law.name();
         let law = serde_json::to_value(contact.law).unwrap_or_default();
-        let parameters = entries(&law[&pair.law]);
+        let parameters = entries(&law[name]);
         let parameters = parameters.map(|(name, value)| format!("{name} = {value}"));
         let parameters: Vec<String> = parameters.collect();
         rows.push((
-            format!("contact {} – {}", pair.left, pair.right),
-            format!("{}: {}", pair.law.replace('_', " "), parameters.join(", ")),
+            format!(
+                "contact {} – {}",
+                neighbours[0].name(),
+                neighbours[1].name()
+            ),
+            format!("{}: {}", name.replace('_', " "), parameters.join(", ")),
         ));
     }
     let interval = format!("every {} s: {sampling}", digits(method.history_interval_s));

@@ -103,8 +103,11 @@ pub struct ReadingSummary {
 /// A wall has its name and its transferred momentum only.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct StructureSummary {
-    /// Its name.
+    /// Its name; of a floor of a building that of the building and the number of the storey.
     pub name: String,
+    /// Storey below the floor, counted from 1; absent for a structure of one storey and a wall.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub storey: Option<usize>,
     /// Natural period \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub period_s: Option<f64>,
@@ -123,10 +126,17 @@ pub struct StructureSummary {
     /// Its instant \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_shear_force_time_s: Option<f64>,
-    /// Peak displacement over yield displacement \[–\]; of columns that can yield.
+    /// Drift of largest magnitude of the storey, displacement of the floor relative to the one below \[m\]; absent where the
+    /// storey stands on the ground, whose drift is the displacement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_drift_m: Option<f64>,
+    /// Its instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_drift_time_s: Option<f64>,
+    /// Peak drift over the drift at which the columns yield \[–\]; of columns that can.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ductility: Option<f64>,
-    /// Peak displacement over height \[–\], ≥ 0; where the scene gives the height.
+    /// Peak drift over the height of the storey \[–\], ≥ 0; where the scene gives the height.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drift_ratio: Option<f64>,
     /// Sum of the impulses that it got from its neighbours, by magnitude \[N·s\].

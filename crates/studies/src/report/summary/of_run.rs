@@ -8,8 +8,7 @@ use super::{
 };
 use crate::report::sampling::Sampling;
 use crate::{
-    Errors, PairErrors, PairOutcome, Prepared, Quantity, Review, RunErrors, Source, Structure,
-    StructureErrors,
+    Errors, PairErrors, PairOutcome, Prepared, Quantity, Review, RunErrors, Source, StructureErrors,
 };
 
 impl Summary {
@@ -66,9 +65,9 @@ impl RecordSummary {
 impl StructureSummary {
     /// Of every structure and wall, from left to right.
     pub fn of_run(prepared: &Prepared, review: &Review) -> Vec<Self> {
-        let structures = 0..prepared.scene().structures.len();
+        let floors = 0..prepared.floors().all().len();
         let measured = review.measured();
-        structures
+        floors
             .map(|index| structure(prepared, review, (index, measured)))
             .collect()
     }
@@ -77,7 +76,7 @@ impl StructureSummary {
 impl PairSummary {
     /// Of every pair that can touch, from left to right.
     pub fn of_run(prepared: &Prepared, review: &Review) -> Vec<Self> {
-        let pairs = 0..prepared.scene().contacts.as_ref().map_or(0, Vec::len);
+        let pairs = 0..prepared.floors().facing().len();
         let measured = review.measured();
         pairs
             .map(|index| pair(prepared, review, (index, measured)))
@@ -109,15 +108,16 @@ fn structure(
     review: &Review,
     (index, measured): (usize, Option<&RunErrors>),
 ) -> StructureSummary {
-    let structure = &prepared.scene().structures[index];
+    let floor = &prepared.floors().all()[index];
     let errors = measured.map(|errors| structure_errors(&errors.structures[index]));
     let common = StructureSummary {
-        name: structure.name().into(),
+        name: floor.name.clone(),
+        storey: floor.storey,
         transferred_momentum_n_s: review.outcome.momentum.of(index),
         errors,
         ..StructureSummary::default()
     };
-    let Structure::Sdof(sdof) = structure else {
+    let Some((period, damping_ratio)) = floor.oscillation(prepared.scene()) else {
         return StructureSummary {
             errors: common.errors.map(|errors| StructureErrorSummary {
                 peak_displacement: None,
@@ -130,15 +130,19 @@ fn structure(
     };
     let peaks = review.outcome.peaks.of(index);
     let displacement = peaks.displacement.value;
+    let drift = peaks.drift();
+    let upper = floor.storey.is_some_and(|storey| storey > 1);
     StructureSummary {
-        period_s: Some(sdof.period()),
-        damping_ratio: Some(sdof.damping_ratio()),
+        period_s: Some(period),
+        damping_ratio: Some(damping_ratio),
         peak_displacement_m: Some(displacement),
         peak_displacement_time_s: Some(peaks.displacement.time),
         peak_shear_force_n: Some(peaks.restoring_force.value),
         peak_shear_force_time_s: Some(peaks.restoring_force.time),
-        ductility: sdof.ductility(displacement),
-        drift_ratio: sdof.height_m.map(|height| displacement.abs() / height),
+        peak_drift_m: upper.then_some(drift.value),
+        peak_drift_time_s: upper.then_some(drift.time),
+        ductility: floor.ductility(drift.value),
+        drift_ratio: floor.drift_ratio(drift.value),
         ..common
     }
 }
@@ -160,9 +164,7 @@ fn pair(
     review: &Review,
     (index, measured): (usize, Option<&RunErrors>),
 ) -> PairSummary {
-    let scene = prepared.scene();
-    let contact = scene.contacts.iter().flatten().nth(index);
-    let contact = contact.expect("a pair is made of a contact");
+    let pounding_solver::Pair { gap, law, left, .. } = prepared.pairs()[index];
     let PairOutcome {
         collisions,
         first,
@@ -170,20 +172,20 @@ fn pair(
         peak_force,
         total_impulse,
     } = review.outcome.of_pair(index);
-    let closing = review.closings.of(index);
-    let (opening, time) = closing.map_or((contact.gap_m, 0.0), |closing| {
-        (contact.gap_m - closing.distance, closing.time)
-    });
+    let closing = review.closings.of(left);
+    let (opening, time) =
+        closing.map_or((gap, 0.0), |closing| (gap - closing.distance, closing.time));
     let (opening, time) = match first {
         // Impulses leave the gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
         Some(first) if opening > -ROUNDING => (0.0, first.start),
         _ => (opening, time),
     };
+    let [left, right] = prepared.floors().names(index);
     PairSummary {
-        left: scene.structures[index].name().into(),
-        right: scene.structures[index + 1].name().into(),
-        gap_m: contact.gap_m,
-        law: contact.law.name().into(),
+        left,
+        right,
+        gap_m: gap,
+        law: law.name().into(),
         collisions,
         first: first.as_ref().map(collision),
         largest: largest.as_ref().map(collision),
