@@ -18,7 +18,7 @@ pub struct Mode {
     pub shape: Vec<f64>,
     /// Modal mass φᵀMφ \[kg\], > 0.
     pub modal_mass: f64,
-    /// Participation factor Γ = Σ m φ / φᵀMφ \[–\], by which the ground shakes the mode; of either sign. ΓΦ summed over the
+    /// Participation factor Γ = Σ m φ / φᵀMφ \[–\], by which the ground shakes the mode; of either sign. Γφ summed over the
     /// modes is 1 at every floor.
     pub participation: f64,
 }
