@@ -181,7 +181,7 @@ impl Groups {
             self.next[node] = node;
         }
         for node in (0..members.len()).rev() {
-            // From the right: until it is reached, a first node keeps the place of the node just met.
+            // From the right: meanwhile the first node of a body leads to the node just met.
             let first = self.body_of[node];
             if first != node {
                 (self.next[node], self.next[first]) = (self.next[first], node);

@@ -165,6 +165,9 @@ impl<'a> Books<'a> {
 impl Recorder for Books<'_> {
     fn span(&mut self, span: &Span<'_>) {
         self.check(span);
+        if self.row.nodes()[span.structure].is_wall() {
+            return;
+        }
         let mass = 1.0 / self.row.nodes()[span.structure].inverse_mass;
         let (start, end) = (span.start.velocity, span.end.velocity);
         let works = self.works(span);

@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Excitation, Histories, Hysteresis, Hysteretic, Knee, Levels, Pair, Row, RunError,
+    Clock, Excitation, Histories, Hysteresis, Hysteretic, Knee, Levels, Node, Pair, Row, RunError,
     Smoothness, Storey, Support,
 };
 use proptest::prelude::*;
@@ -17,6 +17,8 @@ use crate::storeys_exact::EXACT;
 /// A row of buildings under a record.
 #[derive(Debug, Clone)]
 struct Case {
+    /// Whether the first building is a wall.
+    wall: bool,
     /// Storeys of every building.
     buildings: Vec<Vec<Storey<Columns>>>,
     /// Gap and law of floors that face each other, of every neighbouring two.
@@ -82,11 +84,13 @@ fn cases() -> impl Strategy<Value = Case> {
         ]
     };
     (
+        prop::bool::weighted(0.2),
         prop::collection::vec(building, 2..=4),
         prop::collection::vec(contact(), 3),
         prop::collection::vec(-8.0..8.0_f64, 2..60),
     )
-        .prop_map(|(buildings, between, ground)| Case {
+        .prop_map(|(wall, buildings, between, ground)| Case {
+            wall,
             buildings,
             between,
             ground,
@@ -99,7 +103,12 @@ impl Case {
         let levels = Levels::new(&counts);
         let floor = |node: usize| {
             let (building, storey) = levels.place(node);
-            levels.floor(node, self.buildings[building][storey])
+            let storey = self.buildings[building][storey];
+            if self.wall && building == 0 {
+                Node::wall(storey.column)
+            } else {
+                levels.floor(node, storey)
+            }
         };
         let nodes = (0..levels.n_nodes()).map(floor).collect();
         let mut pairs = Vec::new();
@@ -154,8 +163,9 @@ fn run(case: &Case) -> Result<(f64, &'static str), RunError> {
     })
 }
 
-/// A hundred rows, the same in every run; `PROPTEST_CASES` asks for more. Of 2000 such rows three ended with an error
-/// ([`RunError::NoSeries`], compliant pairs without a gap), and none broke a law.
+/// A hundred rows, the same in every run; `PROPTEST_CASES` asks for more and `SEED` for others. Of 3500 such rows two ended
+/// with an error ([`RunError::NoSeries`]: compliant pairs without a gap, pressed together from the start), and none broke
+/// a law.
 #[test]
 fn limit_random_rows_keep_the_laws_of_mechanics() {
     let asked = |name: &str| std::env::var(name).ok()?.parse::<u32>().ok();
@@ -207,6 +217,7 @@ fn reference_energies_of_elastic_towers_balance() {
     ];
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let case = Case {
+            wall: false,
             buildings: buildings.clone(),
             between: vec![vec![(0.01, law); 5]; 2],
             ground: samples.clone(),
