@@ -127,7 +127,6 @@ const NOTES: &str = "Limit: from this time step on the motion grows without boun
 /// What of the scene is modelled, and what is left out because the scene does not require it.
 fn model_lines(plan: &Plan<'_>) -> String {
     let prepared = plan.prepared;
-    let scene = prepared.scene();
     let floors = prepared.floors();
     let columns = floors.all().iter().filter_map(|floor| floor.made_of);
     let columns: Vec<_> = columns.map(|made| made.columns).collect();
