@@ -108,7 +108,7 @@ pub(crate) fn sha256(bytes: &[u8]) -> String {
 
 /// Names the field of a scene that asks for what is refused.
 fn at(place: &'static str) -> impl Fn(RecordError) -> MotionError {
-    move |error| MotionError::of(place, error)
+    move |error| MotionError::of(place, &error)
 }
 
 /// The record as the scene uses it.

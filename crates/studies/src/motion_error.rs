@@ -123,9 +123,9 @@ pub enum MotionError {
 
 impl MotionError {
     /// What is wrong with a field, or a table of settings, of a scene.
-    pub(crate) fn of(place: &str, error: RecordError) -> Self {
+    pub(crate) fn of(place: &str, error: &RecordError) -> Self {
         let place = place.to_owned();
-        match error {
+        match *error {
             RecordError::Empty => Self::Empty { place },
             RecordError::TimeStep { found } => Self::OutOfRange {
                 place: time_step(&place),
@@ -198,7 +198,7 @@ impl MotionError {
                 found,
                 allowed,
             },
-            SpectrumError::Record(error) => Self::of(place, error),
+            SpectrumError::Record(error) => Self::of(place, &error),
             fault @ (SpectrumError::Model(_) | SpectrumError::Run { .. }) => Self::Spectrum {
                 place: place.to_owned(),
                 fault,

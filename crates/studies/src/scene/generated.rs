@@ -158,7 +158,7 @@ impl Generated {
             {
                 return error;
             }
-            MotionError::of(&format!("record.generated.{}", self.name()), error)
+            MotionError::of(&format!("record.generated.{}", self.name()), &error)
         })
     }
 
