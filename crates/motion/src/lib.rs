@@ -32,6 +32,7 @@ mod ground;
 mod harmonic;
 mod integration;
 mod line;
+mod mean_period;
 mod measures;
 mod pulses;
 mod read_error;
