@@ -1,4 +1,4 @@
-//! Tasks of the project: `cargo xtask reproduce`, `check`, `bench` and `fuzz`.
+//! Tasks of the project: `cargo xtask reproduce`, `beyond`, `check`, `bench` and `fuzz`.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -6,6 +6,7 @@
 )]
 
 mod bench;
+mod beyond;
 mod check;
 mod fuzz;
 mod reproduce;
@@ -36,6 +37,18 @@ enum Task {
         #[arg(long)]
         all: bool,
     },
+    /// Ask the paper's claims under your own records: its scenes under every record of a folder, in both directions.
+    Beyond {
+        /// A folder of records; those that cannot be read, and vertical ones, are listed as left out.
+        #[arg(long, value_name = "FOLDER")]
+        records: PathBuf,
+        /// Folder for the tables and figures; without it target/beyond.
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Leave the records as strong as they are, instead of scaling them to the peak of the paper's.
+        #[arg(long)]
+        as_recorded: bool,
+    },
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
@@ -59,6 +72,11 @@ fn main() -> ExitCode {
             let extent = if all { Extent::Whole } else { Extent::Part };
             reproduce::run(&root(), check, extent)
         }
+        Task::Beyond {
+            records,
+            out,
+            as_recorded,
+        } => beyond::run(&root(), &records, out, !as_recorded),
         Task::Check => check::run(&root()),
         Task::Bench { savings: true } => bench::savings(&root()),
         Task::Bench { savings: false } => bench::run(&root()),

@@ -56,7 +56,7 @@ pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String
 }
 
 /// Writes to standard output; a reader that has seen enough (`| head`) is no failure.
-fn say(text: &str) -> Result<(), String> {
+pub(crate) fn say(text: &str) -> Result<(), String> {
     match stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(format!("standard output cannot be written: {error}"))

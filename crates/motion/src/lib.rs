@@ -33,6 +33,7 @@ mod ground;
 mod harmonic;
 mod integration;
 mod line;
+mod mean_period;
 mod measures;
 mod pulses;
 mod read_error;

@@ -1,10 +1,11 @@
 //! A study whose scenes have run.
 
 use crate::{
-    AtlasSettings, Edges, Ladder, Outcome, Output, Prepared, Scene, StudyError, StudyFile,
+    AtlasSettings, BeyondSettings, Edges, Ladder, Outcome, Output, Prepared, Scene, StudyError,
+    StudyFile,
 };
 
-/// A study whose scenes have run, in the order of the study; there is at least one.
+/// A study whose scenes have run, in the order of the study; there is at least one, but of [`Output::Beyond`].
 #[derive(Debug)]
 pub struct Completed {
     /// The study.
@@ -122,6 +123,15 @@ impl Output {
         }
     }
 
+    /// The ground motions beyond the paper's.
+    pub(crate) fn beyond(&self) -> Option<&BeyondSettings> {
+        if let Self::Beyond(settings) = self {
+            Some(settings)
+        } else {
+            None
+        }
+    }
+
     /// Whether the output shows what happened step by step.
     fn needs_histories(&self) -> bool {
         match self {
@@ -135,6 +145,7 @@ impl Output {
             | Self::Trade(_)
             | Self::Laws(_)
             | Self::Extremes(_)
+            | Self::Beyond(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }
@@ -156,6 +167,7 @@ impl Output {
             | Self::Trade(_)
             | Self::Laws(_)
             | Self::Extremes(_)
+            | Self::Beyond(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }

@@ -8,6 +8,7 @@
 
 mod advice;
 mod agreement;
+mod beyond;
 mod certificate;
 mod check;
 mod claims;
@@ -53,8 +54,9 @@ pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
+pub use beyond::{Beyond, BeyondSettings, BeyondStudy, ListedMotion, Strength};
 pub use certificate::{Certificate, CertificateError, Wanted};
-pub use claims::{Claim, Finding, Survival, claims, claims_csv};
+pub use claims::{Claim, Finding, Survival, Tally, claims, claims_csv};
 pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use contenders::StepMethod;

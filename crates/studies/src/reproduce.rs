@@ -7,8 +7,9 @@ use rayon::prelude::*;
 
 use crate::converged::{Converged, N_NOISY_RUNS};
 use crate::{
-    Atlas, Claim, Comparison, Completed, Extent, Extremes, PublishedValues, StudyError, StudyFile,
-    Table, Trade, agreement_csv, claims, claims_csv, figure_png,
+    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, Comparison, Completed, Extent, Extremes,
+    PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
+    figure_png,
 };
 
 /// The studies of a folder and the published numbers they are compared with.
@@ -78,7 +79,9 @@ impl Studies {
             let atlas = output.atlas().map(|_| Atlas::n_runs(scenes));
             let extremes = output.edges();
             let extremes = extremes.map(|edges| Extremes::n_runs(edges, self.extent));
-            1 + scenes.len() + trade.or(atlas).or(extremes).unwrap_or(0)
+            let beyond = output.beyond().map(BeyondSettings::n_cases);
+            let runs = trade.or(atlas).or(extremes).or(beyond);
+            1 + scenes.len() + runs.unwrap_or(0)
         };
         self.files.iter().map(units).sum()
     }
@@ -129,13 +132,20 @@ impl Studies {
         let claims = claims(&completed)?;
         let converged = Converged::new(&completed, self.n_noisy_runs)?;
         files.extend(converged.files(&completed, &self.published)?);
+        let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
+        let beyond = BeyondStudy::listed(&read)?.map(|study| study.run(done));
+        let beyond = beyond.transpose()?;
+        let tallies = beyond.as_ref().map(Beyond::tallies).unwrap_or_default();
+        if let Some(beyond) = beyond {
+            files.extend(beyond.files()?);
+        }
         files.insert(
             "agreement.csv".into(),
             agreement_csv(&comparisons).into_bytes(),
         );
         files.insert(
             "claims.csv".into(),
-            claims_csv(&claims, converged.survivals()).into_bytes(),
+            claims_csv(&claims, converged.survivals(), &tallies).into_bytes(),
         );
         let surprises = self.published.surprises(&comparisons);
         Ok(Reproduction {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::{AtlasSettings, Edges, Ladder, Scene, StudyError, read_file};
+use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Scene, StudyError, read_file};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -16,7 +16,8 @@ pub struct Study {
     /// Choices the paper does not state, and where they come from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub notes: Option<String>,
-    /// The scenes, in the order of the table or figure.
+    /// The scenes, in the order of the table or figure; none for [`Output::Beyond`], which takes those of other studies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub scenes: Vec<Scene>,
     /// What to print.
     pub output: Output,
@@ -56,6 +57,8 @@ pub enum Output {
     Laws(AtlasSettings),
     /// What becomes of the scenes at the edge; a folder of its own.
     Extremes(Edges),
+    /// The paper's scenes under other ground motions, and its claims; a folder of its own.
+    Beyond(BeyondSettings),
     /// The record of the first scene.
     RecordFigure,
     /// Displacements of the structures of the first scene, a panel each.
@@ -97,8 +100,13 @@ impl StudyFile {
             found,
             allowed,
         };
-        if study.scenes.is_empty() {
-            return Err(refuse("none".into(), "one or more scenes"));
+        match (study.output.beyond(), study.scenes.len()) {
+            (None, 0) => return Err(refuse("none".into(), "one or more scenes")),
+            (Some(_), 1..) => {
+                let allowed = "none: those of the paper's tables are run";
+                return Err(refuse(study.scenes.len().to_string(), allowed));
+            }
+            (None, _) | (Some(_), 0) => {}
         }
         let mut names = BTreeSet::new();
         if let Some(twice) = study.scenes.iter().find(|scene| !names.insert(&scene.name)) {

@@ -1,17 +1,10 @@
 //! Which claims hold of exact runs, and of exact runs under noisy records.
 
-use super::{Finding, Runs, TESTS};
+use super::{Asked, Claim, Runs, TESTS, Tally};
 use crate::{Completed, StudyError};
 
 /// Share of the noisy records in which a claim must hold to survive \[–\].
 const ENOUGH: f64 = 0.95;
-
-/// Whether a claim holds of the exact runs, and what they gave.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Exactly {
-    holds: bool,
-    computed: String,
-}
 
 /// What exact runs say to a claim.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,42 +51,55 @@ impl Survival {
     }
 }
 
+impl Survival {
+    /// In how many cases of other ground motions the claim holds, in words.
+    pub(super) fn beyond(&self, tally: Option<Tally>) -> String {
+        match (self, tally) {
+            (Self::NotAsked(reason), _) => format!("not asked: {reason}"),
+            (Self::Asked { .. }, None) => "not asked: no other ground motions".into(),
+            (Self::Asked { .. }, Some(tally)) => tally.words(),
+        }
+    }
+}
+
+/// The claims that exact runs can be asked: their places among all, and what they say in few words, in lines.
+pub(crate) fn asked() -> impl Iterator<Item = (usize, &'static str)> {
+    let words = |(index, (_, asked)): (usize, &(super::Test, Asked))| match *asked {
+        Asked::Exactly(words) => Some((index, words)),
+        Asked::Not(_) => None,
+    };
+    TESTS.iter().enumerate().filter_map(words)
+}
+
 /// The verdict of exact runs on every claim; nothing where they have nothing to say.
 ///
 /// # Errors
 /// [`StudyError::MissingScene`] when a scene that a claim needs is not there.
-pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Exactly>>, StudyError> {
+pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyError> {
     let runs = Runs::new(exact);
-    let verdict = |(test, silent): &(super::Test, Option<&str>)| {
-        if silent.is_some() {
-            return Ok(None);
-        }
-        let claim = test(&runs)?;
-        Ok(Some(Exactly {
-            holds: claim.finding != Finding::DoesNotHold,
-            computed: claim.computed,
-        }))
+    let verdict = |(test, asked): &(super::Test, Asked)| match asked {
+        Asked::Exactly(_) => test(&runs).map(Some),
+        Asked::Not(_) => Ok(None),
     };
     TESTS.iter().map(verdict).collect()
 }
 
 /// What became of every claim: of the exact runs, and of noisy ones.
-pub(crate) fn survivals(
-    exact: &[Option<Exactly>],
-    noisy: &[Vec<Option<Exactly>>],
-) -> Vec<Survival> {
-    let survival = |(index, verdict): (usize, &Option<Exactly>)| match (verdict, TESTS[index].1) {
+pub(crate) fn survivals(exact: &[Option<Claim>], noisy: &[Vec<Option<Claim>>]) -> Vec<Survival> {
+    let survival = |(index, verdict): (usize, &Option<Claim>)| match (verdict, TESTS[index].1) {
         (Some(verdict), _) => {
-            let holds =
-                |run: &&Vec<Option<Exactly>>| run[index].as_ref().is_some_and(|run| run.holds);
+            let holds = |run: &&Vec<Option<Claim>>| {
+                run[index].as_ref().is_some_and(|run| run.finding.holds())
+            };
             Survival::Asked {
                 computed: verdict.computed.clone(),
-                converged: verdict.holds,
+                converged: verdict.finding.holds(),
                 n_holds: noisy.iter().filter(holds).count(),
                 n_noisy: noisy.len(),
             }
         }
-        (None, reason) => Survival::NotAsked(reason.unwrap_or("")),
+        (None, Asked::Not(reason)) => Survival::NotAsked(reason),
+        (None, Asked::Exactly(_)) => unreachable!("verdicts answers what is asked"),
     };
     exact.iter().enumerate().map(survival).collect()
 }

@@ -14,11 +14,11 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use crate::claims::{Exactly, Survival, survivals, verdicts};
+use crate::claims::{Claim, Survival, survivals, verdicts};
 use crate::noise::Noise;
-use crate::{Completed, Method, Output, PublishedValues, StudyError};
+use crate::{Completed, Method, Output, PublishedValues, StudyError, StudyFile};
 use quantities::{Quantities, quantities};
-use scenes::Scenes;
+pub(crate) use scenes::Scenes;
 
 /// Standard deviations of the relative noise on the samples of the record \[–\].
 pub(crate) const LEVELS: [f64; 5] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2];
@@ -29,9 +29,9 @@ pub(crate) const N_NOISY_RUNS: usize = 200;
 /// Time steps of the paper's method \[s\], the coarsest first.
 const TIME_STEPS: [f64; 4] = [0.01, 0.005, 0.0025, 0.00125];
 /// Studies that the tables and the claims are made of; Table 5 has the scenes of Tables 2 and 4.
-const STUDIES: [&str; 4] = ["table-2", "table-4", "table-6", "table-7"];
+pub(crate) const STUDIES: [&str; 4] = ["table-2", "table-4", "table-6", "table-7"];
 /// Study that the claims alone look at.
-const OF_CLAIMS: &str = "figure-15";
+pub(crate) const OF_CLAIMS: &str = "figure-15";
 
 /// The paper's scenes by the exact method, by the paper's at several time steps, and under noisy records.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ pub(crate) struct Converged {
 }
 
 /// The numbers of one record, and the verdicts on the claims where they are asked.
-type World = (Quantities, Vec<Option<Exactly>>);
+type World = (Quantities, Vec<Option<Claim>>);
 
 impl Converged {
     /// Runs everything, `n_runs` noisy records for each of [`LEVELS`].
@@ -57,12 +57,13 @@ impl Converged {
     /// # Errors
     /// The first [`StudyError`] in the order of the runs.
     pub(crate) fn new(completed: &[Completed], n_runs: usize) -> Result<Self, StudyError> {
-        let scenes = Scenes::of(completed, &STUDIES, |_| Method::EXACT)?;
-        let of_claims = Scenes::of(completed, &[OF_CLAIMS], |_| Method::EXACT)?;
+        let files: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
+        let scenes = Scenes::of(&files, &STUDIES, |_| Method::EXACT)?;
+        let of_claims = Scenes::of(&files, &[OF_CLAIMS], |_| Method::EXACT)?;
         let finer = TIME_STEPS
             .into_par_iter()
             .map(|step| {
-                let runs = Scenes::of(completed, &["table-6", "table-7"], |method| {
+                let runs = Scenes::of(&files, &["table-6", "table-7"], |method| {
                     method.with_time_step(step)
                 })?;
                 quantities(&runs.run(None)?)

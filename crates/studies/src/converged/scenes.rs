@@ -1,19 +1,50 @@
-//! The scenes of some studies by another method, under the paper's record or a noisy one.
+//! The scenes of some studies by another method, under the paper's record, a noisy one or any other.
+
+use pounding_motion::Record;
 
 use crate::noise::Noise;
 use crate::{Completed, Method, Prepared, Scene, StudyError, StudyFile};
 
 /// Scenes of the paper by another method, ready to run under any record.
 #[derive(Debug)]
-pub(super) struct Scenes(Vec<Part>);
+pub(crate) struct Scenes(Vec<Part>);
 
 /// The scenes of one study.
 #[derive(Debug)]
 struct Part {
     file: StudyFile,
     prepared: Vec<Prepared>,
-    /// Interval of the histories \[s\]; nothing where nobody looks at them.
-    interval: Option<f64>,
+    looked_at: LookedAt,
+}
+
+/// The instants at which histories are kept for those who look at them.
+#[derive(Debug, Clone, Copy)]
+enum LookedAt {
+    Never,
+    End,
+    /// An interval \[s\].
+    Every(f64),
+}
+
+impl LookedAt {
+    /// What the claims look at: of Tables 2 and 4 the end alone, of Fig. 15 all.
+    fn of(id: &str, scenes: &[Scene]) -> Self {
+        let step = scenes.first().and_then(|scene| scene.method.time_step());
+        match (id, step) {
+            ("table-2" | "table-4", _) => Self::End,
+            ("figure-15", Some(step)) => Self::Every(step),
+            _ => Self::Never,
+        }
+    }
+
+    /// Interval of the histories \[s\] of a run of this duration \[s\].
+    fn interval(self, duration: f64) -> Option<f64> {
+        match self {
+            Self::Never => None,
+            Self::End => Some(duration),
+            Self::Every(interval) => Some(interval),
+        }
+    }
 }
 
 impl Scenes {
@@ -21,35 +52,52 @@ impl Scenes {
     ///
     /// # Errors
     /// [`StudyError`] when a study is missing or a scene cannot be prepared.
-    pub(super) fn of(
-        completed: &[Completed],
+    pub(crate) fn of(
+        files: &[&StudyFile],
         studies: &[&str],
         method: impl Fn(Method) -> Method,
     ) -> Result<Self, StudyError> {
         let part = |id: &&str| {
-            let study = completed.iter().find(|study| study.file.id == **id);
-            let study = study.ok_or_else(|| StudyError::MissingScene {
+            let file = files.iter().find(|file| file.id == **id);
+            let file = file.ok_or_else(|| StudyError::MissingScene {
                 study: (*id).into(),
                 scene: "any".into(),
             })?;
-            Part::of(study.file.clone(), &method)
+            Part::of((*file).clone(), &method)
         };
         studies.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
 
-    /// Runs every scene, under the paper's record or with noise on it.
+    /// Each scene turned into another of the same name, under another record; the end of every run is kept.
+    ///
+    /// # Errors
+    /// [`StudyError`] when a scene cannot be modelled.
+    pub(crate) fn shaken(
+        &self,
+        record: &Record,
+        turned: impl Fn(&Scene) -> Scene,
+    ) -> Result<Self, StudyError> {
+        let part = |part: &Part| part.shaken(record, &turned);
+        self.0.iter().map(part).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// The scenes, prepared.
+    pub(crate) fn prepared(&self) -> impl Iterator<Item = &Prepared> {
+        self.0.iter().flat_map(|part| &part.prepared)
+    }
+
+    /// Runs every scene, under its record or with noise on it.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
-    pub(super) fn run(&self, noise: Option<&Noise>) -> Result<Vec<Completed>, StudyError> {
+    pub(crate) fn run(&self, noise: Option<&Noise>) -> Result<Vec<Completed>, StudyError> {
         self.0.iter().map(|part| part.run(noise)).collect()
     }
 }
 
 impl Part {
     fn of(mut file: StudyFile, method: impl Fn(Method) -> Method) -> Result<Self, StudyError> {
-        let interval = file.study.scenes.first();
-        let interval = interval.and_then(|scene| self::interval(&file.id, scene));
+        let looked_at = LookedAt::of(&file.id, &file.study.scenes);
         for scene in &mut file.study.scenes {
             scene.method = method(scene.method);
         }
@@ -64,7 +112,30 @@ impl Part {
         Ok(Self {
             file,
             prepared,
-            interval,
+            looked_at,
+        })
+    }
+
+    fn shaken(
+        &self,
+        record: &Record,
+        turned: impl Fn(&Scene) -> Scene,
+    ) -> Result<Self, StudyError> {
+        let mut file = self.file.clone();
+        for scene in &mut file.study.scenes {
+            *scene = turned(scene);
+        }
+        let pairs = self.prepared.iter().zip(&file.study.scenes);
+        let prepared = pairs.map(|(prepared, scene)| prepared.variant(scene, record.clone()));
+        let prepared = prepared.collect::<Result<_, _>>();
+        let looked_at = match self.looked_at {
+            LookedAt::Never | LookedAt::End => LookedAt::End,
+            LookedAt::Every(interval) => LookedAt::Every(interval),
+        };
+        Ok(Self {
+            prepared: prepared.map_err(|error| error.in_file(&file.path))?,
+            file,
+            looked_at,
         })
     }
 
@@ -75,10 +146,13 @@ impl Part {
                 *scene = scene.under(|record| noise.on(record))?;
             }
         }
-        // Of thousands of noisy runs the ledger would take a third of the time: its verdict is asked on the record.
-        let run = |scene: &Prepared| match noise {
-            None => scene.run(self.interval),
-            Some(_) => scene.run_unjudged(self.interval),
+        let run = |scene: &Prepared| {
+            let interval = self.looked_at.interval(scene.duration());
+            // Of thousands of noisy runs the ledger would take a third of the time: its verdict is asked on the record.
+            match noise {
+                None => scene.run(interval),
+                Some(_) => scene.run_unjudged(interval),
+            }
         };
         let outcomes = prepared.iter().map(run);
         let outcomes = outcomes.collect::<Result<_, _>>();
@@ -87,14 +161,5 @@ impl Part {
             file: self.file.clone(),
             prepared,
         })
-    }
-}
-
-/// Interval of the histories that the claims look at \[s\]: of Tables 2 and 4 the end alone, of Fig. 15 all.
-fn interval(id: &str, scene: &Scene) -> Option<f64> {
-    match id {
-        "table-2" | "table-4" => Some(scene.duration()),
-        "figure-15" => scene.method.time_step(),
-        _ => None,
     }
 }

@@ -17,9 +17,9 @@ use crate::{Completed, Outcome, Output, Scene, Structure, StudyError};
 /// # Errors
 /// [`StudyError`] when the scenes do not give what the figure shows.
 pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> {
-    let scene = &completed.file.study.scenes[0];
     let png = match &completed.file.study.output {
         Output::RecordFigure => {
+            let scene = &completed.file.study.scenes[0];
             render_png(&histories::record(scene, completed.prepared[0].record()))
         }
         Output::DisplacementFigure => render_png(&histories::displacements(completed)),
@@ -37,6 +37,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
         | Output::Trade(_)
         | Output::Laws(_)
         | Output::Extremes(_)
+        | Output::Beyond(_)
         | Output::Claims => return Ok(None),
     };
     png.map(Some).map_err(|source: PlotError| StudyError::Plot {

@@ -71,6 +71,7 @@ impl Table {
             | Output::Trade(_)
             | Output::Laws(_)
             | Output::Extremes(_)
+            | Output::Beyond(_)
             | Output::RecordFigure
             | Output::DisplacementFigure
             | Output::PoundingFigure
