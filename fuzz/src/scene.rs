@@ -21,8 +21,6 @@ const MOST_STRUCTURES: usize = 6;
 /// Samples of a record, and terms of a stochastic one: more are made in seconds, and met by tests.
 const MOST_SAMPLES: f64 = 1e4;
 const MOST_TERMS: f64 = 1e3;
-/// Radians of a period.
-const TURN: f64 = 2.0 * std::f64::consts::PI;
 /// Acceleration that sets structures moving \[g\].
 const PULSE: &[u8] = b"time_s,acceleration_g\n0.0,0.1\n0.1,0.5\n0.2,-0.3\n0.3,0.2\n";
 
@@ -48,7 +46,7 @@ pub(crate) fn check(bytes: &[u8]) {
         return;
     };
     if let Some(review) = said(prepared.review(false)) {
-        check_finite(&review.outcome, scene.structures.len());
+        check_finite(&review.outcome, prepared.floors().all().len());
         for warning in &review.warnings {
             assert!(!warning.to_string().is_empty(), "{warning:?}");
         }
@@ -105,7 +103,7 @@ fn is_small(prepared: &Prepared) -> bool {
     if prepared.record().samples().len() as f64 > MOST_SAMPLES {
         return false;
     }
-    let n = scene.structures.len();
+    let n = prepared.floors().all().len();
     if let Some(step) = scene.method.time_step() {
         let substeps = match scene.method {
             Method::CentralDifference {
@@ -121,9 +119,11 @@ fn is_small(prepared: &Prepared) -> bool {
         };
         return duration / step * n as f64 * substeps <= MOST_STEPS;
     }
-    let rate = |structure: &Structure| match structure {
-        Structure::Sdof(sdof) => sdof.damping_coefficient() / sdof.mass_kg + TURN / sdof.period(),
-        Structure::Wall => 0.0,
+    let rate = |structure: &Structure| {
+        let fastest = structure.fastest();
+        fastest.map_or(0.0, |one| {
+            (2.0 * one.damping_ratio + 1.0) * one.angular_frequency
+        })
     };
     let fastest = scene.structures.iter().map(rate).fold(1.0, f64::max);
     duration <= LONGEST && n <= MOST_STRUCTURES && fastest * duration <= MOST_PIECES

@@ -30,6 +30,7 @@ fn touches(scene: &Scene, pair: usize, gap: f64) -> bool {
     let contact = |index| Contact {
         gap_m: if index == pair { gap } else { 10.0 },
         law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 }),
+        levels: None,
     };
     let mut scene = scene.clone();
     scene.contacts = Some((0..scene.structures.len() - 1).map(contact).collect());
@@ -59,7 +60,14 @@ fn limit_the_width_is_where_touching_begins() {
 fn issue_what_stays_open_is_no_sample() {
     let mut scene = scene();
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.5 });
-    scene.contacts = Some(vec![Contact { gap_m: 0.5, law }; 3]);
+    scene.contacts = Some(vec![
+        Contact {
+            gap_m: 0.5,
+            law,
+            levels: None
+        };
+        3
+    ]);
     let separations = prepared(&scene).separations().expect("it runs");
     for method in [
         r#"{"exact": {}}"#,
@@ -99,7 +107,14 @@ fn limit_the_width_is_that_of_structures_alone() {
     let scene = scene();
     let mut touching = scene.clone();
     let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 1.0 });
-    touching.contacts = Some(vec![Contact { gap_m: 0.001, law }; 3]);
+    touching.contacts = Some(vec![
+        Contact {
+            gap_m: 0.001,
+            law,
+            levels: None
+        };
+        3
+    ]);
     touching.method = serde_json::from_str(r#"{"rk4": {"time_step_s": 0.02}}"#).expect("a method");
     touching.duration_s = Some(10.0);
     let mut alone = scene;
