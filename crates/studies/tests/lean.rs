@@ -31,6 +31,8 @@ fn structure() -> impl Strategy<Value = Sdof> {
                 mass_kg: mass,
                 stiffness_n_per_m: stiffness,
                 damping: Damping::Ratio(ratio),
+                hardening_ratio: None,
+                bouc_wen: None,
                 yield_force_n: yields.map(|displacement| displacement * stiffness),
                 height_m: None,
                 initial_displacement_m: 0.0,
@@ -61,7 +63,11 @@ fn law() -> impl Strategy<Value = ContactLaw> {
 /// Gaps that are closed, seldom closed, or never.
 fn contact() -> impl Strategy<Value = Contact> {
     let gap = prop_oneof![Just(0.0), 0.001..0.1_f64, Just(10.0)];
-    (gap, law()).prop_map(|(gap_m, law)| Contact { gap_m, law })
+    (gap, law()).prop_map(|(gap_m, law)| Contact {
+        gap_m,
+        law,
+        levels: None,
+    })
 }
 
 fn method() -> impl Strategy<Value = Method> {

@@ -53,7 +53,7 @@ fn changed(from: &str, to: &str) -> String {
 fn sdof(scene: &Scene, index: usize) -> &pounding_studies::Sdof {
     match &scene.structures[index] {
         Structure::Sdof(sdof) => sdof,
-        Structure::Wall => panic!("structure {index} is no wall"),
+        Structure::Building(_) | Structure::Wall => panic!("structure {index} is no wall"),
     }
 }
 
