@@ -26,7 +26,7 @@ pub struct Levels {
     /// Of every node building and storey.
     places: Vec<(usize, usize)>,
     /// Of every node its level.
-    levels: Vec<usize>,
+    heights: Vec<usize>,
 }
 
 impl Levels {
@@ -58,7 +58,7 @@ impl Levels {
                 .iter()
                 .map(|(_, building, storey)| (*building, *storey))
                 .collect(),
-            levels: order.iter().map(|(level, ..)| *level).collect(),
+            heights: order.iter().map(|(level, ..)| *level).collect(),
         }
     }
 
@@ -79,14 +79,14 @@ impl Levels {
 
     /// Level of a node, as it was given.
     pub fn level(&self, node: usize) -> usize {
-        self.levels[node]
+        self.heights[node]
     }
 
     /// Nodes of a building and of its right neighbour at one level, from the ground up.
     pub fn facing(&self, left: usize) -> impl Iterator<Item = (usize, usize)> {
         let faces = move |node: &usize| {
             let right = node + 1;
-            let at_one_level = self.levels.get(right) == Some(&self.levels[*node]);
+            let at_one_level = self.heights.get(right) == Some(&self.heights[*node]);
             (at_one_level && self.places[right].0 == left + 1).then_some((*node, right))
         };
         self.nodes[left].iter().filter_map(faces)

@@ -13,7 +13,7 @@ pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
 pub struct Floors {
     n_structures: usize,
     levels: Levels,
-    floors: Vec<Floor>,
+    all: Vec<Floor>,
     facing: Vec<Facing>,
 }
 
@@ -122,7 +122,7 @@ impl Floors {
         facing.sort_by_key(|one: &Facing| one.left);
         Ok(Self {
             n_structures: scene.structures.len(),
-            floors: (0..levels.n_nodes()).map(floor).collect(),
+            all: (0..levels.n_nodes()).map(floor).collect(),
             facing,
             levels,
         })
@@ -130,7 +130,7 @@ impl Floors {
 
     /// All of them, in the order of the row.
     pub fn all(&self) -> &[Floor] {
-        &self.floors
+        &self.all
     }
 
     /// The floors of a structure, from the ground up, by their places in the row.
@@ -142,7 +142,7 @@ impl Floors {
     pub fn below(&self, floor: usize) -> Option<usize> {
         let (structure, storey) = self.levels.place(floor);
         let lower = storey.checked_sub(1)?;
-        (!self.floors[floor].is_wall()).then(|| self.levels.of(structure)[lower])
+        (!self.all[floor].is_wall()).then(|| self.levels.of(structure)[lower])
     }
 
     /// Floors that can touch, in the order of the row's pairs.
@@ -153,7 +153,7 @@ impl Floors {
     /// Names of the left and the right floor of a pair.
     pub fn names(&self, pair: usize) -> [String; 2] {
         let Facing { left, right, .. } = self.facing[pair];
-        [left, right].map(|floor| self.floors[floor].name.clone())
+        [left, right].map(|floor| self.all[floor].name.clone())
     }
 
     /// Pairs of all floors that face each other, contacts or not: index of the left structure, left and right floor.
