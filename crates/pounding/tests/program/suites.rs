@@ -230,6 +230,7 @@ fn reference_every_example_runs() {
     assert_eq!(
         names,
         [
+            "towers-of-storeys.toml",
             "towers.toml",
             "two-structures.json",
             "wall-and-neighbour.json"
