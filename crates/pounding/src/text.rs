@@ -1,5 +1,4 @@
-//! Plain text of at most 80 columns, but for long paths and for names of columns that are long themselves: numbers, paragraphs
-//! and tables.
+//! Plain text of at most 80 columns, but for a long path: numbers, paragraphs, tables, and tables side by side.
 
 pub(crate) use pounding::studies::{milliseconds, percent, short};
 

@@ -41,16 +41,15 @@ impl Named {
     /// # Errors
     /// Says what cannot be read, or is no record.
     pub(super) fn of(record: &Path, scene: &Path) -> Result<Self, String> {
-        let refused =
-            |reason: &dyn std::fmt::Display| format!("--record {}: {reason}", record.display());
-        let unreadable = |error| refused(&format!("cannot be read: {error}"));
+        let refused = |reason: &str| format!("--record {}: {reason}", record.display());
+        let unreadable = |error: std::io::Error| refused(&format!("cannot be read: {error}"));
         if fs::metadata(record).map_err(unreadable)?.is_dir() {
             return Err(refused(
-                &"found a folder, allowed is a file; `pounding run SCENE --records` takes a folder",
+                "found a folder, allowed is a file; `pounding run SCENE --records` takes a folder",
             ));
         }
         let bytes = fs::read(record).map_err(unreadable)?;
-        let (holds, missing) = read(&bytes).map_err(|error| refused(&error))?;
+        let (holds, missing) = read(&bytes).map_err(|reason| refused(&reason))?;
         let (path, is_absolute) = match from_scene(record, scene) {
             Some(path) => (path, false),
             None => (std::path::absolute(record).map_err(unreadable)?, true),
@@ -109,7 +108,7 @@ impl Named {
 }
 
 /// What a record holds, in words, or what is missing before that can be known.
-fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), ReadError> {
+fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
     let mut declared = Declared::default();
     let mut missing: Vec<Missing> = Vec::new();
     loop {
@@ -118,17 +117,16 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), ReadError> {
             Ok(file) if missing.is_empty() => {
                 let format = file.format().name();
                 let record = file.into_record(STANDARD_GRAVITY);
-                let holds = record.map(|record| {
-                    let (time, peak) = record.peak();
-                    format!(
-                        "{format}, {} samples, {} s apart, peak {} m/s² at {} s",
-                        record.samples().len(),
-                        digits(record.time_step()),
-                        short(peak),
-                        digits(time)
-                    )
-                });
-                return Ok((holds.ok(), missing));
+                let record = record.map_err(|error| error.to_string())?;
+                let (time, peak) = record.peak();
+                let holds = format!(
+                    "{format}, {} samples, {} s apart, peak {} m/s² at {} s",
+                    record.samples().len(),
+                    digits(record.time_step()),
+                    short(peak),
+                    digits(time)
+                );
+                return Ok((Some(holds), missing));
             }
             Ok(_) => return Ok((None, missing)),
             Err(ReadError::UnitNotStated) => {
@@ -149,7 +147,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), ReadError> {
                 declared.component = Some("1".into());
                 ("component", "\"1\"", format!("one of {}", names.join("; ")))
             }
-            Err(other) => return Err(other),
+            Err(other) => return Err(other.to_string()),
         };
         let why = if field == "component" {
             "the file holds several"
