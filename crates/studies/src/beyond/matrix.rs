@@ -116,7 +116,7 @@ fn cell(finding: Finding, corner: Point, shapes: &mut Vec<Shape>) {
         Finding::Holds => (Shade::Blue, 0.85, ""),
         Finding::HoldsOnlyAsStated => (Shade::Blue, 0.3, "•"),
         Finding::DoesNotHold => (Shade::Vermilion, 0.55, "×"),
-        Finding::DoesNotApply => (Shade::White, 1.0, "–"),
+        Finding::DoesNotApply => (Shade::Mist, 0.6, "–"),
     };
     shapes.push(Shape::Rectangle {
         corner,
@@ -149,14 +149,6 @@ fn legend(frames_paper: bool, shapes: &mut Vec<Shape>) {
     for (finding, words, width) in entries {
         let corner = (x, FOOT - 9.6);
         cell(finding, corner, shapes);
-        if finding == Finding::DoesNotApply {
-            shapes.push(Shape::Rectangle {
-                corner,
-                size: CELL,
-                fill: None,
-                outline: Some(Pen::solid(Shade::Grey, 0.5)),
-            });
-        }
         let at = (x + CELL.0 + 1.6, corner.1 + 0.5 * CELL.1);
         shapes.push(Shape::text(at, words, SMALL, Align::Start));
         x += width;

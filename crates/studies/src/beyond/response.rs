@@ -14,6 +14,9 @@ const TABLES: [(&str, &str); 2] = [("6", "stereomechanical"), ("7", "viscoelasti
 const LAYOUTS: [&str; 3] = ["A", "B", "C"];
 const COLUMNS: usize = LAYOUTS.len();
 
+/// Motions for which there is room at least: less would be too little for the words beside the panels.
+const LEAST: usize = 8;
+
 /// How far from the line of its motion a direction stands, and from the line of that a kind of structure, in lines.
 const APART: [f64; 2] = [0.2, 0.09];
 
@@ -55,7 +58,7 @@ pub(super) fn figure(beyond: &Beyond, motions: Range<usize>) -> Figure {
         }
     }
     Figure {
-        height_in: 2.1 + 0.52 * names.len() as f64,
+        height_in: 2.1 + 0.52 * names.len().max(LEAST) as f64,
         columns: COLUMNS,
         x: Axis::auto("Displacement over alone"),
         panels,
