@@ -134,7 +134,7 @@ mod tests {
             "samples too far apart"
         );
         let single = mean(0.01, vec![1.0]).expect("a shock has all frequencies alike");
-        // ∫ df/f over the band divided by its width.
-        assert!((single - libm::log(80.0) / 19.75).abs() < 1e-3, "{single}");
+        // ∫ df/f over the band divided by its width; the sum ends up to 0.05 Hz inside the band.
+        assert!((single - libm::log(80.0) / 19.75).abs() < 5e-3, "{single}");
     }
 }
