@@ -22,7 +22,11 @@ impl Prepared {
                 )
             })
         });
-        let pairs = self.pairs().iter().enumerate();
+        let pairs = self
+            .pairs()
+            .iter()
+            .take(self.floors().facing().len())
+            .enumerate();
         let gaps = pairs.filter_map(|(pair, one)| {
             let touch = expected.collisions_of(pair).next().is_some();
             let [left, right] = self.floors().names(pair);

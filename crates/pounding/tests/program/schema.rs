@@ -161,6 +161,8 @@ fn scenes(path: &Path) -> Vec<Value> {
     };
     match value.get("scenes") {
         Some(scenes) => scenes.as_array().expect("a list").clone(),
+        // A study may take the scenes of others.
+        None if value.get("output").is_some() => Vec::new(),
         None => vec![value],
     }
 }

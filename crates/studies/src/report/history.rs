@@ -79,8 +79,11 @@ pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
     let names = Names::of(floors);
     let moves = |index: &usize| !floors.all()[*index].is_wall();
     let columns: Vec<usize> = (0..floors.all().len()).filter(moves).collect();
-    let pairs = prepared.pairs().iter();
-    let compliant: Vec<bool> = pairs.map(|pair| pair.law.is_compliant()).collect();
+    // Not the pairs of the model, of which a full one has more.
+    let facing = floors.facing().iter().enumerate();
+    let compliant: Vec<bool> = facing
+        .map(|(pair, _)| prepared.pairs()[pair].law.is_compliant())
+        .collect();
     let row = |row: usize| {
         let time = motion.time(row);
         let ground = prepared.record().at(time);
