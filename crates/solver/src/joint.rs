@@ -11,6 +11,10 @@ use crate::newmark::Scratch;
 use crate::newton::Slopes;
 use crate::{RestoringForce, Row};
 
+/// Solutions of a step after which every other one is taken half way: columns that yield under one impulse and do not under
+/// the next would else change their tangents for ever (one in 2400 random rows of light floors, Δt = 0.01 s).
+const TRUSTED: u32 = 8;
+
 /// Scratch of the clusters with storeys.
 pub(crate) struct Joint {
     /// Closed impulsive pairs that belong to such a cluster.
@@ -134,8 +138,14 @@ impl Joint {
             self.problem.demand[place] = rate + contacts.bounce[index] + taken;
         }
         self.problem.solve();
+        let halves = contacts.solution >= TRUSTED && contacts.solution.is_multiple_of(2);
         for (&index, impulse) in self.pairs.iter().zip(&self.problem.impulses) {
-            contacts.impulses[index] = *impulse;
+            let earlier = contacts.impulses[index];
+            contacts.impulses[index] = if halves {
+                0.5 * (earlier + impulse)
+            } else {
+                *impulse
+            };
         }
     }
 }

@@ -64,6 +64,8 @@ pub(crate) struct Contacts {
     lacking: Vec<bool>,
     /// Relative velocity each pair has to lose \[m/s\].
     demand: Vec<f64>,
+    /// Solutions of the step so far.
+    pub(crate) solution: u32,
     together: Together,
     /// Of clusters with storeys; nothing in a row of structures of one storey.
     joint: Option<Joint>,
@@ -129,6 +131,7 @@ impl Contacts {
             bounce: vec![0.0; n_pairs],
             lacking: vec![false; n_pairs],
             demand: vec![0.0; n_pairs],
+            solution: 0,
             together: Together::new(n_pairs),
             joint: has_storeys.then(|| Joint::new(n_structures, n_pairs)),
         }
@@ -159,6 +162,7 @@ impl Contacts {
     ) -> Result<(), RunError> {
         self.choose(row, scratch, slopes.time_step);
         for iterations in 0..=MAX_ITERATIONS {
+            self.solution = iterations;
             self.predict(row, scratch, slopes);
             balance(row, scratch, (slopes, ground), time, work)?;
             if iterations == 0 {

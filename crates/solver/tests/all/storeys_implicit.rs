@@ -200,19 +200,26 @@ fn order_yielding_storeys_converge() {
 /// Keeps how far each step is from its own balance of momentum.
 struct Momentum {
     masses: Vec<f64>,
-    /// Of the storeys below and above each floor \[N/m\]: what rounding of its displacement does to its forces.
-    stiffnesses: Vec<f64>,
+    /// Stiffness \[N/m\] and damping \[N·s/m\] of the storeys below and above each floor: what rounding of its motion does
+    /// to its forces.
+    storeys: Vec<[f64; 2]>,
     worst: f64,
 }
 
 impl Momentum {
     fn new<Column: Hysteretic>(row: &Row<Column>) -> Self {
-        let stiffness = |node: usize| row.nodes()[node].column.stiffness();
-        let both = |node: usize| stiffness(node) + row.above(node).map_or(0.0, stiffness);
+        let own = |node: usize| {
+            let node = &row.nodes()[node];
+            [node.column.stiffness(), node.damping]
+        };
+        let both = |node: usize| {
+            let above = row.above(node).map_or([0.0; 2], own);
+            [own(node)[0] + above[0], own(node)[1] + above[1]]
+        };
         let masses = row.nodes().iter().map(|node| 1.0 / node.inverse_mass);
         Self {
             masses: masses.collect(),
-            stiffnesses: (0..row.nodes().len()).map(both).collect(),
+            storeys: (0..row.nodes().len()).map(both).collect(),
             worst: 0.0,
         }
     }
@@ -236,9 +243,10 @@ impl Recorder for Momentum {
             mass * span.start.velocity,
         ];
         let scale = terms.iter().map(|term| term.abs()).sum::<f64>().max(1.0);
-        let [start, end] = [&span.start, &span.end].map(|state| state.displacement.abs());
-        let force = self.stiffnesses[span.structure] * start.max(end);
-        let rounding = 16.0 * f64::EPSILON * force * span.duration();
+        let [stiffness, damping] = self.storeys[span.structure];
+        let [start, end] = [&span.start, &span.end]
+            .map(|state| stiffness * state.displacement.abs() + damping * state.velocity.abs());
+        let rounding = 32.0 * f64::EPSILON * start.max(end) * span.duration();
         let left = (terms.iter().sum::<f64>().abs() - rounding).max(0.0);
         self.worst = self.worst.max(left / scale);
     }
@@ -703,7 +711,8 @@ proptest! {
         let outcome = moreau_jean(theta).run(&row, excitation, clock, &mut recorder);
         prop_assert!(outcome.is_ok(), "{:?}", outcome);
         let (momentum, steps) = recorder;
-        prop_assert!(momentum.worst < 1e-10, "{}", momentum.worst);
+        // A floor of 1 t under one of 10 000 t whose storey is a million times as stiff: what Newton's tolerance leaves.
+        prop_assert!(momentum.worst < 1e-9, "{}", momentum.worst);
         for at_once in steps.impacts.values() {
             let (created, scale) = created(at_once);
             prop_assert!(created < 1e-11 * scale, "{created} of {scale}: {at_once:?}");
