@@ -138,6 +138,11 @@ impl Floors {
         self.levels.of(structure)
     }
 
+    /// The places of all of them in the row: building by building, each from the ground up.
+    pub fn from_the_ground_up(&self) -> impl Iterator<Item = usize> {
+        (0..self.n_structures).flat_map(|structure| self.of_structure(structure).iter().copied())
+    }
+
     /// The floor below, in the same building; nothing for one that stands on the ground.
     pub fn below(&self, floor: usize) -> Option<usize> {
         let (structure, storey) = self.levels.place(floor);

@@ -193,7 +193,8 @@ impl Prepared {
             .map_err(|error| self.ended(error))
     }
 
-    fn excitation(&self) -> Excitation<'_> {
+    /// The record, as the solver takes it.
+    pub(crate) fn excitation(&self) -> Excitation<'_> {
         Excitation::new(self.record.time_step(), self.record.samples())
             .expect("a record has samples and a time step > 0")
     }

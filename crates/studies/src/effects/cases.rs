@@ -1,0 +1,179 @@
+//! The runs that effects are told from.
+
+use pounding_motion::{Record, RecordError};
+use pounding_solver::{FloorAccelerations, SimultaneousImpacts};
+
+use crate::{Floor, Method, Outcome, Prepared, Scene, StudyError};
+
+/// A change of the record, and how exactly the run follows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Case {
+    reversed: bool,
+    /// By which accelerations are multiplied.
+    scale: f64,
+    /// By which the time between samples is multiplied.
+    stretch: f64,
+    tolerance: f64,
+}
+
+/// Peaks of one floor and the storey below it, without sign.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Peaks {
+    /// \[m\]
+    pub(super) drift: f64,
+    /// \[N\]
+    pub(super) shear: f64,
+    /// \[m/s²\]
+    pub(super) acceleration: f64,
+}
+
+/// What hits a floor from either side.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Hits {
+    /// Their number.
+    pub(super) collisions: f64,
+    /// Their sum \[N·s\].
+    pub(super) impulse: f64,
+    /// \[N·s\]
+    pub(super) largest_impulse: f64,
+}
+
+/// What a case says of one floor.
+#[derive(Debug)]
+pub(super) struct OfFloor {
+    /// Alone and beside neighbours.
+    pub(super) peaks: [Peaks; 2],
+    pub(super) hits: Hits,
+}
+
+/// What a case says of all floors.
+#[derive(Debug)]
+pub(super) struct Answer {
+    pub(super) floors: Vec<OfFloor>,
+}
+
+/// One per cent.
+const CHANGE: f64 = 0.01;
+/// What the record of the check is changed by, far above rounding.
+const SLIGHT: f64 = 1e-12;
+/// Tolerances of the exact method, and of the check.
+const TOLERANCES: [f64; 2] = [1e-16, 1e-12];
+
+/// All cases, those of the direction of the scene first, both directions in the same order.
+pub(super) fn cases() -> Vec<Case> {
+    let both = [false, true].into_iter();
+    both.flat_map(|reversed| {
+        let as_it_is = Case {
+            reversed,
+            scale: 1.0,
+            stretch: 1.0,
+            tolerance: TOLERANCES[0],
+        };
+        let check = Case {
+            scale: 1.0 + SLIGHT,
+            tolerance: TOLERANCES[1],
+            ..as_it_is
+        };
+        let scaled = [1.0 - CHANGE, 1.0 + CHANGE].map(|scale| Case { scale, ..as_it_is });
+        let stretched = [1.0 - CHANGE, 1.0 + CHANGE].map(|stretch| Case {
+            stretch,
+            ..as_it_is
+        });
+        [as_it_is, check].into_iter().chain(scaled).chain(stretched)
+    })
+    .collect()
+}
+
+impl Case {
+    /// Where the record as it is stands among the cases of one direction.
+    pub(super) const AS_IT_IS: usize = 0;
+    /// Where the check does; changes of one per cent follow it.
+    pub(super) const CHECK: usize = 1;
+
+    pub(super) fn answer(self, prepared: &Prepared) -> Result<Answer, StudyError> {
+        let changed = prepared
+            .under(|record| self.change(record))?
+            .with_method(Method::Exact {
+                tolerance: self.tolerance,
+                simultaneous_impacts: simultaneous_impacts(prepared.method()),
+            })?;
+        let apart = Scene {
+            contacts: None,
+            ..changed.scene().clone()
+        };
+        let apart = changed.variant(&apart, changed.record().clone())?;
+        let (_, alone) = peaks(&apart)?;
+        let (outcome, beside) = peaks(&changed)?;
+        let floors = changed.floors().all().iter().enumerate();
+        let of_floor = |(index, floor): (usize, &Floor)| {
+            // A wall that nobody can hit has one level, so that other floors may be counted otherwise.
+            let same = apart.floors().of_structure(floor.structure);
+            let same = floor.storey.map_or(same[0], |storey| same[storey - 1]);
+            OfFloor {
+                peaks: [alone[same], beside[index]],
+                hits: Hits::of(&changed, &outcome, index),
+            }
+        };
+        Ok(Answer {
+            floors: floors.map(of_floor).collect(),
+        })
+    }
+
+    fn change(self, record: &Record) -> Result<Record, RecordError> {
+        let direction = if self.reversed { -1.0 } else { 1.0 };
+        let scaled = record.scaled(direction * self.scale)?;
+        let step = self.stretch * record.time_step();
+        Record::new(step, scaled.samples().to_vec(), record.source())
+    }
+}
+
+impl Hits {
+    fn of(prepared: &Prepared, outcome: &Outcome, floor: usize) -> Self {
+        let facing = prepared.floors().facing();
+        let own = |pair: usize| facing[pair].left == floor || facing[pair].right == floor;
+        let all = outcome.collisions.all().iter().filter(|one| own(one.pair));
+        all.fold(Self::default(), |hits, one| Self {
+            collisions: hits.collisions + 1.0,
+            impulse: hits.impulse + one.impulse,
+            largest_impulse: hits.largest_impulse.max(one.impulse),
+        })
+    }
+}
+
+/// The rule of a scene for impacts at one instant; other methods than the exact one have but the usual one.
+fn simultaneous_impacts(method: Method) -> SimultaneousImpacts {
+    match method {
+        Method::Exact {
+            simultaneous_impacts,
+            ..
+        } => simultaneous_impacts,
+        Method::CentralDifference { .. }
+        | Method::Newmark { .. }
+        | Method::Hht { .. }
+        | Method::VelocityVerlet { .. }
+        | Method::Rk4 { .. }
+        | Method::MoreauJean { .. }
+        | Method::Accuracy(_) => SimultaneousImpacts::Together,
+    }
+}
+
+/// Runs a scene; the peaks of all its floors.
+fn peaks(prepared: &Prepared) -> Result<(Outcome, Vec<Peaks>), StudyError> {
+    let n = prepared.floors().all().len();
+    let accelerations = FloorAccelerations::new(n, prepared.excitation());
+    let (audited, accelerations) = prepared.audited_with(None, accelerations)?;
+    if let Some(broken) = audited.broken {
+        return Err(broken);
+    }
+    let outcome = audited.outcome;
+    let of_floor = |floor: usize| {
+        let peaks = outcome.peaks.of(floor);
+        Peaks {
+            drift: peaks.drift().value.abs(),
+            shear: peaks.restoring_force.value.abs(),
+            acceleration: accelerations.of(floor).value.abs(),
+        }
+    };
+    let all = (0..n).map(of_floor).collect();
+    Ok((outcome, all))
+}

@@ -1,0 +1,75 @@
+//! `effects.csv`: what pounding does to every storey, a line for each direction.
+
+use super::{Effect, Effects, FloorEffects, Known};
+use crate::tables::to_csv;
+use crate::{Floor, Floors};
+
+/// Columns of the place of a line.
+const PLACE: [&str; 4] = ["floor", "storey", "elevation_m", "direction"];
+/// Names of the numbers of hits.
+const HITS: [&str; 3] = ["collisions", "impulse_n_s", "largest_impulse_n_s"];
+/// Names of responses with their units.
+const RESPONSES: [(&str, &str); 3] = [("drift", "m"), ("shear", "n"), ("acceleration", "m_per_s2")];
+
+impl Effects {
+    /// The file `effects.csv`: a line per floor and direction, building by building from the ground up; peaks without sign.
+    ///
+    /// `low` and `high` are the least and the largest value under the record and its changes by one per cent.
+    pub fn to_csv(&self, floors: &Floors) -> String {
+        let mut rows = Vec::new();
+        for floor in floors.from_the_ground_up() {
+            for (direction, effects) in [("as_given", &self.as_given), ("reversed", &self.reversed)] {
+                rows.push(row(&floors.all()[floor], direction, &effects[floor]));
+            }
+        }
+        to_csv(&header(), &rows)
+    }
+}
+
+fn header() -> Vec<String> {
+    let mut header = PLACE.map(String::from).to_vec();
+    for name in HITS {
+        header.extend(known_columns(name));
+    }
+    for (name, unit) in RESPONSES {
+        header.extend([format!("{name}_alone_{unit}"), format!("{name}_beside_{unit}")]);
+        header.extend(known_columns(&format!("{name}_amplification")));
+    }
+    header
+}
+
+fn known_columns(name: &str) -> [String; 5] {
+    ["", "_error", "_low", "_high", "_robust"].map(|end| format!("{name}{end}"))
+}
+
+fn row(floor: &Floor, direction: &str, effects: &FloorEffects) -> Vec<String> {
+    let mut row = vec![
+        floor.name.clone(),
+        floor.storey.unwrap_or(1).to_string(),
+        floor.elevation_m.map_or_else(String::new, |height| height.to_string()),
+        direction.into(),
+    ];
+    for known in [effects.collisions, effects.impulse, effects.largest_impulse] {
+        row.extend(known_cells(&known));
+    }
+    for effect in [effects.drift, effects.shear, effects.acceleration] {
+        row.extend(effect.map_or_else(|| vec![String::new(); 7], |effect| cells(&effect)));
+    }
+    row
+}
+
+fn cells(effect: &Effect) -> Vec<String> {
+    let mut cells = vec![effect.alone.to_string(), effect.beside.to_string()];
+    cells.extend(known_cells(&effect.amplification));
+    cells
+}
+
+fn known_cells(known: &Known) -> [String; 5] {
+    [
+        known.value.to_string(),
+        format!("{:.1e}", known.error),
+        known.range[0].to_string(),
+        known.range[1].to_string(),
+        known.is_robust().to_string(),
+    ]
+}

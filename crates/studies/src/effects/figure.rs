@@ -1,0 +1,123 @@
+//! What pounding does to every storey, drawn: amplifications in both directions, with their ranges.
+
+use super::{Effect, Effects, FloorEffects};
+use crate::Prepared;
+use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_both};
+use crate::plot::writable;
+
+/// Most storeys of one figure; of more those are shown that pounding changes most.
+const MOST: usize = 30;
+/// What is shown of a floor.
+type Shown = fn(&FloorEffects) -> Option<Effect>;
+/// What the panels show.
+const PANELS: [(&str, Shown); 3] = [
+    ("Drift", |one| one.drift),
+    ("Shear", |one| one.shear),
+    ("Acceleration", |one| one.acceleration),
+];
+/// How far the two directions of a storey stand apart, in storeys.
+const APART: f64 = 0.16;
+
+impl Effects {
+    /// The figure as SVG and PNG, with its caption; nothing for a row without storeys, such as two walls.
+    ///
+    /// # Errors
+    /// [`PlotError`] when it cannot be drawn.
+    pub fn figure(&self, prepared: &Prepared) -> Result<Option<Drawn>, PlotError> {
+        let floors = self.shown(prepared);
+        if floors.is_empty() {
+            return Ok(None);
+        }
+        let (svg, png) = render_both(&self.picture(prepared, &floors))?;
+        let all = prepared.floors().all().iter();
+        let n = all.filter(|floor| !floor.is_wall()).count();
+        let left_out = if floors.len() < n {
+            format!(" Of {n} storeys those {MOST} are shown that pounding changes most.")
+        } else {
+            String::new()
+        };
+        let caption = format!(
+            "Peak drift, shear force and absolute acceleration of every storey beside its neighbours, as a multiple of those of the \
+             same building alone. Lines reach from the least to the largest value when the record is made one per cent weaker, stronger, faster or slower.{left_out}"
+        );
+        Ok(Some(Drawn { svg, png, caption }))
+    }
+
+    /// The storeys that are shown: building by building, from the roof down.
+    fn shown(&self, prepared: &Prepared) -> Vec<usize> {
+        let floors = prepared.floors();
+        let moves = |floor: &usize| !floors.all()[*floor].is_wall();
+        let structures = 0..prepared.scene().structures.len();
+        let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev().copied());
+        let mut shown: Vec<_> = downwards.filter(moves).collect();
+        if shown.len() > MOST {
+            let mut order = shown.clone();
+            order.sort_by(|one, other| self.most(*other).total_cmp(&self.most(*one)));
+            order.truncate(MOST);
+            shown.retain(|floor| order.contains(floor));
+        }
+        shown
+    }
+
+    /// Largest change of a response of a floor by pounding, up or down.
+    fn most(&self, floor: usize) -> f64 {
+        let both = [&self.as_given[floor], &self.reversed[floor]];
+        let effects = both.iter().flat_map(|one| PANELS.map(|(_, shown)| shown(one)));
+        let changes = effects.flatten().map(|effect| (effect.amplification.value - 1.0).abs());
+        changes.fold(0.0, f64::max)
+    }
+
+    fn picture(&self, prepared: &Prepared, floors: &[usize]) -> Figure {
+        let name = |floor: &usize| writable(&prepared.floors().all()[*floor].name);
+        let names: Vec<String> = floors.iter().map(name).collect();
+        let panels = PANELS.iter().map(|(title, shown)| Panel {
+            title: (*title).into(),
+            x: Some(Axis::auto("Beside / alone (–)")),
+            y: Axis::names(names.clone()),
+            curves: self.curves(floors, *shown),
+            markers: vec![1.0],
+            legend: Legend::Shared,
+            ..Panel::default()
+        });
+        Figure {
+            height_in: 1.3 + 0.2 * floors.len() as f64,
+            columns: PANELS.len(),
+            panels: panels.collect(),
+            ..Figure::default()
+        }
+    }
+
+    fn curves(&self, floors: &[usize], shown: Shown) -> Vec<Curve> {
+        let directions = [
+            (&self.as_given, "as given", Shade::Blue, Mark::Disc, -APART),
+            (&self.reversed, "reversed", Shade::Vermilion, Mark::Square, APART),
+        ];
+        let mut curves = Vec::new();
+        for (all, label, shade, mark, aside) in directions {
+            let found = floors.iter().enumerate().filter_map(|(place, floor)| {
+                let known = shown(&all[*floor])?.amplification;
+                let finite = known.range[1].is_finite();
+                finite.then_some((known, place as f64 + aside))
+            });
+            let found: Vec<_> = found.collect();
+            for (known, y) in &found {
+                let range = known.range.map(|end| (end, *y)).to_vec();
+                curves.push(Curve::new(Kind::Line, shade, range));
+            }
+            let points = found.iter().map(|(known, y)| (known.value, *y)).collect();
+            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(label));
+        }
+        curves
+    }
+}
+
+/// A figure of effects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawn {
+    /// As SVG.
+    pub svg: String,
+    /// As PNG.
+    pub png: Vec<u8>,
+    /// What it shows.
+    pub caption: String,
+}

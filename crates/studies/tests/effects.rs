@@ -1,0 +1,138 @@
+//! What pounding does to storeys, against what is known beforehand.
+
+use std::path::Path;
+
+use pounding_studies::{Effects, Prepared, Scene, Structure, parse, read_file};
+
+/// Two towers that touch: three storeys beside two, of the same height and other periods.
+fn towers() -> Scene {
+    let text = br#"
+        name = "towers"
+        duration_s = 6
+        method = "exact"
+        [record]
+        file = "el-centro-1940-ns-chopra.csv"
+        [[structures]]
+        [structures.building]
+        name = "slow"
+        period_s = 0.6
+        damping.ratio = 0.05
+        storeys = [{ mass_kg = 2e5, height_m = 3.0, repeat = 3, yield_drift_ratio = 0.005 }]
+        [[structures]]
+        [structures.building]
+        name = "quick"
+        period_s = 0.25
+        damping.ratio = 0.05
+        storeys = [{ mass_kg = 2e5, height_m = 3.0, repeat = 2 }]
+        [[contacts]]
+        gap_m = 0.01
+        law.stereomechanical.restitution = 0.6
+    "#;
+    parse(text, Path::new("towers.toml")).expect("a scene")
+}
+
+fn prepared(scene: &Scene) -> Prepared {
+    let records = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies/records");
+    Prepared::new(scene, &records).expect("it can be modelled")
+}
+
+#[test]
+fn reference_peaks_are_those_of_the_runs_with_and_without_neighbours() {
+    let scene = towers();
+    let pair = prepared(&scene);
+    let effects = Effects::of(&pair).expect("it runs");
+    let outcome = pair.run(None).expect("it runs");
+    for (structure, one) in scene.structures.iter().enumerate() {
+        let lone = Scene {
+            structures: vec![one.clone()],
+            contacts: None,
+            ..scene.clone()
+        };
+        let alone = prepared(&lone).run(None).expect("it runs");
+        for (storey, &floor) in pair.floors().of_structure(structure).iter().enumerate() {
+            let found = &effects.as_given[floor];
+            let (drift, shear) = (found.drift.unwrap(), found.shear.unwrap());
+            let (beside, lonely) = (outcome.peaks.of(floor), alone.peaks.of(storey));
+            let same = |found: f64, wanted: f64| {
+                assert!((found - wanted.abs()).abs() <= 1e-12 * found, "{found} {wanted}");
+            };
+            same(drift.beside, beside.drift().value);
+            same(drift.alone, lonely.drift().value);
+            same(shear.beside, beside.restoring_force.value);
+            same(shear.alone, lonely.restoring_force.value);
+            same(drift.amplification.value, drift.beside / drift.alone);
+        }
+    }
+    let impulses: f64 = outcome.collisions.all().iter().map(|one| one.impulse).sum();
+    let sides: f64 = effects.as_given.iter().map(|one| one.impulse.value).sum();
+    assert!(impulses > 0.0, "they touch");
+    assert!((sides - 2.0 * impulses).abs() < 1e-9 * sides, "{sides} {impulses}");
+}
+
+#[test]
+fn reference_a_mirrored_row_swaps_the_directions() {
+    let scene = towers();
+    let mut mirrored = scene.clone();
+    mirrored.structures.reverse();
+    let (one, other) = (prepared(&scene), prepared(&mirrored));
+    let (effects, mirror) = (Effects::of(&one).unwrap(), Effects::of(&other).unwrap());
+    for structure in 0..2 {
+        let floors = one.floors().of_structure(structure);
+        for (&floor, &twin) in floors.iter().zip(other.floors().of_structure(1 - structure)) {
+            let mut wanted = mirror.reversed[twin];
+            wanted.floor = floor;
+            assert_eq!(effects.as_given[floor], wanted);
+        }
+    }
+}
+
+#[test]
+fn limit_buildings_far_apart_are_not_changed_at_all() {
+    let mut scene = towers();
+    for contact in scene.contacts.iter_mut().flatten() {
+        contact.gap_m = 5.0;
+    }
+    let effects = Effects::of(&prepared(&scene)).expect("it runs");
+    assert_eq!(effects.hit().count(), 0);
+    for floor in effects.as_given.iter().chain(&effects.reversed) {
+        for effect in [floor.drift, floor.shear, floor.acceleration] {
+            let effect = effect.expect("it is no wall");
+            assert_eq!(effect.alone.to_bits(), effect.beside.to_bits());
+            assert_eq!(effect.amplification.range, [1.0, 1.0]);
+            assert!(effect.alone > 0.0 && effect.amplification.is_robust());
+        }
+        assert!(floor.impulse.is_robust(), "nothing stays nothing");
+    }
+}
+
+#[test]
+fn limit_a_wall_has_hits_alone() {
+    let mut scene = towers();
+    scene.structures[1] = Structure::Wall;
+    let prepared = prepared(&scene);
+    let effects = Effects::of(&prepared).expect("it runs");
+    let walls: Vec<_> = (0..).zip(prepared.walls()).filter(|(_, wall)| *wall).collect();
+    assert_eq!(walls.len(), 3);
+    for (floor, _) in walls {
+        assert_eq!(effects.as_given[floor].drift, None);
+    }
+    assert!(effects.hit().count() > 0, "it is hit");
+}
+
+#[test]
+fn published_layout_of_the_files() {
+    let scene = towers();
+    let prepared = prepared(&scene);
+    let effects = Effects::of(&prepared).expect("it runs");
+    let csv = effects.to_csv(prepared.floors());
+    let lines: Vec<_> = csv.lines().collect();
+    let columns = lines[0].split(',').count();
+    assert_eq!(lines.len(), 1 + 2 * 5);
+    assert!(lines.iter().all(|line| line.split(',').count() == columns), "{csv}");
+    let drawn = effects.figure(&prepared).expect("it can be drawn").expect("storeys");
+    assert!(drawn.svg.contains("<svg") && drawn.png.starts_with(b"\x89PNG"), "a figure");
+    if let Ok(folder) = std::env::var("EFFECTS_OUT") {
+        std::fs::write(Path::new(&folder).join("e.png"), drawn.png).unwrap();
+        std::fs::write(Path::new(&folder).join("e.csv"), csv).unwrap();
+    }
+}
