@@ -149,13 +149,15 @@ pub enum RunError {
     /// A structure so stiff, or so strongly damped, that its motion is too many pieces for the exact method.
     #[error(
         "structure {structure}: so stiff, or so strongly damped, that the exact method would need {pieces:.1e} pieces of \
-         its motion, allowed 1e6: make its period longer, the run shorter, or use a stepping method"
+         its motion, allowed {allowed:.0e}: make its period longer, the run shorter, or use a stepping method"
     )]
     TooStiff {
         /// Index of the structure.
         structure: usize,
         /// Pieces it would need.
         pieces: f64,
+        /// Most pieces that are allowed.
+        allowed: f64,
     },
     /// A touch so slow that its law's damper δ̇/v₀ holds neighbours that press against each other almost still.
     #[error(

@@ -87,8 +87,8 @@ pub use moreau_jean::MoreauJean;
 pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Touch, Velocities};
 pub use recorders::{
-    Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History, Laws, Ledger,
-    LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms, TransferredMomentum,
+    Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History,
+    LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms, TransferredMomentum,
 };
 pub use rk4::Rk4;
 pub use row::{Node, Pair, Row};

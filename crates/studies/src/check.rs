@@ -29,6 +29,7 @@ const FINITE: &str = "a finite number";
 
 /// Refuses the first field that cannot be modelled, in the order of the file.
 pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
+    named("name".into(), &scene.name, "a name, for tables and figures")?;
     record::check(&scene.record)?;
     if scene.structures.is_empty() {
         return Err(SceneError::NoStructures);
@@ -38,6 +39,14 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
     }
     check_method(scene)?;
     check_contacts(scene)
+}
+
+/// Refuses a name without a letter.
+fn named(place: String, name: &str, allowed: &'static str) -> Result<(), SceneError> {
+    if name.trim().is_empty() {
+        return Err(SceneError::NoName { place, allowed });
+    }
+    Ok(())
 }
 
 /// Refuses settings of the method and a duration that do not fit each other.
@@ -88,7 +97,7 @@ fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> 
     let allowed = "a whole number of the method's time_step_s, at least 1";
     require(whole, place(), duration, allowed)?;
     let few = steps * n_floors(scene) as f64 <= MOST_STEPS;
-    let allowed = "at most 1e8 steps times structures; a longer time_step_s allows more";
+    let allowed = "a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s";
     require(few, place(), duration, allowed)
 }
 

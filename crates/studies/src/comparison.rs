@@ -20,6 +20,12 @@ pub struct StructureErrors {
     pub displacement: f64,
     /// Of the instant of the peak displacement, absolute \[s\]; large where two peaks are nearly equal.
     pub displacement_time: f64,
+    /// Of the peak drift of a storey on another floor; nothing where the drift is the displacement.
+    pub drift: Option<f64>,
+    /// Of the displacement at the end of the run, relative to the exact peak displacement: it may be next to nothing.
+    pub last_displacement: f64,
+    /// Of the peak absolute acceleration.
+    pub acceleration: f64,
     /// Of the peak restoring force (shear force of the structure).
     pub restoring_force: f64,
     /// Of the transferred momentum.
@@ -53,8 +59,10 @@ pub struct PairErrors {
 pub enum Quantity {
     /// Transferred momentum of every structure.
     Momentum,
-    /// Peak displacement of every structure.
+    /// Peak displacement of every floor, peak drift of every storey, and displacement at the end.
     Displacement,
+    /// Peak absolute acceleration of every floor.
+    Acceleration,
     /// Peak shear force of every structure and peak pounding force of every compliant pair.
     Force,
     /// Impulse of the first collision and largest impulse of every pair.
@@ -72,6 +80,12 @@ pub enum Number {
     Momentum,
     /// Its peak displacement.
     Displacement,
+    /// Peak drift of a storey on another floor.
+    Drift,
+    /// Its displacement at the end.
+    LastDisplacement,
+    /// Its peak absolute acceleration.
+    Acceleration,
     /// Its peak shear force.
     ShearForce,
     /// Number of collisions of a pair.
@@ -88,9 +102,12 @@ pub enum Number {
 
 impl Number {
     /// Every printed number.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 11] = [
         Self::Momentum,
         Self::Displacement,
+        Self::Drift,
+        Self::LastDisplacement,
+        Self::Acceleration,
         Self::ShearForce,
         Self::Collisions,
         Self::FirstTouch,
@@ -104,6 +121,9 @@ impl Number {
         match self {
             Self::Momentum => "momentum",
             Self::Displacement => "displacement",
+            Self::Drift => "storey drift",
+            Self::LastDisplacement => "displacement at the end",
+            Self::Acceleration => "acceleration",
             Self::ShearForce => "shear force",
             Self::Collisions => "collisions",
             Self::FirstTouch => "first touch",
@@ -117,7 +137,8 @@ impl Number {
     fn quantity(self) -> Quantity {
         match self {
             Self::Momentum => Quantity::Momentum,
-            Self::Displacement => Quantity::Displacement,
+            Self::Displacement | Self::Drift | Self::LastDisplacement => Quantity::Displacement,
+            Self::Acceleration => Quantity::Acceleration,
             Self::ShearForce | Self::PoundingForce => Quantity::Force,
             Self::Collisions => Quantity::All,
             Self::FirstTouch => Quantity::Time,
@@ -145,6 +166,16 @@ impl RunErrors {
             };
             StructureErrors {
                 displacement: peak(of_run.displacement, of_exact.displacement),
+                drift: of_run
+                    .storey_drift
+                    .zip(of_exact.storey_drift)
+                    .map(|(run, exact)| peak(run, exact)),
+                last_displacement: relative_to(
+                    run.last.of(index),
+                    exact.last.of(index),
+                    of_exact.displacement.value.abs(),
+                ),
+                acceleration: peak(run.accelerations[index], exact.accelerations[index]),
                 displacement_time: (of_run.displacement.time - of_exact.displacement.time).abs(),
                 restoring_force: peak(of_run.restoring_force, of_exact.restoring_force),
                 momentum: relative_to(
@@ -191,6 +222,9 @@ impl RunErrors {
         match number {
             Number::Momentum => structures(|errors| errors.momentum),
             Number::Displacement => structures(|errors| errors.displacement),
+            Number::Drift => structures(|errors| errors.drift.unwrap_or(0.0)),
+            Number::LastDisplacement => structures(|errors| errors.last_displacement),
+            Number::Acceleration => structures(|errors| errors.acceleration),
             Number::ShearForce => structures(|errors| errors.restoring_force),
             Number::Collisions => pairs(|errors| errors.differ().then_some(f64::INFINITY)),
             Number::FirstTouch => pairs(|errors| errors.first_time_relative),

@@ -2,17 +2,19 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::{Building, Prepared, Sdof, Structure, digits};
 
 /// A value that looks wrong, though it can be modelled.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Doubt {
     /// The field, for example `structures[1].sdof.mass_kg`.
     pub place: String,
     /// What was found, in words.
     pub found: String,
     /// What is usual, in words.
-    pub usual: &'static str,
+    pub usual: String,
 }
 
 impl fmt::Display for Doubt {
@@ -26,6 +28,13 @@ impl fmt::Display for Doubt {
     }
 }
 
+impl Doubt {
+    /// Place and what was found, without what is usual: for a line.
+    pub fn brief(&self) -> String {
+        format!("{}: {}", self.place, self.found)
+    }
+}
+
 /// Doubts on their way into a list.
 #[derive(Default)]
 struct Doubts(Vec<Doubt>);
@@ -34,7 +43,7 @@ impl Doubts {
     fn unless(&mut self, usual: bool, place: impl Into<String>, words: (String, &'static str)) {
         if !usual {
             let (found, usual) = words;
-            let place = place.into();
+            let (place, usual) = (place.into(), usual.into());
             self.0.push(Doubt {
                 place,
                 found,

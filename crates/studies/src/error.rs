@@ -144,6 +144,14 @@ pub enum SceneError {
         /// The values allowed, in words.
         allowed: &'static str,
     },
+    /// A name of nothing.
+    #[error("{place}: found an empty name, allowed is {allowed}")]
+    NoName {
+        /// The field.
+        place: String,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
     /// A number of contacts that does not fit the number of structures.
     #[error(
         "contacts: found {found} for {n_structures} structures, allowed {allowed} (one between each structure and its \
@@ -174,6 +182,26 @@ pub enum SceneError {
         structure: usize,
         /// Its name.
         name: String,
+    },
+    /// A run so long that the exact method would need too many pieces, though those of the record's duration are few.
+    #[error(
+        "duration_s: found {}, allowed up to about {} by the exact method, which would need {pieces:.1e} pieces of the motion of \
+         structures[{structure}], \"{name}\", of {allowed:.0e} at most: use a shorter duration_s, or leave it out for that of the \
+         record and two periods",
+        crate::digits(*duration),
+        crate::short(duration / pieces * allowed)
+    )]
+    TooLong {
+        /// Duration found \[s\].
+        duration: f64,
+        /// Index of the structure with the most pieces.
+        structure: usize,
+        /// Its name.
+        name: String,
+        /// Pieces that it would need.
+        pieces: f64,
+        /// Most pieces that are allowed.
+        allowed: f64,
     },
     /// A floor that would hit the columns of a neighbour.
     #[error(

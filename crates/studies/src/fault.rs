@@ -62,14 +62,19 @@ pub enum Fault {
     /// A number beyond all numbers of 64 bits.
     #[error("found a number beyond 1.8e308, allowed are smaller ones")]
     Beyond,
-    /// No choice or several where one must be made, such as two contact laws for one contact.
-    #[error("found none or several choices, allowed is one, {0}")]
+    /// No choice where one must be made, or what is none.
+    #[error("found no choice, allowed is one, {0}")]
     Choice(&'static str),
+    /// Two choices where one must be made, such as two contact laws for one contact.
+    #[error("found both `{}` and `{}`, allowed is one of them; delete the other", .0[0], .0[1])]
+    TwoChoices([String; 2]),
     /// What a type says of itself.
     #[error("{0}")]
     Own(String),
 }
 
+/// Begins what is said of two choices, which stand between backticks behind it.
+pub(crate) const TWO_CHOICES: &str = "two choices ";
 /// A choice in the words of a file.
 const ONE_CHOICE: &str = "the name of one, or a table with one of them and its settings";
 /// The choice that is met most often.
@@ -108,6 +113,11 @@ impl Fault {
         if message == "number out of range" {
             return Self::Beyond;
         }
+        if let Some(both) = message.strip_prefix(TWO_CHOICES)
+            && let Ok(both) = quoted(both).try_into()
+        {
+            return Self::TwoChoices(both);
+        }
         if is_choice(message) {
             return Self::Choice(if place.ends_with("damping") {
                 ONE_DAMPING
@@ -131,7 +141,6 @@ impl Fault {
 /// Whether a message says of an enum that it is neither a word nor a table with one key.
 fn is_choice(message: &str) -> bool {
     message.starts_with("expected value")
-        || message.starts_with("wanted exactly 1 element")
         || message.starts_with("wanted string or table")
         || message.starts_with("wanted string or inline table")
         || message == "invalid type: map, expected enum"

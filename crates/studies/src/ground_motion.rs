@@ -14,6 +14,8 @@ use crate::{MotionError, RecordUse, SceneError, Source, StudyError, check};
 pub struct GroundMotion {
     /// The ground acceleration \[m/s²\], processed, scaled, reversed.
     pub record: Record,
+    /// What its source was multiplied by, all scales together \[–\]; without the sign of a reversal.
+    pub scale: f64,
     /// The file; nothing for a motion from a formula.
     pub origin: Option<Origin>,
 }
@@ -56,8 +58,10 @@ impl GroundMotion {
         let read = file
             .into_record(record.gravity_m_per_s2)
             .map_err(at("record.gravity_m_per_s2"))?;
+        let (record, scale) = used(record, read)?;
         Ok(Self {
-            record: used(record, read)?,
+            record,
+            scale,
             origin: Some(origin),
         })
     }
@@ -65,8 +69,10 @@ impl GroundMotion {
     fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, SceneError> {
         check::record::check(record)?;
         let made = generated.record()?;
+        let (record, scale) = used(record, made)?;
         Ok(Self {
-            record: used(record, made)?,
+            record,
+            scale,
             origin: None,
         })
     }
@@ -111,8 +117,8 @@ fn at(place: &'static str) -> impl Fn(RecordError) -> MotionError {
     move |error| MotionError::of(place, &error)
 }
 
-/// The record as the scene uses it.
-fn used(record: &RecordUse, mut used: Record) -> Result<Record, MotionError> {
+/// The record as the scene uses it, and what it was multiplied by.
+fn used(record: &RecordUse, mut used: Record) -> Result<(Record, f64), MotionError> {
     if let Some(trend) = record.detrend {
         used = used
             .detrended(trend.to_motion())
@@ -126,6 +132,7 @@ fn used(record: &RecordUse, mut used: Record) -> Result<Record, MotionError> {
     if let Some(time_step) = record.resample_s {
         used = used.resampled(time_step).map_err(at("record.resample_s"))?;
     }
+    let (_, before) = used.peak();
     match record.scale_to {
         None => {}
         Some(ScaleTo::PgaG(peak)) => {
@@ -143,10 +150,16 @@ fn used(record: &RecordUse, mut used: Record) -> Result<Record, MotionError> {
                 .map_err(|error| MotionError::of_spectrum("record.scale_to.sa", error))?;
         }
     }
+    let (_, after) = used.peak();
+    let target = match record.scale_to {
+        Some(_) if before != 0.0 => after / before,
+        _ => 1.0,
+    };
     used = used.scaled(record.scale).map_err(at("record.scale"))?;
-    Ok(if record.reversed {
+    let scaled = if record.reversed {
         used.reversed()
     } else {
         used
-    })
+    };
+    Ok((scaled, target * record.scale))
 }

@@ -121,11 +121,13 @@ fn bits(outcome: &Outcome) -> String {
         peaks,
         collisions,
         momentum,
+        accelerations,
+        last,
         histories,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {histories:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {histories:?}",
         collisions.all()
     )
 }

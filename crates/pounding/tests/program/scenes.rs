@@ -125,7 +125,7 @@ fn extreme_two_contact_laws() {
     let message = refused("two_laws", |scene| {
         scene["contacts"][0]["law"]["stereomechanical"] = json!({"restitution": 0.65});
     });
-    assert_snapshot!(message, @"error: scene.json, line 10, column 26: contacts[0].law: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(message, @"error: scene.json, line 10, column 26: contacts[0].law: found both `nonlinear_viscoelastic` and `stereomechanical`, allowed is one of them; delete the other");
 }
 
 #[test]
@@ -133,7 +133,7 @@ fn extreme_two_kinds_of_damping() {
     let message = refused("two_dampings", |scene| {
         scene["structures"][0]["sdof"]["damping"]["ratio"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found none or several choices, allowed is one, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found both `two_frequencies` and `ratio`, allowed is one of them; delete the other"#);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn extreme_damping_as_a_number() {
     let message = refused("number", |scene| {
         scene["structures"][0]["sdof"]["damping"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 30, column 23: structures[0].sdof.damping: found none or several choices, allowed is one, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 30, column 23: structures[0].sdof.damping: found both `two_frequencies` and `ratio`, allowed is one of them; delete the other"#);
 }
 
 #[test]

@@ -159,7 +159,11 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     for (structure, member) in run.members.iter().enumerate() {
         let pieces = member.fastest_rate * run.end;
         if !member.is_wall() && pieces > MOST_PIECES {
-            return Err(RunError::TooStiff { structure, pieces });
+            return Err(RunError::TooStiff {
+                structure,
+                pieces,
+                allowed: MOST_PIECES,
+            });
         }
     }
     run.run()?;

@@ -20,6 +20,8 @@ pub struct Collision {
     pub end: f64,
     /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit.
     pub peak_force: Option<f64>,
+    /// Its first instant \[s\], to a step of a stepping method; nothing for an impulsive impact.
+    pub peak_force_time: Option<f64>,
     /// Impulse ∫F dt \[N·s\].
     pub impulse: f64,
 }
@@ -113,6 +115,7 @@ impl Recorder for Collisions {
                     .map(|touch| touch.approach_speed),
                 end: first,
                 peak_force: Some(start),
+                peak_force_time: Some(first),
                 impulse: 0.0,
             });
             self.found.len() - 1
@@ -129,7 +132,10 @@ impl Recorder for Collisions {
         } else {
             end
         };
-        collision.peak_force = collision.peak_force.map(|peak| peak.max(known));
+        if collision.peak_force.is_some_and(|peak| known > peak) {
+            collision.peak_force = Some(known);
+            collision.peak_force_time = Some(span.end_time);
+        }
     }
 
     fn impact(&mut self, impact: &Impact) {
@@ -140,6 +146,7 @@ impl Recorder for Collisions {
             approach_speed: Some((impact.before.left - impact.before.right).max(0.0)),
             end: impact.time,
             peak_force: None,
+            peak_force_time: None,
             impulse: impact.impulse,
         });
     }

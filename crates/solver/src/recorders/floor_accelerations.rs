@@ -29,6 +29,11 @@ impl<'a> FloorAccelerations<'a> {
     pub fn of(&self, node: usize) -> Peak {
         self.peaks[node]
     }
+
+    /// Peaks of all floors, by their nodes; they outlive the ground motion.
+    pub fn into_peaks(self) -> Vec<Peak> {
+        self.peaks
+    }
 }
 
 impl Recorder for FloorAccelerations<'_> {

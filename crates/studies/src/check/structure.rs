@@ -1,10 +1,12 @@
 //! Checks a structure, field by field.
 
-use super::{FINITE, NOT_NEGATIVE, POSITIVE, require};
+use super::{FINITE, NOT_NEGATIVE, POSITIVE, named, require};
 use crate::{Building, Columns, Damping, SceneError, Sdof, Structure};
 
 /// Names a field of a structure.
 type Place<'a> = &'a dyn Fn(&str) -> String;
+
+const NAME: &str = "a name, by which results tell structures";
 
 /// Refuses the first field of a structure that cannot be modelled.
 pub(super) fn check(index: usize, structure: &Structure) -> Result<(), SceneError> {
@@ -20,6 +22,7 @@ pub(super) fn check(index: usize, structure: &Structure) -> Result<(), SceneErro
 }
 
 fn check_sdof(structure: &Sdof, place: Place<'_>) -> Result<(), SceneError> {
+    named(place("name"), &structure.name, NAME)?;
     let (m, columns) = (structure.mass_kg, structure.columns());
     require(m > 0.0, place("mass_kg"), m, POSITIVE)?;
     check_stiffness(&columns, place)?;
@@ -47,6 +50,7 @@ fn check_sdof(structure: &Sdof, place: Place<'_>) -> Result<(), SceneError> {
 }
 
 fn check_building(building: &Building, place: Place<'_>) -> Result<(), SceneError> {
+    named(place("name"), &building.name, NAME)?;
     for (index, storey) in building.storeys.iter().enumerate() {
         let place: Place<'_> = &|field| place(&format!("storeys[{index}].{field}"));
         require(

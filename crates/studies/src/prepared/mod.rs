@@ -33,6 +33,8 @@ pub struct Prepared {
     floors: Floors,
     model: Model,
     record: Record,
+    /// What the source of the record was multiplied by.
+    scale: f64,
     /// The file that the record came from; nothing for one from a formula.
     origin: Option<Arc<Origin>>,
     clock: Clock,
@@ -102,7 +104,11 @@ impl Prepared {
 
     fn of_checked(
         scene: &Scene,
-        GroundMotion { record, origin }: GroundMotion,
+        GroundMotion {
+            record,
+            scale,
+            origin,
+        }: GroundMotion,
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
@@ -127,6 +133,7 @@ impl Prepared {
             floors,
             model,
             record,
+            scale,
             origin: origin.map(Arc::new),
             clock: method.clock(duration),
             integrator: method.integrator(),
@@ -209,6 +216,7 @@ impl Prepared {
             floors: self.floors.clone(),
             model: self.model.clone(),
             record: self.record.clone(),
+            scale: self.scale,
             origin: self.origin.clone(),
         })
     }
@@ -270,6 +278,11 @@ impl Prepared {
     /// The record as the scene uses it: in m/s², scaled, reversed.
     pub fn record(&self) -> &Record {
         &self.record
+    }
+
+    /// What the source of the record was multiplied by, all scales together \[–\]; without the sign of a reversal.
+    pub fn scale(&self) -> f64 {
+        self.scale
     }
 
     /// The file that the record came from; nothing for one from a formula.

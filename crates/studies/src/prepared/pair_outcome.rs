@@ -1,6 +1,6 @@
 //! The collisions of one pair, summed up: the numbers that are printed of it.
 
-use pounding_solver::Collision;
+use pounding_solver::{Collision, Peak};
 
 use super::Outcome;
 
@@ -13,9 +13,9 @@ pub struct PairOutcome {
     pub first: Option<Collision>,
     /// The one with the largest impulse; of equal ones the first.
     pub largest: Option<Collision>,
-    /// Largest pounding force \[N\]; nothing where one of the collisions is an impulse, which has none: the force of rest
+    /// Largest pounding force \[N\] and its first instant; nothing where one of the collisions is an impulse, which has none: the force of rest
     /// between impacts would hide it.
-    pub peak_force: Option<f64>,
+    pub peak_force: Option<Peak>,
     /// Sum of the impulses \[N·s\].
     pub total_impulse: f64,
 }
@@ -30,9 +30,12 @@ impl PairOutcome {
         let is_largest = self
             .largest
             .is_none_or(|largest| next.impulse > largest.impulse);
-        let peak_force = match (self.collisions, self.peak_force, next.peak_force) {
+        let force = next.peak_force.zip(next.peak_force_time);
+        let force = force.map(|(value, time)| Peak { value, time });
+        let peak_force = match (self.collisions, self.peak_force, force) {
             (0, _, force) => force,
-            (_, Some(peak), Some(force)) => Some(peak.max(force)),
+            (_, Some(peak), Some(force)) if force.value > peak.value => Some(force),
+            (_, Some(peak), Some(_)) => Some(peak),
             _ => None,
         };
         Self {
@@ -74,6 +77,7 @@ mod tests {
             approach_speed: None,
             end: start,
             peak_force,
+            peak_force_time: peak_force.map(|_| start + 0.1),
             impulse,
         }
     }
@@ -90,7 +94,10 @@ mod tests {
             collisions: 3,
             first: Some(all[0]),
             largest: Some(all[1]),
-            peak_force: Some(9.0),
+            peak_force: Some(Peak {
+                value: 9.0,
+                time: 3.1,
+            }),
             total_impulse: 12.0,
         };
         assert_eq!(found, wanted);
@@ -100,7 +107,8 @@ mod tests {
     #[test]
     fn limit_rest_does_not_hide_an_impulse() {
         let (rest, impact) = (collision(1.0, 2.0, Some(7.0)), collision(2.0, 1.0, None));
-        assert_eq!(PairOutcome::of(&[rest]).peak_force, Some(7.0));
+        let force = PairOutcome::of(&[rest]).peak_force;
+        assert_eq!(force.map(|peak| peak.value), Some(7.0));
         for both in [[rest, impact], [impact, rest]] {
             assert_eq!(PairOutcome::of(&both).peak_force, None);
         }

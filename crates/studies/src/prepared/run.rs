@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Closings, Collisions, Excitation, Histories, Integrator, Ledger, LedgerError, Pair,
-    Peaks, Recorder, RunError, Terms, TransferredMomentum, Work,
+    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
+    LastDisplacements, Ledger, LedgerError, Pair, Peak, Peaks, Recorder, RunError, Terms, TransferredMomentum, Work,
 };
 
 use super::Prepared;
@@ -24,6 +24,10 @@ pub struct Outcome {
     pub collisions: Collisions,
     /// Transferred momentum of every structure.
     pub momentum: TransferredMomentum,
+    /// Peak absolute accelerations of every floor \[m/s²\]; impulsive impacts, which have none, left out.
+    pub accelerations: Vec<Peak>,
+    /// Where every floor is at the end.
+    pub last: LastDisplacements,
     /// Histories of every structure, where asked for.
     pub histories: Option<Histories>,
     /// What the run cost.
@@ -113,7 +117,11 @@ impl Prepared {
     ) -> Result<(Outcome, L), StudyError> {
         let n = self.floors.all().len();
         let duration = self.clock.time(self.clock.n_steps);
-        let mut recorder = self.recorders(ledger);
+        let mut recorder = (
+            self.recorders(ledger),
+            FloorAccelerations::new(n, self.excitation()),
+            LastDisplacements::new(n),
+        );
         let (histories, work) = match interval {
             Some(interval) => {
                 let mut both = (recorder, Histories::new(n, interval, duration));
@@ -123,11 +131,13 @@ impl Prepared {
             }
             None => (None, self.integrate(&mut recorder)?),
         };
-        let (peaks, collisions, momentum, ledger) = recorder;
+        let ((peaks, collisions, momentum, ledger), accelerations, last) = recorder;
         let outcome = Outcome {
             peaks,
             collisions,
             momentum,
+            accelerations: accelerations.into_peaks(),
+            last,
             histories,
             work,
         };
@@ -238,6 +248,21 @@ impl Prepared {
                 let source = SceneError::OutOfRange {
                     place,
                     found,
+                    allowed,
+                };
+                return StudyError::Scene { scene, source };
+            }
+            RunError::TooStiff {
+                structure,
+                pieces,
+                allowed,
+            } if pieces * self.record.duration() <= allowed * self.duration() => {
+                let structure = self.floors.all()[structure].structure;
+                let source = SceneError::TooLong {
+                    duration: self.duration(),
+                    structure,
+                    name: self.scene.structures[structure].name().into(),
+                    pieces,
                     allowed,
                 };
                 return StudyError::Scene { scene, source };

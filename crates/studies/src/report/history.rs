@@ -84,6 +84,9 @@ pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
     let compliant: Vec<bool> = facing
         .map(|(pair, _)| prepared.pairs()[pair].law.is_compliant())
         .collect();
+    let drifts: Vec<Option<Vec<f64>>> = (0..floors.all().len())
+        .map(|floor| has_drift(floors, floor).then(|| motion.drifts(floor).collect()))
+        .collect();
     let row = |row: usize| {
         let time = motion.time(row);
         let ground = prepared.record().at(time);
@@ -96,6 +99,9 @@ pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
                 state.acceleration + ground,
                 state.restoring_force,
             ]);
+            if let Some(drifts) = &drifts[structure] {
+                values.push(drifts[row]);
+            }
         }
         for (pair, compliant) in compliant.iter().enumerate() {
             if *compliant {
@@ -106,11 +112,21 @@ pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
         values.into_iter().map(digits).collect()
     };
     let rows: Vec<Vec<String>> = (0..motion.len()).map(row).collect();
-    to_csv(&header(&names, &columns, &compliant), &rows)
+    to_csv(&header((floors, &names), &columns, &compliant), &rows)
+}
+
+/// Whether the drift of a storey has a column: in a building of several storeys it is not the displacement.
+fn has_drift(floors: &Floors, floor: usize) -> bool {
+    let one = &floors.all()[floor];
+    one.storey.is_some() && floors.of_structure(one.structure).len() > 1
 }
 
 /// Names of the columns.
-fn header(names: &Names, structures: &[usize], compliant: &[bool]) -> Vec<String> {
+fn header(
+    (floors, names): (&Floors, &Names),
+    structures: &[usize],
+    compliant: &[bool],
+) -> Vec<String> {
     let mut header = vec!["time_s".into(), "ground_acceleration_m_per_s2".into()];
     for &structure in structures {
         let name = &names.structures[structure];
@@ -121,6 +137,9 @@ fn header(names: &Names, structures: &[usize], compliant: &[bool]) -> Vec<String
             "shear_force_n",
         ];
         header.extend(quantities.map(|quantity| format!("{name}_{quantity}")));
+        if has_drift(floors, structure) {
+            header.push(format!("{name}_storey_drift_m"));
+        }
     }
     for (name, compliant) in names.pairs.iter().zip(compliant) {
         if *compliant {

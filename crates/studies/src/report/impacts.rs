@@ -5,7 +5,7 @@ use pounding_solver::Collision;
 use crate::tables::to_csv;
 use crate::{Floors, Outcome};
 
-const HEADER: [&str; 10] = [
+const HEADER: [&str; 11] = [
     "pair",
     "left",
     "right",
@@ -15,6 +15,7 @@ const HEADER: [&str; 10] = [
     "approach_speed_m_per_s",
     "impulse_n_s",
     "peak_force_n",
+    "peak_force_time_s",
     "start_uncertainty_s",
 ];
 
@@ -26,7 +27,7 @@ pub(super) fn csv(floors: &Floors, outcome: &Outcome) -> String {
     to_csv(&header, &rows)
 }
 
-fn row(floors: &Floors, one: &Collision) -> [String; 10] {
+fn row(floors: &Floors, one: &Collision) -> [String; 11] {
     let [left, right] = floors.names(one.pair);
     let known = |value: Option<f64>| value.map_or_else(String::new, exact);
     [
@@ -39,6 +40,7 @@ fn row(floors: &Floors, one: &Collision) -> [String; 10] {
         known(one.approach_speed),
         exact(one.impulse),
         known(one.peak_force),
+        known(one.peak_force_time),
         known(one.uncertainty),
     ]
 }

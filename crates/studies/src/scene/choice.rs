@@ -9,12 +9,14 @@ use std::marker::PhantomData;
 use pounding_contact::ContactLaw;
 use schemars::Schema;
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{DeserializeOwned, Error, IgnoredAny, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::de::{DeserializeOwned, Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Value, json};
 
+use crate::fault::TWO_CHOICES;
+
 /// A type of which a file chooses one variant.
-pub(super) trait Choice: DeserializeOwned {
+pub(super) trait Choice: DeserializeOwned + Serialize {
     /// An example in JSON of every variant that needs settings.
     const EXAMPLES: &'static [&'static str];
 }
@@ -63,11 +65,20 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<T, A::Error> {
         let choice = T::deserialize(MapAccessDeserializer::new(&mut map))?;
-        if map.next_key::<IgnoredAny>()?.is_some() {
-            return Err(A::Error::custom("wanted exactly 1 element"));
+        match map.next_key::<String>()? {
+            Some(other) => Err(A::Error::custom(two_choices(&choice, &other))),
+            None => Ok(choice),
         }
-        Ok(choice)
     }
+}
+
+/// What is said of a choice and another word beside it.
+fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
+    let first = match json!(choice) {
+        Value::Object(table) => table.keys().next().cloned(),
+        word => word.as_str().map(String::from),
+    };
+    format!("{TWO_CHOICES}`{}` and `{other}`", first.unwrap_or_default())
 }
 
 /// What is said of a word that needs settings.

@@ -39,7 +39,7 @@ fn or_empty_wall(schema: &mut schemars::Schema) {
 }
 
 /// A structure or a wall in the words of a file.
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub(super) enum Named {
     Sdof(Sdof),

@@ -57,9 +57,9 @@ fn extreme_words_alone_that_need_settings() {
     };
     assert_snapshot!(top("method = \"hht\""), @r#"scene.toml, line 3, column 10: method: found the word `hht` alone, allowed is a table with its settings, such as {"hht": {"time_step_s": 0.001, "alpha": -0.1}} in JSON, { hht = { time_step_s = 0.001, alpha = -0.1 } } in TOML"#);
     assert_snapshot!(top("method = \"exakt\""), @"scene.toml, line 3, column 10: method: found `exakt`, allowed are `central_difference`, `newmark`, `hht`, `velocity_verlet`, `rk4`, `moreau_jean`, `exact`, `accuracy`; perhaps `exact` is meant");
-    assert_snapshot!(top("method = 0.01"), @"scene.toml, line 3, column 10: method: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
-    assert_snapshot!(top("method = {}"), @"scene.toml, line 3, column 10: method: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
-    assert_snapshot!(top("method = { exact = {}, rk4 = { time_step_s = 0.01 } }"), @"scene.toml, line 3, column 10: method: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(top("method = 0.01"), @"scene.toml, line 3, column 10: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(top("method = {}"), @"scene.toml, line 3, column 10: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(top("method = { exact = {}, rk4 = { time_step_s = 0.01 } }"), @"scene.toml, line 3, column 10: method: found both `exact` and `rk4`, allowed is one of them; delete the other");
     assert_snapshot!(top("method = { exact = { time_step_s = 0.01 } }"), @"scene.toml, line 3, column 22: method.exact.time_step_s: found the field `time_step_s`, allowed are `tolerance`, `simultaneous_impacts`");
     assert_snapshot!(refusal(&changed("law.stereomechanical.restitution = 0.65", "law = \"stereomechanical\"")), @r#"scene.toml, line 24, column 7: contacts[0].law: found the word `stereomechanical` alone, allowed is a table with its settings, such as {"stereomechanical": {"restitution": 0.65}} in JSON, { stereomechanical = { restitution = 0.65 } } in TOML"#);
     assert_snapshot!(refusal(&changed("damping.ratio = 0.05", "damping = \"ratio\"")), @r#"scene.toml, line 10, column 11: structures[0].sdof.damping: found the word `ratio` alone, allowed is a table with its settings, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
@@ -77,9 +77,9 @@ fn extreme_words_alone_that_need_settings() {
     let exact = "\"exact\": {}";
     let method = "\"method\": {\n    \"exact\": {}\n  }";
     assert_snapshot!(json(method, "\"method\": \"newmark\""), @r#"scene.json, line 53, column 21: method: found the word `newmark` alone, allowed is a table with its settings, such as {"newmark": {"time_step_s": 0.001, "beta": 0.25, "gamma": 0.5}} in JSON, { newmark = { time_step_s = 0.001, beta = 0.25, gamma = 0.5 } } in TOML"#);
-    assert_snapshot!(json(method, "\"method\": null"), @"scene.json, line 53, column 16: method: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
-    assert_snapshot!(json(method, "\"method\": {}"), @"scene.json, line 53, column 14: method: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
-    assert_snapshot!(json(exact, "\"exact\": {}, \"rk4\": {}"), @"scene.json, line 54, column 22: method: found none or several choices, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(json(method, "\"method\": null"), @"scene.json, line 53, column 16: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(json(method, "\"method\": {}"), @"scene.json, line 53, column 14: method: found no choice, allowed is one, the name of one, or a table with one of them and its settings");
+    assert_snapshot!(json(exact, "\"exact\": {}, \"rk4\": {}"), @"scene.json, line 54, column 22: method: found both `exact` and `rk4`, allowed is one of them; delete the other");
     assert_snapshot!(json(exact, "\"exact\": 1e-6"), @"scene.json, line 54, column 17: method.exact: found the number 1e-6, allowed is a table of fields");
     assert_snapshot!(json("\"structures\": [", "\"structures\": [\"sdof\","), @r#"scene.json, line 9, column 23: structures[0]: found the word `sdof` alone, allowed is a table with its settings, such as {"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}} in JSON, { sdof = { name = "tower", mass_kg = 3e5, period_s = 0.8, damping = { ratio = 0.05 } } } in TOML"#);
     assert_snapshot!(json("\"structures\": [", "\"structures\": [{\"wall\": 3},"), @"scene.json, line 9, column 27: structures[0].wall: found the number 3, allowed is a table of fields");

@@ -16,18 +16,22 @@ struct Measure {
     label: &'static str,
     unit: &'static str,
     of: fn(&Collision) -> Option<f64>,
+    /// Instant at which it is drawn \[s\].
+    at: fn(&Collision) -> f64,
 }
 
 const FORCE: Measure = Measure {
     label: "Pounding force",
     unit: "N",
     of: |one| one.peak_force,
+    at: |one| one.peak_force_time.unwrap_or(one.start),
 };
 
 const IMPULSE: Measure = Measure {
     label: "Impulse",
     unit: "N·s",
     of: |one| Some(one.impulse),
+    at: |one| one.start,
 };
 
 pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
@@ -94,7 +98,9 @@ fn displacements(seen: &Seen<'_>) -> Panel {
         let shift: f64 = between.unwrap_or_default().iter().sum();
         let states = seen.motion.states(index);
         let points = seen.curve(|row| 1e3 * (states[row].displacement + shift));
-        let name = named(seen.prepared, index);
+        let before = &seen.shown.structures[..position];
+        let first = before.iter().all(|one| structure(*one) != structure(index));
+        let name = named(seen.prepared, (index, first));
         let name = if shift > 0.0 {
             format!("{name} + {} mm", brief(1e3 * shift, 4))
         } else {
@@ -141,14 +147,14 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
             } else {
                 return None;
             };
-            Some((one.start, sign * factor * value))
+            Some(((measure.at)(one), sign * factor * value))
         };
         let points = largest_apart(found.iter().filter_map(on), seen.prepared.duration());
         (!points.is_empty()).then(|| Curve::new(Kind::Stems, shade(position), points))
     };
     let structures = seen.shown.structures.iter().enumerate();
     let curves: Vec<Curve> = structures.filter_map(sides).collect();
-    let at = (hardest.start, factor * largest);
+    let at = ((measure.at)(hardest), factor * largest);
     let text = format!("{} {unit} at {} s", brief(at.1, 4), brief(at.0, 4));
     Some(Panel {
         y: Axis {

@@ -99,7 +99,7 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let mut curves = vec![Curve::new(Kind::Line, Shade::Grey, all)];
     for (position, (&(index, _), value)) in own.iter().zip(of_structures).enumerate() {
         let curve = Curve::new(Kind::Points, shade(position), vec![point(value)]);
-        let label = named(seen.prepared, index);
+        let label = named(seen.prepared, (index, true));
         curves.push(curve.marked(MARKS[position % MARKS.len()]).named(label));
     }
     Some(Panel {

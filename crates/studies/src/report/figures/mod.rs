@@ -102,10 +102,10 @@ fn name(floor: &Floor) -> String {
     name.chars().take(LONGEST - 1).chain(['…']).collect()
 }
 
-/// Name and period, for a legend.
-fn named(prepared: &Prepared, index: usize) -> String {
+/// Name, and the period where the curve is the first of its building, for a legend.
+fn named(prepared: &Prepared, (index, first): (usize, bool)) -> String {
     let floor = &prepared.floors().all()[index];
-    match floor.oscillation(prepared.scene()) {
+    match floor.oscillation(prepared.scene()).filter(|_| first) {
         Some((period, _)) => format!("{} (T = {} s)", name(floor), brief(period, 3)),
         None => name(floor),
     }

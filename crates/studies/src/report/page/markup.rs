@@ -44,6 +44,8 @@ pub(super) fn escaped(text: &str) -> String {
 pub(super) struct Cell {
     text: String,
     below: Option<String>,
+    /// Whether it is a text of several lines, and no number.
+    wrapped: bool,
 }
 
 impl Cell {
@@ -52,6 +54,7 @@ impl Cell {
         Self {
             text: text.into(),
             below: None,
+            wrapped: false,
         }
     }
 
@@ -66,12 +69,22 @@ impl Cell {
         Self { below, ..self }
     }
 
+    /// The cell as text of several lines.
+    #[must_use]
+    pub(super) fn wrapped(self) -> Self {
+        Self {
+            wrapped: true,
+            ..self
+        }
+    }
+
     fn html(&self) -> String {
         let below = self.below.as_ref();
         let below = below.map_or_else(String::new, |text| {
             format!("<small>{}</small>", escaped(text))
         });
-        format!("<td>{}{below}</td>", escaped(&self.text))
+        let class = if self.wrapped { " class=\"text\"" } else { "" };
+        format!("<td{class}>{}{below}</td>", escaped(&self.text))
     }
 }
 

@@ -1,6 +1,7 @@
 //! `report.html`: one file that a person forwards; it shows the same without a network, and on paper.
 
 mod markup;
+mod scene;
 mod tables;
 mod verdict;
 
@@ -29,12 +30,14 @@ pub(super) fn html(
         format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&lead(summary))),
         verdict::verdict(summary, review),
         warnings(summary),
+        unusual(summary),
         figure("displacements"),
         format!("<h2>Pairs</h2>\n{}", tables::pairs(summary)),
         figure("gaps"),
         tables::collisions(summary, review),
         format!("<h2>Structures</h2>\n{}", tables::structures(summary)),
         figure("hysteresis"),
+        format!("<h2>Scene</h2>\n{}", scene::scene(summary, report.prepared.floors())),
         format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
         figure("ground-motion"),
         format!(
@@ -96,6 +99,18 @@ fn warnings(summary: &Summary) -> String {
     format!(
         "<div class=\"warnings\">\n<p><strong>Before the numbers are believed</strong></p>\n{}</div>\n",
         list(&summary.warnings)
+    )
+}
+
+/// What looks wrong in the scene.
+fn unusual(summary: &Summary) -> String {
+    if summary.unusual.is_empty() {
+        return String::new();
+    }
+    let doubts: Vec<String> = summary.unusual.iter().map(ToString::to_string).collect();
+    format!(
+        "<div class=\"warnings\">\n<p><strong>Unusual in the scene</strong></p>\n{}</div>\n",
+        list(&doubts)
     )
 }
 

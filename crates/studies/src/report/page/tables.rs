@@ -4,7 +4,7 @@ use pounding_solver::Collision;
 use serde_json::Value;
 
 use super::markup::{Cell, digits, facts, short, table};
-use crate::report::summary::{PairSummary, StructureSummary, Summary};
+use crate::report::summary::{PairSummary, RecordSummary, StructureSummary, Summary};
 use crate::{Errors, Review, milliseconds, percent, rounded_down};
 
 /// Collisions beyond these are in `impacts.csv` only.
@@ -28,20 +28,74 @@ fn off<E>(errors: Option<&E>, of: fn(&E) -> Option<f64>) -> Option<String> {
 pub(super) fn structures(summary: &Summary) -> String {
     let header = [
         "Structure",
-        "Period [s]",
-        "Damping ratio",
         "Peak displacement [mm]",
         "at [s]",
+        "Residual, at the end [mm]",
+        "Peak acceleration [g]",
+        "at [s]",
         "Peak shear force [kN]",
-        "Ductility",
-        "Drift ratio",
+        "at [s]",
         "Transferred momentum [kN·s]",
     ];
-    let rows: Vec<_> = summary.structures.iter().map(structure).collect();
+    let gravity = summary.scene.record.gravity_m_per_s2;
+    let structures = summary.structures.iter();
+    let rows: Vec<_> = structures.map(|one| structure(one, gravity)).collect();
+    format!(
+        "{}{}<p class=\"soft\">Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is what \
+         is left at the end of the run, {} s: once the free vibration has died away.</p>\n",
+        table(&header, &rows),
+        storeys(summary),
+        digits(summary.method.duration_s)
+    )
+}
+
+/// Drifts of storeys; nothing where no structure says more of them than its displacement.
+fn storeys(summary: &Summary) -> String {
+    let header = [
+        "Storey",
+        "Peak drift [mm]",
+        "at [s]",
+        "Residual, at the end [mm]",
+        "Drift ratio",
+        "Ductility",
+    ];
+    let tells = |one: &&StructureSummary| {
+        let drift = one.peak_drift_m.or(one.drift_ratio).or(one.ductility);
+        drift.is_some() || one.storey.is_some()
+    };
+    let rows: Vec<_> = summary.structures.iter().filter(tells).map(storey).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
     table(&header, &rows)
 }
 
-fn structure(one: &StructureSummary) -> Vec<Cell> {
+fn storey(one: &StructureSummary) -> Vec<Cell> {
+    // On the ground the drift is the displacement.
+    let upper = one.peak_drift_m.is_some();
+    let of = |drift: Option<f64>, displacement| if upper { drift } else { displacement };
+    let drift = of(one.peak_drift_m, one.peak_displacement_m);
+    let time = of(one.peak_drift_time_s, one.peak_displacement_time_s);
+    let last = of(
+        one.residual_drift_at_end_m,
+        one.residual_displacement_at_end_m,
+    );
+    let off = off(one.errors.as_ref(), |errors| {
+        errors.peak_drift.or(errors.peak_displacement)
+    });
+    let millimetres = |value: Option<f64>| Cell::known(value.map(|value| short(1e3 * value)));
+    vec![
+        Cell::new(&one.name),
+        millimetres(drift).over(off.clone()),
+        Cell::known(time.map(digits)),
+        millimetres(last),
+        Cell::known(one.drift_ratio.map(percent))
+            .over(off.clone().filter(|_| one.drift_ratio.is_some())),
+        Cell::known(one.ductility.map(short)).over(off.filter(|_| one.ductility.is_some())),
+    ]
+}
+
+fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
     let errors = one.errors.as_ref();
     // A wall has no peaks, and so no errors of them.
     let errors_of_peaks = errors.filter(|_| one.period_s.is_some());
@@ -50,18 +104,18 @@ fn structure(one: &StructureSummary) -> Vec<Cell> {
     let momentum = Cell::new(short(one.transferred_momentum_n_s / 1e3));
     vec![
         Cell::new(&one.name),
-        Cell::known(one.period_s.map(short)),
-        Cell::known(one.damping_ratio.map(short)),
         Cell::known(one.peak_displacement_m.map(|value| short(1e3 * value)))
-            .over(displaced.clone()),
+            .over(displaced),
         Cell::known(one.peak_displacement_time_s.map(digits))
             .over(time.map(|time| format!("error {}", milliseconds(time)))),
+        Cell::known(one.residual_displacement_at_end_m.map(|value| short(1e3 * value)))
+            .over(off(errors_of_peaks, |errors| errors.residual_displacement_at_end)),
+        Cell::known(one.peak_acceleration_m_per_s2.map(|value| short(value / gravity)))
+            .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
+        Cell::known(one.peak_acceleration_time_s.map(digits)),
         Cell::known(thousandths(one.peak_shear_force_n))
             .over(off(errors_of_peaks, |errors| errors.peak_shear_force)),
-        Cell::known(one.ductility.map(short))
-            .over(displaced.clone().filter(|_| one.ductility.is_some())),
-        Cell::known(one.drift_ratio.map(percent))
-            .over(displaced.filter(|_| one.drift_ratio.is_some())),
+        Cell::known(one.peak_shear_force_time_s.map(digits)),
         momentum.over(off(errors, |errors| errors.transferred_momentum)),
     ]
 }
@@ -80,6 +134,7 @@ pub(super) fn pairs(summary: &Summary) -> String {
         "First impulse [kN·s]",
         "Largest impulse [kN·s]",
         "Peak force [kN]",
+        "at [s]",
     ];
     let rows: Vec<_> = summary.pairs.iter().map(pair).collect();
     table(&header, &rows)
@@ -114,6 +169,7 @@ fn pair(one: &PairSummary) -> Vec<Cell> {
         Cell::known(thousandths(one.largest.map(|largest| largest.impulse_n_s)))
             .over(off(compared, |errors| errors.largest_impulse)),
         force,
+        Cell::known(one.peak_force_time_s.map(digits)),
     ]
 }
 
@@ -140,6 +196,7 @@ pub(super) fn collisions(summary: &Summary, review: &Review) -> String {
         "Approach speed [m/s]",
         "Impulse [kN·s]",
         "Peak force [kN]",
+        "at [s]",
     ];
     let rows: Vec<_> = all
         .iter()
@@ -163,6 +220,7 @@ fn collision(summary: &Summary, one: &Collision) -> Vec<Cell> {
         Cell::known(one.approach_speed.map(short)),
         Cell::new(short(one.impulse / 1e3)),
         Cell::known(thousandths(one.peak_force)),
+        Cell::known(one.peak_force_time.map(digits)),
     ]
 }
 
@@ -190,7 +248,7 @@ pub(super) fn record(summary: &Summary) -> String {
         if one.processing.is_empty() {
             "none: as its source has it".into()
         } else {
-            one.processing.join("; ")
+            processed(one)
         },
     ));
     if let Some(hash) = &one.sha256 {
@@ -211,6 +269,15 @@ pub(super) fn record(summary: &Summary) -> String {
     facts(&rows)
 }
 
+/// What was done to the ground motion, and the factor that came of it.
+fn processed(record: &RecordSummary) -> String {
+    let mut all = record.processing.clone();
+    if record.scale_factor.to_bits() != 1.0_f64.to_bits() {
+        all.push(format!("in all × {}", short(record.scale_factor)));
+    }
+    all.join("; ")
+}
+
 /// Method, settings, errors and work.
 pub(super) fn method(summary: &Summary, review: &Review, sampling: &str) -> String {
     let method = &summary.method;
@@ -227,22 +294,6 @@ pub(super) fn method(summary: &Summary, review: &Review, sampling: &str) -> Stri
     if let Some(goal) = method.chosen_for_error {
         let chosen = format!("the cheapest that keeps all errors below {}", percent(goal));
         rows.push(("chosen".into(), chosen));
-    }
-    let contacts = summary.scene.contacts.iter().flatten();
-    for (neighbours, contact) in summary.scene.structures.windows(2).zip(contacts) {
-        let name = contact.law.name();
-        let law = serde_json::to_value(contact.law).unwrap_or_default();
-        let parameters = entries(&law[name]);
-        let parameters = parameters.map(|(name, value)| format!("{name} = {value}"));
-        let parameters: Vec<String> = parameters.collect();
-        rows.push((
-            format!(
-                "contact {} – {}",
-                neighbours[0].name(),
-                neighbours[1].name()
-            ),
-            format!("{}: {}", name.replace('_', " "), parameters.join(", ")),
-        ));
     }
     let interval = format!("every {} s: {sampling}", digits(method.history_interval_s));
     rows.push(("histories".into(), interval));

@@ -16,6 +16,10 @@ pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
         .filter_map(|pair| Some((pair, pair.largest.as_ref()?)))
         .collect();
     touching.sort_by(|one, other| other.1.impulse_n_s.total_cmp(&one.1.impulse_n_s));
+    let exact = exact_collisions(summary);
+    if touching.is_empty() && exact.is_some_and(|exact| exact > 0) {
+        return missed(summary, review);
+    }
     if touching.is_empty() {
         return format!(
             "<div class=\"verdict\">\n{}<p>{}</p>\n</div>\n",
@@ -35,18 +39,63 @@ pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
         ));
     }
     let n: usize = touching.iter().map(|one| one.0.collisions).sum();
-    let times = if n == 1 {
-        "once".into()
-    } else {
-        format!("{n} times")
-    };
     let pairs = match summary.pairs.len() {
         1 => String::new(),
         all => format!(" at {} of {all} gaps", touching.len()),
     };
     format!(
-        "<div class=\"verdict touch\">\n<p><strong>They touch {times}{pairs}.</strong></p>\n{}<p>{}</p>\n</div>\n",
+        "<div class=\"verdict touch\">\n<p><strong>They touch {}{pairs}{}.</strong></p>\n{}<p>{}</p>\n</div>\n",
+        times(n),
+        against(n, exact),
         list(&lines),
+        escaped(&certainty(review))
+    )
+}
+
+fn times(n: usize) -> String {
+    match n {
+        1 => "once".into(),
+        n => format!("{n} times"),
+    }
+}
+
+/// Number of collisions of the exact run, where it was measured and can be compared: a pair that rests has as many impacts as
+/// steps.
+fn exact_collisions(summary: &Summary) -> Option<usize> {
+    let pairs = summary.pairs.iter();
+    let exact = pairs.map(|pair| {
+        let errors = pair.errors.as_ref().filter(|errors| !errors.rests)?;
+        Some(errors.exact_collisions)
+    });
+    exact.sum()
+}
+
+/// What exact motion has instead of so many touches, behind them.
+fn against(n: usize, exact: Option<usize>) -> String {
+    match exact {
+        Some(0) => " in this run; exact motion has no touch".into(),
+        Some(exact) if exact != n => format!(" in this run, {} in exact motion", times(exact)),
+        Some(_) | None => String::new(),
+    }
+}
+
+/// What is said where this run has no touch and exact motion does.
+fn missed(summary: &Summary, review: &Review) -> String {
+    let pairs = summary.pairs.iter().filter_map(|pair| {
+        let exact = pair.errors.as_ref()?.exact_collisions;
+        let collisions = if exact == 1 { "collision" } else { "collisions" };
+        (exact > 0).then(|| {
+            format!(
+                "{} – {}: exact motion has {exact} {collisions}, this run none",
+                pair.left, pair.right
+            )
+        })
+    });
+    let pairs: Vec<String> = pairs.collect();
+    format!(
+        "<div class=\"verdict touch\">\n<p><strong>The steps of this run miss the touches that exact motion has.</strong></p>\n\
+         {}<p>{}</p>\n</div>\n",
+        list(&pairs),
         escaped(&certainty(review))
     )
 }
@@ -90,7 +139,9 @@ fn collisions(pair: &PairSummary, largest: &CollisionSummary) -> String {
     let force = pair.peak_force_n.map_or_else(String::new, |force| {
         let force = format!("{} kN", short(force / 1e3));
         let error = errors.and_then(|errors| errors.peak_force);
-        format!(", the largest force {}", with_error(force, error))
+        let at = pair.peak_force_time_s;
+        let at = at.map_or_else(String::new, |time| format!(" at {} s", short(time)));
+        format!(", the largest force {}{at}", with_error(force, error))
     });
     format!(
         "{} – {}: {times}, the first at {} s; the largest impulse is {impulse} at {} s{force}",

@@ -5,7 +5,7 @@ mod of_run;
 use pounding_solver::{Terms, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::Scene;
+use crate::{Doubt, Scene};
 
 /// What was run, what came out and how far to believe it; units stand in the names of its fields.
 ///
@@ -28,6 +28,9 @@ pub struct Summary {
     pub ledger: LedgerSummary,
     /// What the run cost.
     pub work: WorkSummary,
+    /// What looks wrong in the scene, though it can be modelled.
+    #[serde(default)]
+    pub unusual: Vec<Doubt>,
     /// What to know before believing the numbers, in words.
     pub warnings: Vec<String>,
 }
@@ -70,6 +73,9 @@ pub struct RecordSummary {
     /// Unit of the values in the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
+    /// What its source was multiplied by, all scales together \[–\]; 1 where nothing was scaled.
+    #[serde(default = "one")]
+    pub scale_factor: f64,
     /// Number of samples, as used.
     pub samples: usize,
     /// Time between them \[s\].
@@ -84,6 +90,10 @@ pub struct RecordSummary {
     pub readings: Vec<ReadingSummary>,
     /// What was done to it before it shook the row, in words, in this order.
     pub processing: Vec<String>,
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 /// One thing that was read of a file.
@@ -133,6 +143,20 @@ pub struct StructureSummary {
     /// Its instant \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_drift_time_s: Option<f64>,
+    /// Displacement at the end of the run, relative to the ground \[m\]: the residual one, once the free vibration has died
+    /// away.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual_displacement_at_end_m: Option<f64>,
+    /// The same of the drift of the storey; absent where the storey stands on the ground.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual_drift_at_end_m: Option<f64>,
+    /// Absolute acceleration of largest magnitude \[m/s²\], that of the ground included; impulsive impacts, which have no
+    /// limit, are left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_acceleration_m_per_s2: Option<f64>,
+    /// Its instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_acceleration_time_s: Option<f64>,
     /// Peak drift over the drift at which the columns yield \[–\]; of columns that can.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ductility: Option<f64>,
@@ -150,10 +174,19 @@ pub struct StructureSummary {
 /// number is not.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StructureErrorSummary {
-    /// Of the peak displacement, and so of the drift ratio and the ductility.
+    /// Of the peak displacement, and so of the drift ratio and the ductility where the storey stands on the ground.
     pub peak_displacement: Option<f64>,
     /// Of its instant \[s\].
     pub peak_displacement_time_s: Option<f64>,
+    /// Of the peak drift of a storey on another floor, and so of its drift ratio and ductility; absent for others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_drift: Option<f64>,
+    /// Of the displacement at the end, relative to the exact peak displacement: it may be next to nothing itself.
+    #[serde(default)]
+    pub residual_displacement_at_end: Option<f64>,
+    /// Of the peak absolute acceleration.
+    #[serde(default)]
+    pub peak_acceleration: Option<f64>,
     /// Of the peak shear force.
     pub peak_shear_force: Option<f64>,
     /// Of the transferred momentum.
@@ -182,6 +215,9 @@ pub struct PairSummary {
     /// Largest pounding force \[N\]; absent where an impact is impulsive, which has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_force_n: Option<f64>,
+    /// Its first instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_force_time_s: Option<f64>,
     /// Sum of the impulses \[N·s\].
     pub total_impulse_n_s: f64,
     /// Least opening of the gap \[m\], between time steps and rows of the histories too; not more than 0 where they touch,
@@ -206,6 +242,9 @@ pub struct CollisionSummary {
     /// Largest pounding force \[N\]; absent for an impulsive impact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_force_n: Option<f64>,
+    /// Its first instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_force_time_s: Option<f64>,
 }
 
 /// Distances from the exact run; relative to its magnitude \[–\] where no unit is given, `null` where they cannot be compared:

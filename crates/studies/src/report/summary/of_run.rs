@@ -23,6 +23,7 @@ impl Summary {
             pairs: PairSummary::of_run(prepared, review),
             ledger: LedgerSummary::of(&review.balance),
             work: WorkSummary::of(&review.outcome.work),
+            unusual: prepared.doubts(),
             warnings: review.warnings.iter().map(ToString::to_string).collect(),
         }
     }
@@ -48,6 +49,7 @@ impl RecordSummary {
             sha256: origin.map(|origin| origin.sha256.clone()),
             format: origin.map(|origin| origin.file.format().name().into()),
             unit: origin.map(|origin| origin.file.unit().symbol().into()),
+            scale_factor: prepared.scale(),
             samples: record.samples().len(),
             time_step_s: record.time_step(),
             // A negative zero loses its sign.
@@ -122,6 +124,8 @@ fn structure(
             errors: common.errors.map(|errors| StructureErrorSummary {
                 peak_displacement: None,
                 peak_displacement_time_s: None,
+                residual_displacement_at_end: None,
+                peak_acceleration: None,
                 peak_shear_force: None,
                 ..errors
             }),
@@ -131,6 +135,9 @@ fn structure(
     let peaks = review.outcome.peaks.of(index);
     let displacement = peaks.displacement.value;
     let drift = peaks.drift();
+    let acceleration = review.outcome.accelerations[index];
+    // A negative zero loses its sign.
+    let last = |index| review.outcome.last.of(index) + 0.0;
     let upper = floor.storey.is_some_and(|storey| storey > 1);
     StructureSummary {
         period_s: Some(period),
@@ -141,6 +148,13 @@ fn structure(
         peak_shear_force_time_s: Some(peaks.restoring_force.time),
         peak_drift_m: upper.then_some(drift.value),
         peak_drift_time_s: upper.then_some(drift.time),
+        residual_displacement_at_end_m: Some(last(index)),
+        residual_drift_at_end_m: prepared
+            .floors()
+            .below(index)
+            .map(|below| last(index) - last(below)),
+        peak_acceleration_m_per_s2: Some(acceleration.value),
+        peak_acceleration_time_s: Some(acceleration.time),
         ductility: floor.ductility(drift.value),
         drift_ratio: floor.drift_ratio(drift.value),
         ..common
@@ -151,6 +165,9 @@ fn structure_errors(errors: &StructureErrors) -> StructureErrorSummary {
     StructureErrorSummary {
         peak_displacement: finite(errors.displacement),
         peak_displacement_time_s: finite(errors.displacement_time),
+        peak_drift: errors.drift.and_then(finite),
+        residual_displacement_at_end: finite(errors.last_displacement),
+        peak_acceleration: finite(errors.acceleration),
         peak_shear_force: finite(errors.restoring_force),
         transferred_momentum: finite(errors.momentum),
     }
@@ -189,7 +206,8 @@ fn pair(
         collisions,
         first: first.as_ref().map(collision),
         largest: largest.as_ref().map(collision),
-        peak_force_n: peak_force,
+        peak_force_n: peak_force.map(|peak| peak.value),
+        peak_force_time_s: peak_force.map(|peak| peak.time),
         total_impulse_n_s: total_impulse,
         least_opening_m: opening,
         least_opening_time_s: time,
@@ -203,6 +221,7 @@ fn collision(one: &Collision) -> CollisionSummary {
         end_s: one.end,
         impulse_n_s: one.impulse,
         peak_force_n: one.peak_force,
+        peak_force_time_s: one.peak_force_time,
     }
 }
 
