@@ -89,6 +89,29 @@ impl Recorder for () {
     fn impact(&mut self, _: &Impact) {}
 }
 
+/// Records where there is a recorder: one type of run serves those that ask for it and those that do not.
+impl<R: Recorder> Recorder for Option<R> {
+    const READS_WEIGHED: bool = R::READS_WEIGHED;
+
+    fn span(&mut self, span: &Span<'_>) {
+        if let Some(recorder) = self {
+            recorder.span(span);
+        }
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        if let Some(recorder) = self {
+            recorder.impact(impact);
+        }
+    }
+
+    fn touch(&mut self, touch: &Touch) {
+        if let Some(recorder) = self {
+            recorder.touch(touch);
+        }
+    }
+}
+
 macro_rules! record_in_each {
     ($($name:ident)+) => {
         impl<$($name: Recorder),+> Recorder for ($($name,)+) {

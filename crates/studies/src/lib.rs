@@ -62,7 +62,7 @@ pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use contenders::StepMethod;
 pub use doubt::Doubt;
-pub use effects::{Drawn, Effect, Effects, FloorEffects, Known, ROBUST};
+pub use effects::{Effect, Effects, FloorEffects, Known, ROBUST};
 pub use error::{SceneError, StudyError};
 pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use fault::Fault;

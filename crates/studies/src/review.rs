@@ -4,7 +4,7 @@ use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::{Closings, Collision, Work};
 
 use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
-use crate::prepared::Audited;
+use crate::prepared::{Asked, Audited};
 use crate::{
     Balance, Delivered, Method, Number, Outcome, Place, Prepared, RunErrors, Structure, StudyError,
     Warning,
@@ -79,12 +79,17 @@ impl Prepared {
         measure: bool,
         interval: Option<f64>,
     ) -> Result<Review, StudyError> {
-        let (audited, closings) = self.audited_with(interval, self.closings())?;
+        let asked = Asked {
+            interval,
+            closings: true,
+        };
+        let (audited, closings) = self.audited_with(asked)?;
         let Audited {
             outcome,
             broken,
             balance,
         } = audited;
+        let closings = closings.expect("they were asked for");
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));

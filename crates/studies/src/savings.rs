@@ -4,6 +4,7 @@ use std::path::Path;
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 
+use crate::prepared::Asked;
 use crate::{
     Contact, Damping, FileUse, Method, Prepared, RecordUse, Scene, Sdof, Source, Structure,
     StudyError,
@@ -114,9 +115,15 @@ impl Burdened {
     pub fn run(&self) -> Result<(), StudyError> {
         match self.burden {
             Burden::None | Burden::Yielding | Burden::Pairs | Burden::Touching => {
-                self.prepared.run_unjudged(None).map(|_| ())
+                self.prepared.run_unjudged(Asked::default()).map(|_| ())
             }
-            Burden::Histories => self.prepared.run_unjudged(Some(INTERVAL)).map(|_| ()),
+            Burden::Histories => {
+                let asked = Asked {
+                    interval: Some(INTERVAL),
+                    closings: false,
+                };
+                self.prepared.run_unjudged(asked).map(|_| ())
+            }
             Burden::Ledger => self.prepared.audited(None).map(|_| ()),
         }
     }

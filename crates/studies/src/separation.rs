@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use pounding_solver::Peaks;
-
 use crate::floors::EQUAL_HEIGHTS;
-use crate::{Floor, Prepared, Scene, StudyError};
+use crate::prepared::Asked;
+use crate::{Floor, Outcome, Prepared, Scene, StudyError};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,12 +124,15 @@ impl Prepared {
         };
         let apart = self.variant(&apart, self.record().clone())?.exact()?;
         let floors = apart.floors();
-        let mut recorders = (Peaks::new(floors.all().len()), apart.closings());
-        apart.integrate(&mut recorders)?;
-        let (peaks, closings) = recorders;
+        let asked = Asked {
+            closings: true,
+            ..Asked::default()
+        };
+        let (Outcome { peaks, .. }, closings) = apart.run_unjudged(asked)?;
         let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
         for (left, one, other) in floors.all_facing() {
-            let Some(closing) = closings.of(one) else {
+            let closing = closings.as_ref().and_then(|closings| closings.of(one));
+            let Some(closing) = closing else {
                 continue;
             };
             // Neighbours that are apart from the start on, and further, need no gap.

@@ -1,10 +1,11 @@
 //! `pounding run`: runs a scene and says what happened.
 
 mod batch;
+mod effects;
 
 use std::path::{Path, PathBuf};
 
-use pounding::studies::{Prepared, Report, Review, SceneError, StudyError, Summary};
+use pounding::studies::{Effects, Prepared, Report, Review, SceneError, StudyError, Summary};
 
 use crate::progress::Waiting;
 use crate::text::paragraph;
@@ -14,6 +15,7 @@ const EXAMPLES: &str = "\
 Examples:
   pounding run studies/examples/two-structures.json
   pounding run studies/examples/two-structures.json --out results/two
+  pounding run studies/examples/row-of-five.toml --effects --out results/five
   pounding run scene.toml --records records --both
   pounding run scene.toml --records records --csv > runs.csv
 
@@ -58,6 +60,11 @@ struct How {
     /// Print what is refused, too, with a warning.
     #[arg(long, conflicts_with = "records")]
     force: bool,
+    /// Also say what pounding does to every storey, against the same building
+    /// alone, in both directions of shaking, and what 1 % of the record changes:
+    /// 24 exact runs.
+    #[arg(long, conflicts_with = "records")]
+    effects: bool,
 }
 
 /// Under which records.
@@ -121,13 +128,16 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     };
     let measure = !asked.model.no_error;
     let _waiting = Waiting::new("running");
+    let effects = asked.model.effects.then(|| Effects::of(&prepared));
+    let effects = effects.transpose().map_err(refused)?;
     let Some(out) = &asked.results.out else {
         let review = prepared.review(measure).map_err(refused)?;
-        return Ok(printed(asked.json, &prepared, &review));
+        return Ok(printed(asked.json, (&prepared, effects), &review));
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
+    let report = report.with_effects(effects.clone());
     folder::write(out, &report.files())?;
-    let text = printed(asked.json, &prepared, report.review());
+    let text = printed(asked.json, (&prepared, effects), report.review());
     let page = out.join("report.html");
     Ok(if asked.json {
         text
@@ -140,11 +150,19 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 }
 
 /// What is printed of a run.
-fn printed(json: bool, prepared: &Prepared, review: &Review) -> String {
+fn printed(
+    json: bool,
+    (prepared, effects): (&Prepared, Option<Effects>),
+    review: &Review,
+) -> String {
     if json {
-        Summary::of(prepared, review).to_json()
-    } else {
-        summary::of(prepared, review)
+        let summary = Summary::of(prepared, review);
+        return Summary { effects, ..summary }.to_json();
+    }
+    let run = summary::of(prepared, review);
+    match effects {
+        Some(effects) => format!("{run}\n{}", effects::text(prepared, &effects)),
+        None => run,
     }
 }
 

@@ -3,6 +3,7 @@
 use pounding_motion::Record;
 
 use crate::noise::Noise;
+use crate::prepared::Asked;
 use crate::{Completed, Method, Prepared, Scene, StudyError, StudyFile};
 
 /// Scenes of the paper by another method, ready to run under any record.
@@ -151,7 +152,13 @@ impl Part {
             // Of thousands of noisy runs the ledger would take a third of the time: its verdict is asked on the record.
             match noise {
                 None => scene.run(interval),
-                Some(_) => scene.run_unjudged(interval),
+                Some(_) => {
+                    let asked = Asked {
+                        interval,
+                        closings: false,
+                    };
+                    scene.run_unjudged(asked).map(|(outcome, _)| outcome)
+                }
             }
         };
         let outcomes = prepared.iter().map(run);

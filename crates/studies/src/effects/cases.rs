@@ -1,7 +1,7 @@
 //! The runs that effects are told from.
 
 use pounding_motion::{Record, RecordError};
-use pounding_solver::{FloorAccelerations, SimultaneousImpacts};
+use pounding_solver::SimultaneousImpacts;
 
 use crate::{Floor, Method, Outcome, Prepared, Scene, StudyError};
 
@@ -159,21 +159,16 @@ fn simultaneous_impacts(method: Method) -> SimultaneousImpacts {
 
 /// Runs a scene; the peaks of all its floors.
 fn peaks(prepared: &Prepared) -> Result<(Outcome, Vec<Peaks>), StudyError> {
-    let n = prepared.floors().all().len();
-    let accelerations = FloorAccelerations::new(n, prepared.excitation());
-    let (audited, accelerations) = prepared.audited_with(None, accelerations)?;
-    if let Some(broken) = audited.broken {
-        return Err(broken);
-    }
-    let outcome = audited.outcome;
+    let outcome = prepared.run(None)?;
     let of_floor = |floor: usize| {
         let peaks = outcome.peaks.of(floor);
         Peaks {
             drift: peaks.drift().value.abs(),
             shear: peaks.restoring_force.value.abs(),
-            acceleration: accelerations.of(floor).value.abs(),
+            acceleration: outcome.accelerations[floor].value.abs(),
         }
     };
+    let n = prepared.floors().all().len();
     let all = (0..n).map(of_floor).collect();
     Ok((outcome, all))
 }

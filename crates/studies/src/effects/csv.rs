@@ -18,7 +18,8 @@ impl Effects {
     pub fn to_csv(&self, floors: &Floors) -> String {
         let mut rows = Vec::new();
         for floor in floors.from_the_ground_up() {
-            for (direction, effects) in [("as_given", &self.as_given), ("reversed", &self.reversed)] {
+            for (direction, effects) in [("as_given", &self.as_given), ("reversed", &self.reversed)]
+            {
                 rows.push(row(&floors.all()[floor], direction, &effects[floor]));
             }
         }
@@ -32,7 +33,10 @@ fn header() -> Vec<String> {
         header.extend(known_columns(name));
     }
     for (name, unit) in RESPONSES {
-        header.extend([format!("{name}_alone_{unit}"), format!("{name}_beside_{unit}")]);
+        header.extend([
+            format!("{name}_alone_{unit}"),
+            format!("{name}_beside_{unit}"),
+        ]);
         header.extend(known_columns(&format!("{name}_amplification")));
     }
     header
@@ -46,13 +50,19 @@ fn row(floor: &Floor, direction: &str, effects: &FloorEffects) -> Vec<String> {
     let mut row = vec![
         floor.name.clone(),
         floor.storey.unwrap_or(1).to_string(),
-        floor.elevation_m.map_or_else(String::new, |height| height.to_string()),
+        floor
+            .elevation_m
+            .map_or_else(String::new, |height| height.to_string()),
         direction.into(),
     ];
-    for known in [effects.collisions, effects.impulse, effects.largest_impulse] {
+    for known in [
+        effects.collisions,
+        effects.impulse_n_s,
+        effects.largest_impulse_n_s,
+    ] {
         row.extend(known_cells(&known));
     }
-    for effect in [effects.drift, effects.shear, effects.acceleration] {
+    for effect in effects.responses() {
         row.extend(effect.map_or_else(|| vec![String::new(); 7], |effect| cells(&effect)));
     }
     row
@@ -60,7 +70,8 @@ fn row(floor: &Floor, direction: &str, effects: &FloorEffects) -> Vec<String> {
 
 fn cells(effect: &Effect) -> Vec<String> {
     let mut cells = vec![effect.alone.to_string(), effect.beside.to_string()];
-    cells.extend(known_cells(&effect.amplification));
+    let ratio = effect.amplification.as_ref();
+    cells.extend(ratio.map_or_else(Default::default, known_cells));
     cells
 }
 
@@ -68,8 +79,8 @@ fn known_cells(known: &Known) -> [String; 5] {
     [
         known.value.to_string(),
         format!("{:.1e}", known.error),
-        known.range[0].to_string(),
-        known.range[1].to_string(),
+        known.low.to_string(),
+        known.high.to_string(),
         known.is_robust().to_string(),
     ]
 }

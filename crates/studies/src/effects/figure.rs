@@ -1,34 +1,23 @@
 //! What pounding does to every storey, drawn: amplifications in both directions, with their ranges.
 
-use super::{Effect, Effects, FloorEffects};
+use super::Effects;
 use crate::Prepared;
-use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_both};
-use crate::plot::writable;
+use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, writable};
 
 /// Most storeys of one figure; of more those are shown that pounding changes most.
 const MOST: usize = 30;
-/// What is shown of a floor.
-type Shown = fn(&FloorEffects) -> Option<Effect>;
-/// What the panels show.
-const PANELS: [(&str, Shown); 3] = [
-    ("Drift", |one| one.drift),
-    ("Shear", |one| one.shear),
-    ("Acceleration", |one| one.acceleration),
-];
+/// What the panels show, in the order of [`responses`](super::FloorEffects::responses).
+const PANELS: [&str; 3] = ["Drift", "Shear", "Acceleration"];
 /// How far the two directions of a storey stand apart, in storeys.
 const APART: f64 = 0.16;
 
 impl Effects {
-    /// The figure as SVG and PNG, with its caption; nothing for a row without storeys, such as two walls.
-    ///
-    /// # Errors
-    /// [`PlotError`] when it cannot be drawn.
-    pub fn figure(&self, prepared: &Prepared) -> Result<Option<Drawn>, PlotError> {
+    /// The figure with its caption; nothing for a row without storeys, such as two walls.
+    pub(crate) fn figure(&self, prepared: &Prepared) -> Option<(Figure, String)> {
         let floors = self.shown(prepared);
         if floors.is_empty() {
-            return Ok(None);
+            return None;
         }
-        let (svg, png) = render_both(&self.picture(prepared, &floors))?;
         let all = prepared.floors().all().iter();
         let n = all.filter(|floor| !floor.is_wall()).count();
         let left_out = if floors.len() < n {
@@ -37,10 +26,11 @@ impl Effects {
             String::new()
         };
         let caption = format!(
-            "Peak drift, shear force and absolute acceleration of every storey beside its neighbours, as a multiple of those of the \
-             same building alone. Lines reach from the least to the largest value when the record is made one per cent weaker, stronger, faster or slower.{left_out}"
+            "Peak drift, shear force and absolute acceleration of every storey beside its neighbours, as multiples of those of the \
+             same building alone, by the exact method. Lines reach from the least to the largest value when the record is made \
+             one per cent weaker, stronger, faster or slower.{left_out}"
         );
-        Ok(Some(Drawn { svg, png, caption }))
+        Some((self.picture(prepared, &floors), caption))
     }
 
     /// The storeys that are shown: building by building, from the roof down.
@@ -62,19 +52,20 @@ impl Effects {
     /// Largest change of a response of a floor by pounding, up or down.
     fn most(&self, floor: usize) -> f64 {
         let both = [&self.as_given[floor], &self.reversed[floor]];
-        let effects = both.iter().flat_map(|one| PANELS.map(|(_, shown)| shown(one)));
-        let changes = effects.flatten().map(|effect| (effect.amplification.value - 1.0).abs());
+        let effects = both.iter().flat_map(|one| one.responses());
+        let ratios = effects.filter_map(|effect| effect?.amplification);
+        let changes = ratios.map(|ratio| (ratio.value - 1.0).abs());
         changes.fold(0.0, f64::max)
     }
 
     fn picture(&self, prepared: &Prepared, floors: &[usize]) -> Figure {
         let name = |floor: &usize| writable(&prepared.floors().all()[*floor].name);
         let names: Vec<String> = floors.iter().map(name).collect();
-        let panels = PANELS.iter().map(|(title, shown)| Panel {
+        let panels = PANELS.iter().enumerate().map(|(response, title)| Panel {
             title: (*title).into(),
             x: Some(Axis::auto("Beside / alone (–)")),
             y: Axis::names(names.clone()),
-            curves: self.curves(floors, *shown),
+            curves: self.curves(floors, response),
             markers: vec![1.0],
             legend: Legend::Shared,
             ..Panel::default()
@@ -87,37 +78,35 @@ impl Effects {
         }
     }
 
-    fn curves(&self, floors: &[usize], shown: Shown) -> Vec<Curve> {
+    fn curves(&self, floors: &[usize], response: usize) -> Vec<Curve> {
         let directions = [
             (&self.as_given, "as given", Shade::Blue, Mark::Disc, -APART),
-            (&self.reversed, "reversed", Shade::Vermilion, Mark::Square, APART),
+            (
+                &self.reversed,
+                "reversed",
+                Shade::Vermilion,
+                Mark::Square,
+                APART,
+            ),
         ];
         let mut curves = Vec::new();
         for (all, label, shade, mark, aside) in directions {
             let found = floors.iter().enumerate().filter_map(|(place, floor)| {
-                let known = shown(&all[*floor])?.amplification;
-                let finite = known.range[1].is_finite();
-                finite.then_some((known, place as f64 + aside))
+                let known = all[*floor].responses()[response]?.amplification?;
+                Some((known, place as f64 + aside))
             });
             let found: Vec<_> = found.collect();
             for (known, y) in &found {
-                let range = known.range.map(|end| (end, *y)).to_vec();
+                let range = vec![(known.low, *y), (known.high, *y)];
                 curves.push(Curve::new(Kind::Line, shade, range));
             }
             let points = found.iter().map(|(known, y)| (known.value, *y)).collect();
-            curves.push(Curve::new(Kind::Points, shade, points).marked(mark).named(label));
+            curves.push(
+                Curve::new(Kind::Points, shade, points)
+                    .marked(mark)
+                    .named(label),
+            );
         }
         curves
     }
-}
-
-/// A figure of effects.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Drawn {
-    /// As SVG.
-    pub svg: String,
-    /// As PNG.
-    pub png: Vec<u8>,
-    /// What it shows.
-    pub caption: String,
 }

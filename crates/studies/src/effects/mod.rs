@@ -8,16 +8,16 @@ mod csv;
 mod figure;
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::{Prepared, StudyError};
 use cases::{Answer, Case, cases};
-pub use figure::Drawn;
 
 /// A change of the record [of one per cent](Effects) that moves a number by no more than this part of it leaves it robust \[–\].
 pub const ROBUST: f64 = 0.05;
 
 /// What pounding does to the storeys of a row, in both directions of shaking.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Effects {
     /// Shaken as the scene says.
     pub as_given: Vec<FloorEffects>,
@@ -26,45 +26,51 @@ pub struct Effects {
 }
 
 /// What pounding does to one floor and the storey below it; a wall has hits alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FloorEffects {
-    /// Index of the floor in [`Floors`](crate::Floors).
-    pub floor: usize,
+    /// Its name; of a floor of a building that of the building and the number of the storey.
+    pub name: String,
     /// Collisions on either side of the floor; several where one meeting has several impacts.
     pub collisions: Known,
     /// Sum of their impulses \[N·s\].
-    pub impulse: Known,
+    pub impulse_n_s: Known,
     /// The largest of them \[N·s\].
-    pub largest_impulse: Known,
+    pub largest_impulse_n_s: Known,
     /// Peak drift of the storey \[m\].
-    pub drift: Option<Effect>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drift_m: Option<Effect>,
     /// Peak shear force of the storey \[N\].
-    pub shear: Option<Effect>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_n: Option<Effect>,
     /// Peak absolute acceleration of the floor \[m/s²\]. That of an impulsive impact has no bound and is left out.
-    pub acceleration: Option<Effect>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub acceleration_m_per_s2: Option<Effect>,
 }
 
 /// A peak response beside neighbours, against that of the same building alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Effect {
     /// Magnitude for the building alone.
     pub alone: f64,
     /// Magnitude beside its neighbours.
     pub beside: f64,
-    /// Amplification, the ratio of both \[–\]; 1 where both are 0.
-    pub amplification: Known,
+    /// Amplification, the ratio of both \[–\]; nothing for a building that does not move at all when it is alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub amplification: Option<Known>,
 }
 
 /// A number with what is known of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Known {
     /// Its value.
     pub value: f64,
     /// Distance to another exact run, whose tolerance is ten thousand times as large and whose record is larger by one part
     /// in 10¹².
     pub error: f64,
-    /// Its least and largest value under the record and all its changes by one per cent.
-    pub range: [f64; 2],
+    /// Its least value under the record and all its changes by one per cent.
+    pub low: f64,
+    /// Its largest value under them.
+    pub high: f64,
 }
 
 impl Known {
@@ -74,18 +80,19 @@ impl Known {
         let mut known = Self {
             value,
             error: (number(&answers[Case::CHECK]) - value).abs(),
-            range: [value; 2],
+            low: value,
+            high: value,
         };
         for answer in &answers[Case::CHECK + 1..] {
             let changed = number(answer);
-            known.range = [known.range[0].min(changed), known.range[1].max(changed)];
+            (known.low, known.high) = (known.low.min(changed), known.high.max(changed));
         }
         known
     }
 
     /// Largest change \[in the unit of the value\] by one per cent of the record.
     pub fn change(&self) -> f64 {
-        (self.range[1] - self.value).max(self.value - self.range[0])
+        (self.high - self.value).max(self.value - self.low)
     }
 
     /// Whether a change of the record by one per cent moves it by less than [`ROBUST`], and it is known better than that.
@@ -97,20 +104,15 @@ impl Known {
 impl Effect {
     fn of(answers: &[Answer], number: impl Fn(&Answer) -> [f64; 2]) -> Self {
         let [alone, beside] = number(&answers[Case::AS_IT_IS]);
+        let moves = answers.iter().all(|answer| number(answer)[0] > 0.0);
         let ratio = |answer: &Answer| {
             let [alone, beside] = number(answer);
-            if alone > 0.0 {
-                beside / alone
-            } else if beside > 0.0 {
-                f64::INFINITY
-            } else {
-                1.0
-            }
+            beside / alone
         };
         Self {
             alone,
             beside,
-            amplification: Known::of(answers, ratio),
+            amplification: moves.then(|| Known::of(answers, ratio)),
         }
     }
 }
@@ -131,7 +133,9 @@ impl Effects {
         let (as_given, reversed) = answers.split_at(answers.len() / 2);
         let of = |answers: &[Answer]| {
             let floors = 0..prepared.floors().all().len();
-            floors.map(|floor| effects(prepared, floor, answers)).collect()
+            floors
+                .map(|floor| effects(prepared, floor, answers))
+                .collect()
         };
         Ok(Self {
             as_given: of(as_given),
@@ -139,29 +143,47 @@ impl Effects {
         })
     }
 
-    /// The floors that are hit in some direction.
-    pub fn hit(&self) -> impl Iterator<Item = usize> {
-        let both = self.as_given.iter().zip(&self.reversed);
-        both.filter(|(one, other)| one.collisions.value + other.collisions.value > 0.0)
-            .map(|(one, _)| one.floor)
+    /// Both directions, with their names.
+    pub fn directions(&self) -> [(&'static str, &[FloorEffects]); 2] {
+        [("as given", &self.as_given), ("reversed", &self.reversed)]
+    }
+
+    /// Largest error of all amplifications \[–\].
+    pub fn largest_error(&self) -> f64 {
+        let floors = self.as_given.iter().chain(&self.reversed);
+        let effects = floors.flat_map(FloorEffects::responses);
+        let errors = effects.filter_map(|effect| Some(effect?.amplification?.error));
+        errors.fold(0.0, f64::max)
+    }
+}
+
+impl FloorEffects {
+    /// Drift, shear force and acceleration; nothing of a wall.
+    pub fn responses(&self) -> [Option<Effect>; 3] {
+        [self.drift_m, self.shear_n, self.acceleration_m_per_s2]
     }
 }
 
 fn effects(prepared: &Prepared, floor: usize, answers: &[Answer]) -> FloorEffects {
-    let moves = !prepared.floors().all()[floor].is_wall();
+    let place = &prepared.floors().all()[floor];
+    let moves = !place.is_wall();
     let effect = |number: fn(&cases::Peaks) -> f64| {
-        moves.then(|| Effect::of(answers, |answer| answer.floors[floor].peaks.each_ref().map(number)))
+        moves.then(|| {
+            Effect::of(answers, |answer| {
+                answer.floors[floor].peaks.each_ref().map(number)
+            })
+        })
     };
     let hits = |number: fn(&cases::Hits) -> f64| {
         Known::of(answers, |answer| number(&answer.floors[floor].hits))
     };
     FloorEffects {
-        floor,
+        name: place.name.clone(),
         collisions: hits(|hits| hits.collisions),
-        impulse: hits(|hits| hits.impulse),
-        largest_impulse: hits(|hits| hits.largest_impulse),
-        drift: effect(|peaks| peaks.drift),
-        shear: effect(|peaks| peaks.shear),
-        acceleration: effect(|peaks| peaks.acceleration),
+        impulse_n_s: hits(|hits| hits.impulse),
+        largest_impulse_n_s: hits(|hits| hits.largest_impulse),
+        drift_m: effect(|peaks| peaks.drift),
+        shear_n: effect(|peaks| peaks.shear),
+        acceleration_m_per_s2: effect(|peaks| peaks.acceleration),
     }
 }

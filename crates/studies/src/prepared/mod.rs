@@ -16,7 +16,7 @@ use crate::floors::{Floor, Floors};
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
 pub use pair_outcome::PairOutcome;
-pub(crate) use run::{Audited, Recorders};
+pub(crate) use run::{Asked, Audited, Recorders};
 pub use run::{Balance, Outcome};
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.

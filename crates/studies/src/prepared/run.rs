@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use pounding_solver::{
     Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
-    LastDisplacements, Ledger, LedgerError, Pair, Peak, Peaks, Recorder, RunError, Terms, TransferredMomentum, Work,
+    LastDisplacements, Ledger, LedgerError, Pair, Peak, Peaks, Recorder, RunError, Terms,
+    TransferredMomentum, Work,
 };
 
 use super::Prepared;
@@ -55,8 +56,24 @@ pub struct Balance {
     pub scale: f64,
 }
 
-/// Recorders of everything but histories, with a ledger or `()`.
+/// What a run records only where it is asked for.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Asked {
+    /// Histories of a state every so many seconds.
+    pub(crate) interval: Option<f64>,
+    /// How far neighbours come towards each other.
+    pub(crate) closings: bool,
+}
+
+/// Recorders of what is printed of a structure or a pair, with a ledger or `()`.
 pub(crate) type Recorders<L> = (Peaks, Collisions, TransferredMomentum, L);
+/// The same with everything else.
+pub(crate) type AllRecorders<'a, L> = (
+    Recorders<L>,
+    FloorAccelerations<'a>,
+    LastDisplacements,
+    (Option<Closings>, Option<Histories>),
+);
 
 impl Prepared {
     /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.
@@ -75,20 +92,23 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub(crate) fn audited(&self, interval: Option<f64>) -> Result<Audited, StudyError> {
-        Ok(self.audited_with(interval, ())?.0)
+        let asked = Asked {
+            interval,
+            closings: false,
+        };
+        Ok(self.audited_with(asked)?.0)
     }
 
-    /// The same with a further recorder.
+    /// The same with what is asked for; closings where they are.
     ///
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
-    pub(crate) fn audited_with<R: Recorder>(
+    pub(crate) fn audited_with(
         &self,
-        interval: Option<f64>,
-        more: R,
-    ) -> Result<(Audited, R), StudyError> {
+        asked: Asked,
+    ) -> Result<(Audited, Option<Closings>), StudyError> {
         let ledger = self.ledger().held_to(self.integrator.laws());
-        let (outcome, (ledger, more)) = self.run_with(interval, (ledger, more))?;
+        let (outcome, ledger, closings) = self.run_with(asked, ledger)?;
         let audited = Audited {
             outcome,
             broken: ledger.verdict().err().map(|source| self.broke(source)),
@@ -98,40 +118,33 @@ impl Prepared {
                 scale: ledger.scale(),
             },
         };
-        Ok((audited, more))
+        Ok((audited, closings))
     }
 
     /// The same without the ledger, which for the exact method takes 1.2 to 1.6 times the time.
     ///
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
-    pub(crate) fn run_unjudged(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
-        Ok(self.run_with(interval, ())?.0)
+    pub(crate) fn run_unjudged(
+        &self,
+        asked: Asked,
+    ) -> Result<(Outcome, Option<Closings>), StudyError> {
+        let (outcome, (), closings) = self.run_with(asked, ())?;
+        Ok((outcome, closings))
     }
 
     /// Runs the scene with a ledger or without one.
     fn run_with<L: Recorder>(
         &self,
-        interval: Option<f64>,
+        asked: Asked,
         ledger: L,
-    ) -> Result<(Outcome, L), StudyError> {
-        let n = self.floors.all().len();
-        let duration = self.clock.time(self.clock.n_steps);
-        let mut recorder = (
-            self.recorders(ledger),
-            FloorAccelerations::new(n, self.excitation()),
-            LastDisplacements::new(n),
-        );
-        let (histories, work) = match interval {
-            Some(interval) => {
-                let mut both = (recorder, Histories::new(n, interval, duration));
-                let work = self.integrate(&mut both)?;
-                recorder = both.0;
-                (Some(both.1), work)
-            }
-            None => (None, self.integrate(&mut recorder)?),
-        };
-        let ((peaks, collisions, momentum, ledger), accelerations, last) = recorder;
+    ) -> Result<(Outcome, L, Option<Closings>), StudyError> {
+        let mut recorders = self.all_recorders(asked, ledger);
+        let work = self
+            .run_by(&self.integrator, self.clock, &mut recorders)
+            .map_err(|error| self.ended(error))?;
+        let (usual, accelerations, last, (closings, histories)) = recorders;
+        let (peaks, collisions, momentum, ledger) = usual;
         let outcome = Outcome {
             peaks,
             collisions,
@@ -141,7 +154,25 @@ impl Prepared {
             histories,
             work,
         };
-        Ok((outcome, ledger))
+        Ok((outcome, ledger, closings))
+    }
+
+    /// Empty recorders of everything that is asked for.
+    ///
+    /// Whatever is asked for, they are of one type for each ledger: every further one would compile all methods again.
+    pub(crate) fn all_recorders<L>(&self, asked: Asked, ledger: L) -> AllRecorders<'_, L> {
+        let n = self.floors.all().len();
+        let duration = self.clock.time(self.clock.n_steps);
+        let histories = |interval| Histories::new(n, interval, duration);
+        (
+            self.recorders(ledger),
+            FloorAccelerations::new(n, self.excitation()),
+            LastDisplacements::new(n),
+            (
+                asked.closings.then(|| self.closings()),
+                asked.interval.map(histories),
+            ),
+        )
     }
 
     /// Empty recorders of everything but histories.
@@ -156,7 +187,7 @@ impl Prepared {
     }
 
     /// An empty recorder of how far neighbours come towards each other.
-    pub(crate) fn closings(&self) -> Closings {
+    fn closings(&self) -> Closings {
         let periods = self.scene.structures.iter().filter_map(Structure::period);
         let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
         Closings::new(self.walls(), look)
@@ -194,17 +225,7 @@ impl Prepared {
         with_row!(&self.model, row => integrator.run(row, excitation, clock, recorder))
     }
 
-    /// Runs the scene with any recorder.
-    ///
-    /// # Errors
-    /// [`StudyError::Run`] when the run ends early.
-    pub(crate) fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
-        self.run_by(&self.integrator, self.clock, recorder)
-            .map_err(|error| self.ended(error))
-    }
-
-    /// The record, as the solver takes it.
-    pub(crate) fn excitation(&self) -> Excitation<'_> {
+    fn excitation(&self) -> Excitation<'_> {
         Excitation::new(self.record.time_step(), self.record.samples())
             .expect("a record has samples and a time step > 0")
     }

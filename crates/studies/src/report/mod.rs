@@ -12,7 +12,7 @@ mod summary;
 
 use std::collections::BTreeMap;
 
-use crate::{Prepared, Review, StudyError};
+use crate::{Effects, Prepared, Review, StudyError};
 use history::Motion;
 use sampling::Sampling;
 pub use summary::{
@@ -26,6 +26,7 @@ pub struct Report<'a> {
     prepared: &'a Prepared,
     review: Review,
     sampling: Sampling,
+    effects: Option<Effects>,
 }
 
 impl<'a> Report<'a> {
@@ -39,7 +40,14 @@ impl<'a> Report<'a> {
             prepared,
             review: prepared.review_recorded(measure, Some(sampling.interval))?,
             sampling,
+            effects: None,
         })
+    }
+
+    /// The same with what pounding does to every storey.
+    #[must_use]
+    pub fn with_effects(self, effects: Option<Effects>) -> Self {
+        Self { effects, ..self }
     }
 
     /// The run with what is known of its errors.
@@ -49,7 +57,10 @@ impl<'a> Report<'a> {
 
     /// What came out, for machines.
     pub fn summary(&self) -> Summary {
-        Summary::of(self.prepared, &self.review)
+        Summary {
+            effects: self.effects.clone(),
+            ..Summary::of(self.prepared, &self.review)
+        }
     }
 
     /// The files of a results folder, by name:
@@ -60,12 +71,14 @@ impl<'a> Report<'a> {
     /// | `summary.json` | [`Summary`] |
     /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps what is open of them |
     /// | `impacts.csv` | a line per collision |
+    /// | `effects.csv` | what pounding does to every storey, where that was asked for |
     /// | `*.svg`, `*.png` | the figures of the report |
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);
         let motion = Motion::of(prepared, outcome);
         let summary = self.summary();
-        let illustrations = figures::illustrations(prepared, outcome, &summary.pairs);
+        let illustrations =
+            figures::illustrations((prepared, outcome), &summary.pairs, self.effects.as_ref());
         let page = page::html(self, &summary, &illustrations);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
@@ -76,6 +89,12 @@ impl<'a> Report<'a> {
             (SUMMARY.into(), summary.to_json().into_bytes()),
             (PAGE.into(), page.into_bytes()),
         ]);
+        if let Some(effects) = &self.effects {
+            files.insert(
+                EFFECTS.into(),
+                effects.to_csv(prepared.floors()).into_bytes(),
+            );
+        }
         for illustration in illustrations {
             if let Ok((svg, png)) = illustration.drawn {
                 files.insert(format!("{}.svg", illustration.name), svg.into_bytes());
@@ -90,13 +109,14 @@ impl<'a> Report<'a> {
         let is_figure = |(stem, end): (&str, &str)| {
             figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
         };
-        [HISTORY, IMPACTS, SUMMARY, PAGE].contains(&name)
+        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE].contains(&name)
             || name.rsplit_once('.').is_some_and(is_figure)
     }
 }
 
 const HISTORY: &str = "history.csv";
 const IMPACTS: &str = "impacts.csv";
+const EFFECTS: &str = "effects.csv";
 const SUMMARY: &str = "summary.json";
 const PAGE: &str = "report.html";
 

@@ -7,7 +7,7 @@ use super::condition::Knowledge;
 use super::quantities::{Quantities, Quantity};
 use crate::contenders::{Contender, REFERENCE, is_compliant};
 use crate::ladder::{Ladder, cost, entries};
-use crate::prepared::Recorders;
+use crate::prepared::{Asked, Recorders};
 use crate::second_route::Fineness;
 use crate::{Completed, Prepared, Scene, StudyError};
 
@@ -214,9 +214,12 @@ impl<'a> Run<'a> {
     ///
     /// The verdict of the ledger is a column of the table: it is held to all laws, the published rule too.
     pub(super) fn recorded(&self) -> Result<(Recorders<Ledger<'a>>, Work), String> {
-        let mut recorder = self.prepared.recorders(self.prepared.ledger());
-        let work = self.run(&mut recorder).map_err(|error| error.to_string())?;
-        Ok((recorder, work))
+        let prepared = self.prepared;
+        let mut recorders = prepared.all_recorders(Asked::default(), prepared.ledger());
+        let work = self
+            .run(&mut recorders)
+            .map_err(|error| error.to_string())?;
+        Ok((recorders.0, work))
     }
 
     pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {

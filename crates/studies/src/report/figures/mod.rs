@@ -13,11 +13,17 @@ use rayon::prelude::*;
 use super::history::Motion;
 use crate::figures::minus;
 use crate::plot::{Curve, Figure, PlotError, render_both, writable};
-use crate::{Floor, Outcome, PairSummary, Prepared, digits};
+use crate::{Effects, Floor, Outcome, PairSummary, Prepared, digits};
 use shown::Shown;
 
 /// The names that pictures can have, without the ends of their files.
-pub(super) const NAMES: [&str; 4] = ["displacements", "gaps", "hysteresis", "ground-motion"];
+pub(super) const NAMES: [&str; 5] = [
+    "displacements",
+    "gaps",
+    "effects",
+    "hysteresis",
+    "ground-motion",
+];
 
 /// A picture of a report.
 #[derive(Debug)]
@@ -61,9 +67,9 @@ impl<'a> Seen<'a> {
 
 /// The pictures of a run; those that would show nothing are left out.
 pub(super) fn illustrations(
-    prepared: &Prepared,
-    outcome: &Outcome,
+    (prepared, outcome): (&Prepared, &Outcome),
     pairs: &[PairSummary],
+    effects: Option<&Effects>,
 ) -> Vec<Illustration> {
     let motion = Motion::of(prepared, outcome);
     let seen = Seen {
@@ -72,9 +78,10 @@ pub(super) fn illustrations(
         motion,
         shown: &Shown::of(prepared, pairs),
     };
-    let figures: [Option<(Figure, String)>; 4] = [
+    let figures: [Option<(Figure, String)>; 5] = [
         Some(displacements::figure(&seen)),
         gaps::figure(&seen),
+        effects.and_then(|effects| effects.figure(prepared)),
         hysteresis::figure(&seen),
         Some(ground::figure(&seen)),
     ];

@@ -1,5 +1,6 @@
 //! `report.html`: one file that a person forwards; it shows the same without a network, and on paper.
 
+mod effects;
 mod markup;
 mod scene;
 mod tables;
@@ -35,9 +36,13 @@ pub(super) fn html(
         format!("<h2>Pairs</h2>\n{}", tables::pairs(summary)),
         figure("gaps"),
         tables::collisions(summary, review),
+        effects::effects(summary, &figure("effects")),
         format!("<h2>Structures</h2>\n{}", tables::structures(summary)),
         figure("hysteresis"),
-        format!("<h2>Scene</h2>\n{}", scene::scene(summary, report.prepared.floors())),
+        format!(
+            "<h2>Scene</h2>\n{}",
+            scene::scene(summary, report.prepared.floors())
+        ),
         format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
         figure("ground-motion"),
         format!(

@@ -5,7 +5,7 @@ mod of_run;
 use pounding_solver::{Terms, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::{Doubt, Scene};
+use crate::{Doubt, Effects, Scene};
 
 /// What was run, what came out and how far to believe it; units stand in the names of its fields.
 ///
@@ -24,6 +24,9 @@ pub struct Summary {
     pub structures: Vec<StructureSummary>,
     /// The pairs of neighbours that can touch, from left to right.
     pub pairs: Vec<PairSummary>,
+    /// What pounding does to every storey, where that was asked for: in the order of the structures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub effects: Option<Effects>,
     /// Where the energy went.
     pub ledger: LedgerSummary,
     /// What the run cost.

@@ -21,6 +21,7 @@ impl Summary {
             record: RecordSummary::of(prepared),
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
+            effects: None,
             ledger: LedgerSummary::of(&review.balance),
             work: WorkSummary::of(&review.outcome.work),
             unusual: prepared.doubts(),

@@ -1,0 +1,75 @@
+//! What pounding does to every storey, as text.
+
+use pounding::studies::{Effects, FloorEffects, Known, Prepared, ROBUST};
+
+use crate::text::{NONE, paragraph, percent, short, table};
+
+/// A table with a line for each direction of every storey, from the roof of each building down.
+pub(super) fn text(prepared: &Prepared, effects: &Effects) -> String {
+    let header = [
+        ["Storey,", "direction"],
+        ["Colli-", "sions"],
+        ["Impulse", "[kN·s]"],
+        ["Drift", "× alone"],
+        ["Shear", "× alone"],
+        ["Accel.", "× alone"],
+        ["Robust", ""],
+    ];
+    let floors = prepared.floors();
+    let structures = 0..prepared.scene().structures.len();
+    let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev());
+    let rows = downwards.flat_map(|floor| {
+        let directions = effects.directions();
+        directions.map(|(name, all)| row(name, &all[*floor]))
+    });
+    let notes = format!(
+        "Effects of pounding: peaks beside the neighbours over those of the same building alone, by the exact method; errors \
+         below {}. Robust: whether all numbers of the line stay within {} when the record is made 1 % weaker, stronger, faster or \
+         slower; ~ marks those that do not. --out and --json say how far they go.",
+        percent(effects.largest_error()),
+        percent(ROBUST)
+    );
+    format!(
+        "{}\n{}",
+        table(&header, &rows.collect::<Vec<_>>()),
+        paragraph("Effects", &notes)
+    )
+}
+
+fn row(direction: &str, floor: &FloorEffects) -> Vec<String> {
+    let hits = [floor.collisions, floor.impulse_n_s];
+    let ratios = floor.responses().map(|one| one?.amplification);
+    let robust = hits
+        .iter()
+        .chain(ratios.iter().flatten())
+        .all(Known::is_robust);
+    let [drift, shear, acceleration] = ratios.map(|one| {
+        one.map_or_else(
+            || NONE.into(),
+            |one| marked(&one, format!("{:.2}", one.value)),
+        )
+    });
+    let name = if direction == "reversed" {
+        "  reversed".into()
+    } else {
+        floor.name.clone()
+    };
+    vec![
+        name,
+        marked(&floor.collisions, floor.collisions.value.to_string()),
+        marked(&floor.impulse_n_s, short(1e-3 * floor.impulse_n_s.value)),
+        drift,
+        shear,
+        acceleration,
+        if robust { "yes" } else { "no" }.into(),
+    ]
+}
+
+/// A number with its mark.
+fn marked(known: &Known, text: String) -> String {
+    if known.is_robust() {
+        text
+    } else {
+        format!("~{text}")
+    }
+}
