@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pounding_studies::{Claim, Comparison, Extent, Finding, Reproduction, Studies, Verdict};
+use pounding_studies::{Claim, Comparison, Examples, Extent, Finding, Reproduction, Studies, Verdict};
 
 use crate::results;
 
@@ -17,10 +17,16 @@ pub(crate) fn run(root: &Path, check: bool, extent: Extent) -> Result<(), String
     let studies = studies.with_extremes(extent);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes and pictures, {elapsed}")
         .expect("the template is well formed");
-    let bar = ProgressBar::new(studies.n_units() as u64).with_style(style);
-    let made = studies
+    let examples = Examples::read(&root.join("studies/examples"));
+    let examples = examples.map_err(|error| error.to_string())?;
+    let units = studies.n_units() + examples.n_units();
+    let bar = ProgressBar::new(units as u64).with_style(style);
+    let mut made = studies
         .reproduce(&|| bar.inc(1))
         .map_err(|error| error.to_string())?;
+    let of_examples = examples.files(&|| bar.inc(1));
+    made.files
+        .extend(of_examples.map_err(|error| error.to_string())?);
     bar.finish_and_clear();
     let folder = root.join("results");
     if check {

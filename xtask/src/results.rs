@@ -1,6 +1,6 @@
 //! The results folder: writing it, and comparing it with a fresh run.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -93,7 +93,10 @@ fn first_difference(found: &[u8], fresh: &[u8]) -> String {
 fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBuf>, String> {
     let mut stale = Vec::new();
     let whole = files.contains_key(&Path::new(WHOLE).join("cells.csv"));
-    for name in GENERATED.into_iter().chain(whole.then_some(WHOLE)) {
+    let mut folders: BTreeSet<&Path> = GENERATED.map(Path::new).into();
+    folders.extend(whole.then_some(Path::new(WHOLE)));
+    folders.extend(files.keys().filter_map(|file| file.parent()));
+    for name in folders {
         // A folder that is not there yet holds nothing stale.
         let Ok(entries) = fs::read_dir(folder.join(name)) else {
             continue;
@@ -101,7 +104,7 @@ fn stale(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Vec<PathBu
         for entry in entries {
             let entry =
                 entry.map_err(|error| format!("{}: {error}", folder.join(name).display()))?;
-            let file = Path::new(name).join(entry.file_name());
+            let file = name.join(entry.file_name());
             let kept = KEPT.iter().any(|name| file == Path::new(name)) || entry.path().is_dir();
             if !kept && !files.contains_key(&file) {
                 stale.push(entry.path());
