@@ -2,8 +2,8 @@
 
 use pounding::solver::{Collision, ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
-    Contact, Errors, Floor, Floors, Method, Outcome, PairErrors, PairOutcome, Prepared, Quantity,
-    Review, RunErrors, Scene, StructureErrors, Warning, digits,
+    Contact, Doubt, Errors, Floor, Floors, Method, Outcome, PairErrors, PairOutcome, Prepared,
+    Quantity, Review, RunErrors, Scene, StructureErrors, Warning, digits,
 };
 
 use crate::record;
@@ -21,9 +21,11 @@ pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
         structures(prepared, outcome, measured),
-        storeys(prepared.floors(), outcome),
+        motions(prepared, outcome, measured),
+        storeys(prepared.floors(), outcome, measured),
         pairs(prepared, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
+        unusual(prepared),
         warnings(&of_run(&review.warnings)),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ]
@@ -40,6 +42,16 @@ pub(crate) fn warnings(found: &[String]) -> String {
     } else {
         paragraph("Warnings", &found.join("\n"))
     }
+}
+
+/// What looks wrong in the scene, a line each; nothing where nothing does.
+fn unusual(prepared: &Prepared) -> String {
+    let mut lines: Vec<String> = prepared.doubts().iter().map(Doubt::brief).collect();
+    if lines.is_empty() {
+        return String::new();
+    }
+    lines.push("`pounding check SCENE` says what is usual".into());
+    paragraph("Unusual", &lines.join("\n"))
 }
 
 /// The warnings of a run, and what helps.
@@ -203,12 +215,55 @@ fn structures(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>
     table(&header, &rows.collect::<Vec<_>>())
 }
 
+/// What is left of the motion at the end, and what stands on the floors felt of it; nothing of walls.
+fn motions(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+    let header = [
+        ["Structure", "", ""],
+        ["Residual", "at end", "[mm]"],
+        ["Peak abs.", "accel.", "[g]"],
+        ["at", "[s]", ""],
+    ];
+    let gravity = prepared.scene().record.gravity_m_per_s2;
+    let floors = prepared.floors().all().iter().enumerate();
+    let moving = floors.filter(|(_, floor)| !floor.is_wall());
+    let rows = moving.flat_map(|(index, floor)| {
+        let peak = outcome.accelerations[index];
+        let row = vec![
+            floor.name.clone(),
+            short(1e3 * outcome.last.of(index)),
+            short(peak.value / gravity),
+            instant(peak.time),
+        ];
+        let error = |errors: &RunErrors| {
+            let errors = &errors.structures[index];
+            vec![
+                ERROR.into(),
+                percent(errors.last_displacement),
+                percent(errors.acceleration),
+                String::new(),
+            ]
+        };
+        std::iter::once(row).chain(errors.map(error))
+    });
+    let rows: Vec<_> = rows.collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table(&header, &rows)
+}
+
+/// To a tenth of a millisecond: the line must fit.
+fn instant(time: f64) -> String {
+    digits((time * 1e4).round() * 1e-4)
+}
+
 /// Drifts of the storeys of buildings, from the ground up; nothing where every structure has one storey.
-fn storeys(floors: &Floors, outcome: &Outcome) -> String {
+fn storeys(floors: &Floors, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
     let header = [
         ["Storey", ""],
         ["Peak", "drift [mm]"],
         ["at", "[s]"],
+        ["Residual", "[mm]"],
         ["Drift", "ratio"],
         ["Shear", "[kN]"],
         ["Ductility", ""],
@@ -220,21 +275,50 @@ fn storeys(floors: &Floors, outcome: &Outcome) -> String {
         floor.storey?;
         let peaks = outcome.peaks.of(*index);
         let drift = peaks.drift();
+        let below = floors
+            .below(*index)
+            .map_or(0.0, |below| outcome.last.of(below));
         let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
-        Some(vec![
+        let row = vec![
             floor.name.clone(),
             short(1e3 * drift.value),
-            digits((drift.time * 1e4).round() * 1e-4),
+            instant(drift.time),
+            short(1e3 * (outcome.last.of(*index) - below)),
             floor.drift_ratio(drift.value).map_or(NONE.into(), percent),
             short(1e-3 * peaks.restoring_force.value),
             number(floor.ductility(drift.value)),
-        ])
+        ];
+        let errors = errors.map(|errors| drift_errors(errors.structures[*index], floor));
+        Some(std::iter::once(row).chain(errors))
     };
-    let rows: Vec<_> = in_order.filter_map(row).collect();
+    let rows: Vec<_> = in_order.filter_map(row).flatten().collect();
     if rows.is_empty() {
         return String::new();
     }
     table(&header, &rows)
+}
+
+/// The errors of a storey, for the line below it.
+fn drift_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
+    // On the ground the drift is the displacement.
+    let drift = percent(errors.drift.unwrap_or(errors.displacement));
+    let unless = |missing: bool| {
+        if missing {
+            String::new()
+        } else {
+            drift.clone()
+        }
+    };
+    let made_of = floor.made_of;
+    vec![
+        ERROR.into(),
+        drift.clone(),
+        String::new(),
+        String::new(),
+        unless(made_of.is_none_or(|made| made.height_m.is_none())),
+        percent(errors.restoring_force),
+        unless(!floor.can_yield()),
+    ]
 }
 
 fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outcome) -> Vec<String> {
@@ -251,8 +335,7 @@ fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outco
         short(period),
         short(damping_ratio),
         short(peaks.displacement.value * 1e3),
-        // To a tenth of a millisecond: the line must fit.
-        digits((peaks.displacement.time * 1e4).round() * 1e-4),
+        instant(peaks.displacement.time),
         short(peaks.restoring_force.value / 1e3),
         floor
             .ductility(peaks.drift().value)
@@ -265,8 +348,6 @@ fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outco
 fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
     let wall = floor.is_wall();
     let peak = |text: String| if wall { String::new() } else { text };
-    // A drift between floors is not compared.
-    let yields = floor.can_yield() && floor.storey.is_none_or(|storey| storey == 1);
     vec![
         ERROR.into(),
         String::new(),
@@ -274,9 +355,9 @@ fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
         peak(percent(errors.displacement)),
         peak(milliseconds(errors.displacement_time)),
         peak(percent(errors.restoring_force)),
-        // A ductility is a peak displacement over a given one.
-        if yields {
-            percent(errors.displacement)
+        // A ductility is a peak drift over a given one.
+        if floor.can_yield() {
+            percent(errors.drift.unwrap_or(errors.displacement))
         } else {
             String::new()
         },
@@ -296,11 +377,12 @@ fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> 
     let header = [
         ["Pair", "", ""],
         ["Gap", "[mm]", ""],
-        ["Collisions", "", ""],
+        ["Colli-", "sions", ""],
         ["First", "[s]", ""],
         ["First", "impulse", "[kN·s]"],
         ["Largest", "impulse", "[kN·s]"],
         ["Peak", "force", "[kN]"],
+        ["at", "[s]", ""],
     ];
     let rows = floors
         .facing()
@@ -317,8 +399,8 @@ fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> 
     table(&header, &rows.collect::<Vec<_>>())
 }
 
-/// Collisions of a pair: number, time and impulse of the first, largest impulse and force.
-fn pair_numbers(pair: &PairOutcome) -> [String; 5] {
+/// Collisions of a pair: number, time and impulse of the first, largest impulse, and force with its time.
+fn pair_numbers(pair: &PairOutcome) -> [String; 6] {
     let impulse = |one: Option<Collision>| one.map_or(NONE.into(), |one| short(one.impulse / 1e3));
     [
         pair.collisions.to_string(),
@@ -328,8 +410,10 @@ fn pair_numbers(pair: &PairOutcome) -> [String; 5] {
         match pair.peak_force {
             None if pair.collisions == 0 => NONE.into(),
             None => "impulsive".into(),
-            Some(force) => short(force / 1e3),
+            Some(force) => short(force.value / 1e3),
         },
+        pair.peak_force
+            .map_or(NONE.into(), |force| instant(force.time)),
     ]
 }
 
@@ -350,5 +434,6 @@ fn pair_errors(errors: &PairErrors) -> Vec<String> {
         relative(errors.first_impulse),
         relative(errors.largest_impulse),
         relative(errors.peak_force),
+        String::new(),
     ]
 }

@@ -88,7 +88,8 @@ pub use newmark::Newmark;
 pub use recorder::{Impact, Recorder, Touch, Velocities};
 pub use recorders::{
     Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History,
-    LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms, TransferredMomentum,
+    LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms,
+    TransferredMomentum,
 };
 pub use rk4::Rk4;
 pub use row::{Node, Pair, Row};

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use pounding_solver::{
     Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
-    LastDisplacements, Ledger, LedgerError, Pair, Peak, Peaks, Recorder, RunError, Terms, TransferredMomentum, Work,
+    LastDisplacements, Ledger, LedgerError, Pair, Peak, Peaks, Recorder, RunError, Terms,
+    TransferredMomentum, Work,
 };
 
 use super::Prepared;

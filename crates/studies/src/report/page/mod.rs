@@ -37,7 +37,10 @@ pub(super) fn html(
         tables::collisions(summary, review),
         format!("<h2>Structures</h2>\n{}", tables::structures(summary)),
         figure("hysteresis"),
-        format!("<h2>Scene</h2>\n{}", scene::scene(summary, report.prepared.floors())),
+        format!(
+            "<h2>Scene</h2>\n{}",
+            scene::scene(summary, report.prepared.floors())
+        ),
         format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
         figure("ground-motion"),
         format!(

@@ -63,7 +63,12 @@ fn storeys(summary: &Summary) -> String {
         let drift = one.peak_drift_m.or(one.drift_ratio).or(one.ductility);
         drift.is_some() || one.storey.is_some()
     };
-    let rows: Vec<_> = summary.structures.iter().filter(tells).map(storey).collect();
+    let rows: Vec<_> = summary
+        .structures
+        .iter()
+        .filter(tells)
+        .map(storey)
+        .collect();
     if rows.is_empty() {
         return String::new();
     }
@@ -104,14 +109,21 @@ fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
     let momentum = Cell::new(short(one.transferred_momentum_n_s / 1e3));
     vec![
         Cell::new(&one.name),
-        Cell::known(one.peak_displacement_m.map(|value| short(1e3 * value)))
-            .over(displaced),
+        Cell::known(one.peak_displacement_m.map(|value| short(1e3 * value))).over(displaced),
         Cell::known(one.peak_displacement_time_s.map(digits))
             .over(time.map(|time| format!("error {}", milliseconds(time)))),
-        Cell::known(one.residual_displacement_at_end_m.map(|value| short(1e3 * value)))
-            .over(off(errors_of_peaks, |errors| errors.residual_displacement_at_end)),
-        Cell::known(one.peak_acceleration_m_per_s2.map(|value| short(value / gravity)))
-            .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
+        Cell::known(
+            one.residual_displacement_at_end_m
+                .map(|value| short(1e3 * value)),
+        )
+        .over(off(errors_of_peaks, |errors| {
+            errors.residual_displacement_at_end
+        })),
+        Cell::known(
+            one.peak_acceleration_m_per_s2
+                .map(|value| short(value / gravity)),
+        )
+        .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
         Cell::known(one.peak_acceleration_time_s.map(digits)),
         Cell::known(thousandths(one.peak_shear_force_n))
             .over(off(errors_of_peaks, |errors| errors.peak_shear_force)),

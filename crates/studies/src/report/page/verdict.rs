@@ -83,7 +83,11 @@ fn against(n: usize, exact: Option<usize>) -> String {
 fn missed(summary: &Summary, review: &Review) -> String {
     let pairs = summary.pairs.iter().filter_map(|pair| {
         let exact = pair.errors.as_ref()?.exact_collisions;
-        let collisions = if exact == 1 { "collision" } else { "collisions" };
+        let collisions = if exact == 1 {
+            "collision"
+        } else {
+            "collisions"
+        };
         (exact > 0).then(|| {
             format!(
                 "{} – {}: exact motion has {exact} {collisions}, this run none",
