@@ -268,30 +268,28 @@ fn storeys(floors: &Floors, outcome: &Outcome, errors: Option<&RunErrors>) -> St
         ["Shear", "[kN]"],
         ["Ductility", ""],
     ];
-    let n_structures = floors.all().iter().map(|floor| floor.structure).max();
-    let in_order = (0..=n_structures.unwrap_or(0)).flat_map(|one| floors.of_structure(one));
-    let row = |index: &usize| {
-        let floor = &floors.all()[*index];
+    let row = |index: usize| {
+        let floor = &floors.all()[index];
         floor.storey?;
-        let peaks = outcome.peaks.of(*index);
+        let peaks = outcome.peaks.of(index);
         let drift = peaks.drift();
         let below = floors
-            .below(*index)
+            .below(index)
             .map_or(0.0, |below| outcome.last.of(below));
         let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
         let row = vec![
             floor.name.clone(),
             short(1e3 * drift.value),
             instant(drift.time),
-            short(1e3 * (outcome.last.of(*index) - below)),
+            short(1e3 * (outcome.last.of(index) - below)),
             floor.drift_ratio(drift.value).map_or(NONE.into(), percent),
             short(1e-3 * peaks.restoring_force.value),
             number(floor.ductility(drift.value)),
         ];
-        let errors = errors.map(|errors| drift_errors(errors.structures[*index], floor));
+        let errors = errors.map(|errors| drift_errors(errors.structures[index], floor));
         Some(std::iter::once(row).chain(errors))
     };
-    let rows: Vec<_> = in_order.filter_map(row).flatten().collect();
+    let rows: Vec<_> = floors.by_structure().filter_map(row).flatten().collect();
     if rows.is_empty() {
         return String::new();
     }

@@ -138,6 +138,11 @@ impl Floors {
         self.levels.of(structure)
     }
 
+    /// All of them, structure by structure from the left, each from the ground up, by their places in the row.
+    pub fn by_structure(&self) -> impl Iterator<Item = usize> {
+        (0..self.n_structures).flat_map(|structure| self.levels.of(structure).iter().copied())
+    }
+
     /// The floor below, in the same building; nothing for one that stands on the ground.
     pub fn below(&self, floor: usize) -> Option<usize> {
         let (structure, storey) = self.levels.place(floor);

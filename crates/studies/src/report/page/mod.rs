@@ -35,7 +35,10 @@ pub(super) fn html(
         format!("<h2>Pairs</h2>\n{}", tables::pairs(summary)),
         figure("gaps"),
         tables::collisions(summary, review),
-        format!("<h2>Structures</h2>\n{}", tables::structures(summary)),
+        format!(
+            "<h2>Structures</h2>\n{}",
+            tables::structures(summary, report.prepared.floors())
+        ),
         figure("hysteresis"),
         format!(
             "<h2>Scene</h2>\n{}",
