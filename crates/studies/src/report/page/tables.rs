@@ -43,23 +43,20 @@ pub(super) fn structures(summary: &Summary, floors: &Floors) -> String {
         "Transferred momentum [kN·s]",
     ];
     let gravity = summary.scene.record.gravity_m_per_s2;
-    let in_order = || {
-        floors
-            .by_structure()
-            .map(|index| &summary.structures[index])
-    };
-    let rows: Vec<_> = in_order().map(|one| structure(one, gravity)).collect();
+    let in_order = floors.by_structure();
+    let in_order: Vec<_> = in_order.map(|index| &summary.structures[index]).collect();
+    let rows: Vec<_> = in_order.iter().map(|one| structure(one, gravity)).collect();
     format!(
         "{}{}<p class=\"soft\">Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is what \
          is left at the end of the run, {} s: once the free vibration has died away.</p>\n",
         table(&header, &rows),
-        storeys(in_order()),
+        storeys(&in_order),
         digits(summary.method.duration_s)
     )
 }
 
 /// Drifts of storeys; nothing where no structure says more of them than its displacement.
-fn storeys<'a>(structures: impl Iterator<Item = &'a StructureSummary>) -> String {
+fn storeys(structures: &[&StructureSummary]) -> String {
     let header = [
         "Columns of",
         "Peak drift [mm]",
@@ -68,11 +65,12 @@ fn storeys<'a>(structures: impl Iterator<Item = &'a StructureSummary>) -> String
         "Drift ratio",
         "Ductility",
     ];
-    let tells = |one: &&StructureSummary| {
+    let tells = |one: &StructureSummary| {
         let drift = one.peak_drift_m.or(one.drift_ratio).or(one.ductility);
         drift.is_some() || one.storey.is_some()
     };
-    let rows: Vec<_> = structures.filter(tells).map(storey).collect();
+    let telling = structures.iter().filter(|one| tells(one));
+    let rows: Vec<_> = telling.map(|one| storey(one)).collect();
     if rows.is_empty() {
         return String::new();
     }
