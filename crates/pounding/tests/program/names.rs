@@ -91,9 +91,9 @@ fn issue_a_duration_too_long_is_named() {
         refusal(&pounding(&folder, &["run", "scene.toml"]))
     };
     let long = TOWERS.replace("duration_s = 3.0", "duration_s = 1e9");
-    assert_snapshot!(refused(&long), @"");
+    assert_snapshot!(refused(&long), @r#"error: scene.toml: scene "towers": duration_s: found 1000000000, allowed up to about 121117 by the exact method, which would need 8.3e9 pieces of the motion of structures[0], "left", of 1e6 at most: use a shorter duration_s, or leave it out for that of the record and two periods"#);
     let stepping = format!("method.rk4.time_step_s = 0.01\n{long}");
-    assert_snapshot!(refused(&stepping), @"");
+    assert_snapshot!(refused(&stepping), @r#"error: scene.toml: scene "towers": duration_s: found 1000000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
 }
 
 /// Advice on a scene in TOML was to be pasted as JSON.

@@ -133,7 +133,7 @@ fn extreme_two_kinds_of_damping() {
     let message = refused("two_dampings", |scene| {
         scene["structures"][0]["sdof"]["damping"]["ratio"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found both `two_frequencies` and `ratio`, allowed is one of them; delete the other"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found both `ratio` and `rayleigh`, allowed is one of them; delete the other"#);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn extreme_damping_as_a_number() {
     let message = refused("number", |scene| {
         scene["structures"][0]["sdof"]["damping"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 30, column 23: structures[0].sdof.damping: found both `two_frequencies` and `ratio`, allowed is one of them; delete the other"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 30, column 23: structures[0].sdof.damping: found no choice, allowed is one, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
 }
 
 #[test]

@@ -148,10 +148,10 @@ fn unusual(lines: &[Line]) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
     for line in lines {
         for doubt in line.found.iter().flat_map(|found| &found.unusual) {
-            let brief = if doubt.place.starts_with("structures") {
-                doubt.brief()
+            let brief = if doubt.place == "record" {
+                format!("{}: {}", line.motion, doubt.found)
             } else {
-                format!("{}: {}", line.motion, doubt.brief())
+                doubt.brief()
             };
             if !said.contains(&brief) {
                 said.push(brief);
