@@ -8,6 +8,14 @@ use std::path::{Path, PathBuf};
 
 use pounding::studies::Report;
 
+/// The files of a run under a folder of records.
+pub(crate) const OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
+
+/// Whether results can have a file of this name.
+fn is_result(name: &str) -> bool {
+    Report::has_file(name) || OF_RECORDS.contains(&name)
+}
+
 /// What lies where a folder is to be written.
 enum Found {
     Nothing,
@@ -79,7 +87,7 @@ fn mix(folder: &Path, new: &Path, files: &BTreeMap<String, Vec<u8>>) -> io::Resu
         let name = entry?.file_name();
         let stale = name
             .to_str()
-            .is_some_and(|name| Report::has_file(name) && !files.contains_key(name));
+            .is_some_and(|name| is_result(name) && !files.contains_key(name));
         if stale {
             fs::remove_file(folder.join(name))?;
         }
@@ -110,13 +118,17 @@ fn found(folder: &Path) -> Result<Found, String> {
         .collect();
     let mut names = names.map_err(unreadable)?;
     names.sort();
-    let is_other = |name: &&String| !Report::has_file(name) || folder.join(name).is_dir();
+    let is_other = |name: &&String| !is_result(name) || folder.join(name).is_dir();
     if let Some(other) = names.iter().find(is_other) {
         return Ok(Found::Other(other.clone()));
     }
     // Files of these names that no run wrote together are somebody else's.
     match names.first() {
-        Some(first) if !names.iter().any(|name| name == "summary.json") => {
+        Some(first)
+            if !names
+                .iter()
+                .any(|name| ["summary.json", "runs.json"].contains(&name.as_str())) =>
+        {
             Ok(Found::Other(first.clone()))
         }
         _ => Ok(Found::Results),

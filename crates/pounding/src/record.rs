@@ -32,7 +32,13 @@ pub(crate) fn lines(prepared: &Prepared) -> Vec<String> {
     }
     let done = scene.record.processing();
     if !done.is_empty() {
-        lines.push(format!("then: {}", done.join("; ")));
+        let scale = prepared.scale();
+        let scaled = if scale.to_bits() == 1.0_f64.to_bits() {
+            String::new()
+        } else {
+            format!("; in all × {}", short(scale))
+        };
+        lines.push(format!("then: {}{scaled}", done.join("; ")));
     }
     lines.extend(record.source().lines().map(String::from));
     lines

@@ -1,13 +1,14 @@
 //! What happened in a scene, and how far each number is from the exact run, as plain text.
 
-use pounding::solver::{Collision, ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
+mod tables;
+
+use pounding::solver::{ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
-    Contact, Errors, Floor, Floors, Method, Outcome, PairErrors, PairOutcome, Prepared, Quantity,
-    Review, RunErrors, Scene, StructureErrors, Warning, digits,
+    Doubt, Errors, Method, PairErrors, Prepared, Quantity, Review, Scene, Warning, digits,
 };
 
 use crate::record;
-use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
+use crate::text::{paragraph, percent, short};
 
 /// Summary of a run.
 pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
@@ -20,10 +21,12 @@ pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
         paragraph("Scene", &scene.name),
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
-        structures(prepared, outcome, measured),
-        storeys(prepared.floors(), outcome),
-        pairs(prepared, outcome, measured),
+        tables::structures(prepared, outcome, measured),
+        tables::motions(prepared, outcome, measured),
+        tables::storeys(prepared.floors(), outcome, measured),
+        tables::pairs(prepared, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
+        unusual(prepared),
         warnings(&of_run(&review.warnings)),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ]
@@ -40,6 +43,16 @@ pub(crate) fn warnings(found: &[String]) -> String {
     } else {
         paragraph("Warnings", &found.join("\n"))
     }
+}
+
+/// What looks wrong in the scene, a line each; nothing where nothing does.
+fn unusual(prepared: &Prepared) -> String {
+    let mut lines: Vec<String> = prepared.doubts().iter().map(Doubt::brief).collect();
+    if lines.is_empty() {
+        return String::new();
+    }
+    lines.push("`pounding check SCENE` says what is usual".into());
+    paragraph("Unusual", &lines.join("\n"))
 }
 
 /// The warnings of a run, and what helps.
@@ -181,174 +194,4 @@ fn words(start: Start) -> &'static str {
         Start::FirstLoadUsed => "first load used",
         Start::FirstLoadSkipped => "first load skipped",
     }
-}
-
-fn structures(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
-    let header = [
-        ["Structure", "", ""],
-        ["Period", "[s]", ""],
-        ["Damping", "ratio", ""],
-        ["Peak", "displ.", "[mm]"],
-        ["at", "[s]", ""],
-        ["Peak", "shear", "[kN]"],
-        ["Ductility", "", ""],
-        ["Transf.", "momentum", "[kN·s]"],
-    ];
-    let floors = prepared.floors().all().iter().enumerate();
-    let rows = floors.flat_map(|(index, floor)| {
-        let errors = errors.map(|errors| structure_errors(errors.structures[index], floor));
-        let row = structure_row((prepared.scene(), floor), index, outcome);
-        std::iter::once(row).chain(errors)
-    });
-    table(&header, &rows.collect::<Vec<_>>())
-}
-
-/// Drifts of the storeys of buildings, from the ground up; nothing where every structure has one storey.
-fn storeys(floors: &Floors, outcome: &Outcome) -> String {
-    let header = [
-        ["Storey", ""],
-        ["Peak", "drift [mm]"],
-        ["at", "[s]"],
-        ["Drift", "ratio"],
-        ["Shear", "[kN]"],
-        ["Ductility", ""],
-    ];
-    let n_structures = floors.all().iter().map(|floor| floor.structure).max();
-    let in_order = (0..=n_structures.unwrap_or(0)).flat_map(|one| floors.of_structure(one));
-    let row = |index: &usize| {
-        let floor = &floors.all()[*index];
-        floor.storey?;
-        let peaks = outcome.peaks.of(*index);
-        let drift = peaks.drift();
-        let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
-        Some(vec![
-            floor.name.clone(),
-            short(1e3 * drift.value),
-            digits((drift.time * 1e4).round() * 1e-4),
-            floor.drift_ratio(drift.value).map_or(NONE.into(), percent),
-            short(1e-3 * peaks.restoring_force.value),
-            number(floor.ductility(drift.value)),
-        ])
-    };
-    let rows: Vec<_> = in_order.filter_map(row).collect();
-    if rows.is_empty() {
-        return String::new();
-    }
-    table(&header, &rows)
-}
-
-fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outcome) -> Vec<String> {
-    let momentum = short(outcome.momentum.of(index) / 1e3);
-    let Some((period, damping_ratio)) = floor.oscillation(scene) else {
-        let mut row = vec![floor.name.clone()];
-        row.resize(7, NONE.into());
-        row.push(momentum);
-        return row;
-    };
-    let peaks = outcome.peaks.of(index);
-    vec![
-        floor.name.clone(),
-        short(period),
-        short(damping_ratio),
-        short(peaks.displacement.value * 1e3),
-        // To a tenth of a millisecond: the line must fit.
-        digits((peaks.displacement.time * 1e4).round() * 1e-4),
-        short(peaks.restoring_force.value / 1e3),
-        floor
-            .ductility(peaks.drift().value)
-            .map_or_else(|| NONE.into(), short),
-        momentum,
-    ]
-}
-
-/// The errors of a structure, for the line below it.
-fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
-    let wall = floor.is_wall();
-    let peak = |text: String| if wall { String::new() } else { text };
-    // A drift between floors is not compared.
-    let yields = floor.can_yield() && floor.storey.is_none_or(|storey| storey == 1);
-    vec![
-        ERROR.into(),
-        String::new(),
-        String::new(),
-        peak(percent(errors.displacement)),
-        peak(milliseconds(errors.displacement_time)),
-        peak(percent(errors.restoring_force)),
-        // A ductility is a peak displacement over a given one.
-        if yields {
-            percent(errors.displacement)
-        } else {
-            String::new()
-        },
-        percent(errors.momentum),
-    ]
-}
-
-/// Begins a line of errors.
-const ERROR: &str = "  error";
-
-fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
-    let (floors, scene) = (prepared.floors(), prepared.scene());
-    if floors.facing().is_empty() {
-        return paragraph("Pairs", "none: no structure can touch another");
-    }
-    let contacts: Vec<&Contact> = scene.contacts.iter().flatten().collect();
-    let header = [
-        ["Pair", "", ""],
-        ["Gap", "[mm]", ""],
-        ["Collisions", "", ""],
-        ["First", "[s]", ""],
-        ["First", "impulse", "[kN·s]"],
-        ["Largest", "impulse", "[kN·s]"],
-        ["Peak", "force", "[kN]"],
-    ];
-    let rows = floors
-        .facing()
-        .iter()
-        .enumerate()
-        .flat_map(|(index, facing)| {
-            let [left, right] = floors.names(index);
-            let gap = contacts[facing.contact].gap_m;
-            let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
-            row.extend(pair_numbers(&outcome.of_pair(index)));
-            let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
-            std::iter::once(row).chain(errors)
-        });
-    table(&header, &rows.collect::<Vec<_>>())
-}
-
-/// Collisions of a pair: number, time and impulse of the first, largest impulse and force.
-fn pair_numbers(pair: &PairOutcome) -> [String; 5] {
-    let impulse = |one: Option<Collision>| one.map_or(NONE.into(), |one| short(one.impulse / 1e3));
-    [
-        pair.collisions.to_string(),
-        pair.first.map_or(NONE.into(), |first| digits(first.start)),
-        impulse(pair.first),
-        impulse(pair.largest),
-        match pair.peak_force {
-            None if pair.collisions == 0 => NONE.into(),
-            None => "impulsive".into(),
-            Some(force) => short(force / 1e3),
-        },
-    ]
-}
-
-/// The errors of a pair, for the line below it.
-fn pair_errors(errors: &PairErrors) -> Vec<String> {
-    let relative = |error: Option<f64>| error.map_or(String::new(), percent);
-    vec![
-        ERROR.into(),
-        String::new(),
-        if errors.rests {
-            "rests".into()
-        } else if errors.differ() {
-            format!("exact {}", errors.collisions.1)
-        } else {
-            "equal".into()
-        },
-        errors.first_time.map_or(String::new(), milliseconds),
-        relative(errors.first_impulse),
-        relative(errors.largest_impulse),
-        relative(errors.peak_force),
-    ]
 }

@@ -11,18 +11,21 @@ pub(crate) const NONE: &str = "–";
 
 /// Lines with a word before the first; long lines are broken between words.
 pub(crate) fn paragraph(label: &str, text: &str) -> String {
-    let broken: Vec<String> = text.lines().flat_map(broken).collect();
+    let broken: Vec<String> = text
+        .lines()
+        .flat_map(|line| broken(line, WIDTH - LABEL))
+        .collect();
     let indent = " ".repeat(LABEL);
     format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
 }
 
-/// A line in pieces that fit beside a label; a longer word stays whole.
-fn broken(line: &str) -> Vec<String> {
+/// A line in pieces of so many letters; a longer word stays whole.
+fn broken(line: &str, width: usize) -> Vec<String> {
     let length = |text: &str| text.chars().count();
     let mut pieces: Vec<String> = Vec::new();
     for word in line.split_whitespace() {
         match pieces.last_mut() {
-            Some(piece) if LABEL + length(piece) + 1 + length(word) <= WIDTH => {
+            Some(piece) if length(piece) + 1 + length(word) <= width => {
                 piece.push(' ');
                 piece.push_str(word);
             }
@@ -32,8 +35,18 @@ fn broken(line: &str) -> Vec<String> {
     pieces
 }
 
-/// Columns under a name of some lines: the first to the left and cut where the table would be too wide, others to
-/// the right.
+/// A text in pieces of so many letters; a longer word is broken, too.
+fn pieces(text: &str, width: usize) -> Vec<String> {
+    let cut = |piece: String| {
+        let letters: Vec<char> = piece.chars().collect();
+        let parts = letters.chunks(width).map(|part| part.iter().collect());
+        parts.collect::<Vec<String>>()
+    };
+    broken(text, width).into_iter().flat_map(cut).collect()
+}
+
+/// Columns under a name of some lines: the first to the left, others to the right. A name for which the table would be too wide
+/// stands in lines of its own, above its numbers.
 pub(crate) fn table<const N: usize, const LINES: usize>(
     header: &[[&str; LINES]; N],
     rows: &[Vec<String>],
@@ -53,8 +66,13 @@ pub(crate) fn table<const N: usize, const LINES: usize>(
         let others: Vec<String> = others
             .map(|(cell, width)| format!("  {cell:>width$}"))
             .collect();
-        let line = format!("{:first$}{}", cut(&line[0], first), others.concat());
-        format!("{}\n", line.trim_end())
+        let (above, name) = if line[0].chars().count() > first {
+            (format!("{}\n", pieces(&line[0], WIDTH).join("\n")), "")
+        } else {
+            (String::new(), line[0].as_str())
+        };
+        let line = format!("{name:first$}{}", others.concat());
+        format!("{above}{}\n", line.trim_end())
     };
     lines.into_iter().map(print).collect()
 }
@@ -62,8 +80,8 @@ pub(crate) fn table<const N: usize, const LINES: usize>(
 /// Columns of a cell of a table side by side.
 const CELL: usize = 14;
 
-/// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, cut. What does
-/// not fit beside the names stands below, with the names again.
+/// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, in as many lines as
+/// they need. What does not fit beside the names stands below, with the names again.
 pub(crate) fn side_by_side(rows: &[Vec<String>]) -> String {
     let names = rows.iter().filter_map(|row| row.first());
     let names = names.map(|name| name.chars().count()).max().unwrap_or(0);
@@ -86,11 +104,19 @@ pub(crate) fn side_by_side(rows: &[Vec<String>]) -> String {
         }
     }
     let line = |row: usize, block: &[usize]| {
-        let cells = block.iter().map(|&column| {
-            let width = width(column);
-            format!("  {:>width$}", cut(cell(row, column), CELL))
-        });
-        format!("{:names$}{}\n", cell(row, 0), cells.collect::<String>())
+        let lines_of = |column: &usize| pieces(cell(row, *column), CELL);
+        let cells: Vec<Vec<String>> = block.iter().map(lines_of).collect();
+        let tallest = cells.iter().map(Vec::len).max().unwrap_or(0).max(1);
+        let line = |line: usize| {
+            let name = if line == 0 { cell(row, 0) } else { "" };
+            let cells = block.iter().zip(&cells).map(|(&column, lines)| {
+                let width = width(column);
+                format!("  {:>width$}", lines.get(line).map_or("", String::as_str))
+            });
+            let line = format!("{name:names$}{}", cells.collect::<String>());
+            format!("{}\n", line.trim_end())
+        };
+        (0..tallest).map(line).collect::<String>()
     };
     let block = |block: &Vec<usize>| (0..rows.len()).map(|row| line(row, block)).collect();
     let blocks: Vec<String> = blocks.iter().map(block).collect();

@@ -122,7 +122,7 @@ impl Number {
             Self::Momentum => "momentum",
             Self::Displacement => "displacement",
             Self::Drift => "storey drift",
-            Self::LastDisplacement => "displacement at the end",
+            Self::LastDisplacement => "end displacement",
             Self::Acceleration => "acceleration",
             Self::ShearForce => "shear force",
             Self::Collisions => "collisions",

@@ -18,15 +18,20 @@ pub fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
     parse(&text, path)
 }
 
-/// Reads the text of a JSON or TOML file: JSON where its first letter is `{` or the ending of its name says so.
+/// Whether the text of a file is JSON and not TOML: its first letter is `{`, or the ending of its name says so.
+pub fn is_json(text: &[u8], path: &Path) -> bool {
+    let named = path.extension().is_some_and(|ending| ending == "json");
+    named || text.trim_ascii_start().starts_with(b"{")
+}
+
+/// Reads the text of a JSON or TOML file, as [`is_json`] tells them apart.
 ///
 /// # Errors
 /// [`StudyError::Form`], with the `path` that the text came from.
 pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyError> {
     // What some editors put before UTF-8.
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-    let is_json = path.extension().is_some_and(|ending| ending == "json");
-    let refused = if is_json || text.trim_ascii_start().starts_with(b"{") {
+    let refused = if is_json(text, path) {
         json(text)
     } else {
         toml(text)

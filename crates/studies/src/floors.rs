@@ -138,9 +138,9 @@ impl Floors {
         self.levels.of(structure)
     }
 
-    /// The places of all of them in the row: building by building, each from the ground up.
-    pub fn from_the_ground_up(&self) -> impl Iterator<Item = usize> {
-        (0..self.n_structures).flat_map(|structure| self.of_structure(structure).iter().copied())
+    /// All of them, structure by structure from the left, each from the ground up, by their places in the row.
+    pub fn by_structure(&self) -> impl Iterator<Item = usize> {
+        (0..self.n_structures).flat_map(|structure| self.levels.of(structure).iter().copied())
     }
 
     /// The floor below, in the same building; nothing for one that stands on the ground.

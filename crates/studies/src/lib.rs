@@ -69,7 +69,7 @@ pub use examples::Examples;
 pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use fault::Fault;
 pub use figures::figure_png;
-pub use file::{parse, read_file};
+pub use file::{is_json, parse, read_file};
 pub use floors::{Facing, Floor, Floors, Made};
 pub use free_collision::{CollisionError, Delivered, FreeCollision};
 pub use ground_motion::{GroundMotion, Origin};

@@ -1,5 +1,6 @@
 //! `pounding advise`: the cheapest method and time step for an accuracy.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
@@ -7,7 +8,7 @@ use clap::builder::PossibleValue;
 
 use pounding::studies::{
     Advice, EVALUATIONS_PER_PIECE, Goal, LONGEST_STEP, MOST_STEPS, Method, Prepared, Quantity,
-    Rungs, Scene, StudyError, Trial, advise, digits, read_file,
+    Rungs, Scene, StudyError, Trial, advise, digits, is_json, read_file,
 };
 use serde_json::json;
 
@@ -47,8 +48,10 @@ pub(crate) struct Arguments {
 enum OfWhat {
     /// Transferred momentum of every structure.
     Momentum,
-    /// Peak displacement of every structure.
+    /// Peak displacement of every floor, storey drifts, displacements at the end.
     Displacement,
+    /// Peak absolute acceleration of every floor.
+    Acceleration,
     /// Peak shear forces and peak pounding forces.
     Force,
     /// First and largest impulse of every pair.
@@ -64,6 +67,7 @@ impl From<OfWhat> for Quantity {
         match of_what {
             OfWhat::Momentum => Self::Momentum,
             OfWhat::Displacement => Self::Displacement,
+            OfWhat::Acceleration => Self::Acceleration,
             OfWhat::Force => Self::Force,
             OfWhat::Impulse => Self::Impulse,
             OfWhat::Time => Self::Time,
@@ -97,7 +101,9 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     Ok(if asked.json {
         json_of(&prepared, &advice, asked.quantity)
     } else {
-        of(&prepared, &advice)
+        let text = std::fs::read(path);
+        let json = text.is_ok_and(|text| is_json(&text, path));
+        of(&prepared, &advice, json)
     })
 }
 
@@ -130,7 +136,7 @@ fn json_of(prepared: &Prepared, advice: &Advice, of_what: OfWhat) -> String {
 }
 
 /// The recommended method, the line for the scene, and what every method would cost.
-fn of(prepared: &Prepared, advice: &Advice) -> String {
+fn of(prepared: &Prepared, advice: &Advice, json: bool) -> String {
     let best = advice.best();
     let goal = percent(advice.goal.error);
     let step = best.method.time_step().map_or(String::new(), |step| {
@@ -150,15 +156,28 @@ fn of(prepared: &Prepared, advice: &Advice) -> String {
             best.cost
         )
     };
-    let snippet = serde_json::to_string_pretty(&best.method).expect("a method is plain data");
     [
         paragraph("Use", &format!("{}{step}\n{why}", best.name)),
-        format!("  \"method\": {}\n", snippet.replace('\n', "\n  ")),
+        snippet(&best.method, json),
         paragraph("Scene", &prepared.scene().name),
         methods(advice),
         paragraph("Notes", &notes()),
     ]
     .join("\n")
+}
+
+/// The method in the words of the scene's file, to be pasted in place of its own.
+fn snippet(method: &Method, json: bool) -> String {
+    let lines = if json {
+        let table = serde_json::to_string_pretty(method).expect("a method is plain data");
+        format!("\"method\": {table}")
+    } else {
+        // A table, which may stand at the end of a file.
+        let table = toml::to_string(&BTreeMap::from([("method", method)]));
+        table.expect("a method is plain data")
+    };
+    let lines: Vec<String> = lines.lines().map(|line| format!("  {line}\n")).collect();
+    lines.concat()
 }
 
 fn notes() -> String {
@@ -218,7 +237,8 @@ fn of_trial(trial: &Trial) -> String {
 fn words(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Momentum => "transferred momenta",
-        Quantity::Displacement => "peak displacements",
+        Quantity::Displacement => "displacements and drifts",
+        Quantity::Acceleration => "peak accelerations",
         Quantity::Force => "peak forces",
         Quantity::Impulse => "impulses",
         Quantity::Time => "times of first collisions",

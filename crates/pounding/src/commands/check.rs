@@ -205,12 +205,35 @@ fn structures(prepared: &Prepared) -> String {
             structure.name().into(),
             number(structure.period()),
             number(structure.damping_ratio()),
-            number(structure.yield_force().map(|force| force / 1e3)),
+            yields_at(structure),
             limit,
         ]
     };
     let structures = prepared.scene().structures.iter().enumerate();
     table(&header, &structures.map(row).collect::<Vec<_>>())
+}
+
+/// Yield force of a structure \[kN\]; of storeys that differ the least and the largest, and that some stay elastic.
+fn yields_at(structure: &Structure) -> String {
+    let forces = structure.yield_forces();
+    let known: Vec<f64> = forces.iter().flatten().copied().collect();
+    if known.is_empty() {
+        return NONE.into();
+    }
+    let least = known.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = known.iter().copied().fold(0.0, f64::max);
+    let kilonewtons = |force: f64| short(force / 1e3);
+    let (least, most) = (kilonewtons(least), kilonewtons(most));
+    let text = if least == most {
+        least
+    } else {
+        format!("{least} to {most}")
+    };
+    if known.len() < forces.len() {
+        format!("{text}, {} of {}", known.len(), forces.len())
+    } else {
+        text
+    }
 }
 
 fn pairs(prepared: &Prepared, limits: &Limits) -> String {

@@ -1,6 +1,7 @@
 //! `pounding compare`: several scenes side by side.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use pounding::studies::{
@@ -32,8 +33,17 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
+/// What is printed as JSON.
+#[derive(serde::Serialize)]
+struct Compared {
+    /// The files of the scenes, as asked for.
+    files: Vec<String>,
+    runs: Vec<Summary>,
+}
+
 /// A scene that ran.
 struct Run {
+    file: PathBuf,
     prepared: Prepared,
     review: Review,
 }
@@ -47,7 +57,8 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     if asked.json {
         return Ok(json_of(&runs));
     }
-    let mut rows = vec![row("Scene", &runs, |run| run.prepared.scene().name.clone())];
+    let mut names = names(&runs).into_iter();
+    let mut rows = vec![row("Scene", &runs, |_| names.next().unwrap_or_default())];
     rows.extend(of_runs(&runs));
     let most = |count: fn(&Run) -> usize| runs.iter().map(count).max().unwrap_or(0);
     let structures = most(|run| run.prepared.floors().all().len());
@@ -61,20 +72,44 @@ fn run(path: &Path, measure: bool) -> Result<Run, StudyError> {
     let prepared = super::prepare(path, false)?;
     let _waiting = Waiting::new("running");
     let review = prepared.review(measure)?;
-    Ok(Run { prepared, review })
+    Ok(Run {
+        file: path.to_path_buf(),
+        prepared,
+        review,
+    })
+}
+
+/// A name of every scene unlike the others, where there is one: its own, or else that of its file, or its path.
+fn names(runs: &[Run]) -> Vec<String> {
+    let own = |run: &Run| run.prepared.scene().name.clone();
+    let path = |run: &Run| run.file.display().to_string();
+    let file = |run: &Run| {
+        let name = run.file.file_name().map(|name| name.to_string_lossy());
+        name.map_or_else(|| path(run), Cow::into_owned)
+    };
+    let ways: [&dyn Fn(&Run) -> String; 2] = [&own, &file];
+    let ways = ways.map(|way| runs.iter().map(way).collect::<Vec<_>>());
+    let differ = |names: &Vec<String>| names.iter().collect::<BTreeSet<_>>().len() == names.len();
+    let found = ways.into_iter().find(differ);
+    found.unwrap_or_else(|| runs.iter().map(path).collect())
 }
 
 fn json_of(runs: &[Run]) -> String {
     let summary = |run: &Run| Summary::of(&run.prepared, &run.review);
-    let summaries: Vec<Summary> = runs.iter().map(summary).collect();
     // Not a `Value`, which would sort the fields of a summary.
-    let all = BTreeMap::from([("runs", summaries)]);
+    let all = Compared {
+        files: runs
+            .iter()
+            .map(|run| run.file.display().to_string())
+            .collect(),
+        runs: runs.iter().map(summary).collect(),
+    };
     let text = serde_json::to_string_pretty(&all).expect("plain data");
     format!("{text}\n")
 }
 
 /// A name and a cell for every scene.
-fn row(name: &str, runs: &[Run], cell: impl Fn(&Run) -> String) -> Vec<String> {
+fn row(name: &str, runs: &[Run], cell: impl FnMut(&Run) -> String) -> Vec<String> {
     std::iter::once(name.to_string())
         .chain(runs.iter().map(cell))
         .collect()
@@ -135,6 +170,15 @@ fn of_structure(runs: &[Run], index: usize) -> Vec<Vec<String>> {
             moves(structure)?;
             Some(1e3 * run.review.outcome.peaks.of(index).displacement.value)
         }),
+        number("  residual at end [mm]", &|run, structure| {
+            moves(structure)?;
+            Some(1e3 * run.review.outcome.last.of(index))
+        }),
+        number("  peak acceleration [g]", &|run, structure| {
+            moves(structure)?;
+            let gravity = run.prepared.scene().record.gravity_m_per_s2;
+            Some(run.review.outcome.accelerations[index].value / gravity)
+        }),
         number("  peak shear [kN]", &|run, structure| {
             moves(structure)?;
             Some(1e-3 * run.review.outcome.peaks.of(index).restoring_force.value)
@@ -160,13 +204,29 @@ fn of_pair(runs: &[Run], pair: usize) -> Vec<Vec<String>> {
             gap(run).map_or(NONE.into(), short)
         }),
         row("  collisions", runs, |run| match gap(run) {
-            Some(_) => run.review.outcome.of_pair(pair).collisions.to_string(),
+            Some(_) => collisions(run, pair),
             None => NONE.into(),
         }),
         number("  first [s]", &|pair| Some(pair.first?.start)),
         number("  largest impulse [kN·s]", &|pair| {
             Some(1e-3 * pair.largest?.impulse)
         }),
-        number("  peak force [kN]", &|pair| Some(1e-3 * pair.peak_force?)),
+        number("  peak force [kN]", &|pair| {
+            Some(1e-3 * pair.peak_force?.value)
+        }),
+        number("    at [s]", &|pair| Some(pair.peak_force?.time)),
     ]
+}
+
+/// Number of collisions, and that of the exact run where it is another.
+fn collisions(run: &Run, pair: usize) -> String {
+    let found = run.review.outcome.of_pair(pair).collisions;
+    let errors = run
+        .review
+        .measured()
+        .and_then(|errors| errors.pairs.get(pair));
+    match errors.filter(|errors| errors.differ()) {
+        Some(errors) => format!("{found} (exact {})", errors.collisions.1),
+        None => found.to_string(),
+    }
 }

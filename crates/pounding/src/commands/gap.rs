@@ -61,18 +61,19 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         method: Method::EXACT,
         ..scene.clone()
     };
-    let lines = suite::lines(
+    let ran = suite::lines(
         &apart,
         &asked.records,
         &[false, true],
         Prepared::separations,
     )?;
-    Ok(if asked.json {
-        json_of(&scene, &lines)
+    let lines = &ran.lines;
+    ran.answer(if asked.json {
+        json_of(&scene, lines)
     } else if asked.csv {
-        csv_of(&scene, &lines)
+        csv_of(&scene, lines)
     } else {
-        text(&scene, &lines)
+        text(&scene, lines)
     })
 }
 

@@ -18,9 +18,14 @@ Examples:
   pounding run studies/examples/row-of-five.toml --effects --out results/five
   pounding run scene.toml --records records --both
   pounding run scene.toml --records records --csv > runs.csv
+  pounding run scene.toml --records records --out results/records
 
 The folder holds report.html, for people; summary.json, which --json prints, for
-machines; history.csv and impacts.csv; and the figures as SVG and PNG.
+machines; history.csv and impacts.csv; and the figures as SVG and PNG. Of a
+folder of records it holds runs.txt, runs.csv and runs.json.
+
+Ctrl-C ends a folder of records with the runs that are finished: they are
+printed and written; pressed again it ends at once.
 
 `pounding init` writes a scene to begin with; files named in a scene are
 relative to its folder.
@@ -84,8 +89,9 @@ struct Suite {
 /// Where a folder of results goes.
 #[derive(Debug, clap::Args)]
 struct Results {
-    /// Write a report with histories and figures here.
-    #[arg(long, value_name = "FOLDER", conflicts_with = "records")]
+    /// Write a report with histories and figures here; of --records the table as
+    /// text, CSV and JSON.
+    #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// Also where the folder holds other things; they stay.
     #[arg(long, requires = "out")]

@@ -1,6 +1,7 @@
 //! A scene under every record of a folder: what became of each motion, and what is said of those that are left out.
 
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use pounding::studies::{Motion, Prepared, Scene, StudyError};
 use rayon::prelude::*;
@@ -22,6 +23,55 @@ impl<T> Line<T> {
     }
 }
 
+/// The lines that are finished, of so many cases.
+pub(super) struct Ran<T> {
+    pub(super) lines: Vec<Line<T>>,
+    n_cases: usize,
+}
+
+impl<T> Ran<T> {
+    /// What is printed of the lines; where Ctrl-C was pressed before all were finished, it is printed here.
+    ///
+    /// # Errors
+    /// Says that Ctrl-C was pressed.
+    pub(super) fn answer(&self, text: String) -> Result<String, String> {
+        let finished = self.lines.len();
+        if finished == self.n_cases {
+            return Ok(text);
+        }
+        crate::print(&text)?;
+        let of = self.n_cases;
+        Err(format!(
+            "stopped by Ctrl-C: of {of} runs the {finished} are printed that were finished"
+        ))
+    }
+}
+
+/// Whether Ctrl-C was pressed.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// From now on Ctrl-C lets runs end that have begun, and begins no other; pressed again it ends the program.
+fn stop_when_asked() {
+    let asked = ctrlc::set_handler(|| {
+        if STOPPED.swap(true, Ordering::Relaxed) {
+            #[expect(clippy::exit, reason = "asked for twice")]
+            std::process::exit(130);
+        }
+    });
+    // Without a handler Ctrl-C ends the program at once, as it does elsewhere.
+    let _ = asked;
+}
+
+/// What comes of every case, in order, up to where somebody says stop: what has begun is finished.
+fn until_stopped<C: Sync, L: Send>(
+    cases: &[C],
+    stopped: &AtomicBool,
+    line: impl Fn(&C) -> L + Sync,
+) -> Vec<L> {
+    let unless = |case| (!stopped.load(Ordering::Relaxed)).then(|| line(case));
+    cases.par_iter().filter_map(unless).collect()
+}
+
 /// Runs a scene under every motion of a folder, in these directions (whether reversed); a line each, in order.
 ///
 /// # Errors
@@ -31,7 +81,7 @@ pub(super) fn lines<T: Send>(
     folder: &Path,
     directions: &[bool],
     run: impl Fn(&Prepared) -> Result<T, StudyError> + Sync,
-) -> Result<Vec<Line<T>>, String> {
+) -> Result<Ran<T>, String> {
     let motions = motions(folder)?;
     let cases: Vec<_> = motions
         .iter()
@@ -48,13 +98,17 @@ pub(super) fn lines<T: Send>(
             found: found.map_err(|error| error.reason()),
         }
     };
-    let lines: Vec<_> = cases.par_iter().map(line).collect();
+    stop_when_asked();
+    let lines = until_stopped(&cases, &STOPPED, line);
     match nothing_found(lines.iter().map(|line| &line.found)) {
         Some(first) => Err(format!(
             "none of the records in {} shakes the row; the first: {first}",
             folder.display()
         )),
-        None => Ok(lines),
+        None => Ok(Ran {
+            lines,
+            n_cases: cases.len(),
+        }),
     }
 }
 
@@ -99,7 +153,9 @@ fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Line, left_out, nothing_found};
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    use super::{Line, left_out, nothing_found, until_stopped};
 
     fn line(motion: &str, reversed: bool, found: Result<(), &str>) -> Line<()> {
         Line {
@@ -107,6 +163,21 @@ mod tests {
             reversed,
             found: found.map_err(String::from),
         }
+    }
+
+    /// Ctrl-C lost what was done.
+    #[test]
+    fn issue_what_is_finished_when_stopped_is_kept() {
+        let (stopped, cases) = (AtomicBool::new(false), (0..10_000).collect::<Vec<_>>());
+        let line = |case: &i32| {
+            stopped.fetch_or(*case >= 5, Ordering::Relaxed);
+            *case
+        };
+        let kept = until_stopped(&cases, &stopped, line);
+        assert!((1..10_000).contains(&kept.len()), "{}", kept.len());
+        assert!(kept.is_sorted(), "in the order of the cases");
+        stopped.store(false, Ordering::Relaxed);
+        assert_eq!(until_stopped(&cases, &stopped, |case| *case), cases);
     }
 
     /// A motion that failed only when reversed was said nowhere.

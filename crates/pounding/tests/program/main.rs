@@ -1,5 +1,7 @@
 //! The program `pounding` from outside: what it prints, and what it says to input that it refuses.
 
+mod batches;
+mod buildings;
 mod certificates;
 mod errors;
 mod exports;
@@ -8,6 +10,7 @@ mod helps;
 mod init;
 mod machines;
 mod motions;
+mod names;
 mod plans;
 mod records;
 mod results;

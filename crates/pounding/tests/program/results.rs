@@ -113,8 +113,8 @@ summary.json
 ");
     assert_snapshot!("summary_json", text(out.join("summary.json")));
     assert_snapshot!(text(out.join("impacts.csv")), @r"
-pair,left,right,start_s,end_s,duration_s,approach_speed_m_per_s,impulse_n_s,peak_force_n,start_uncertainty_s
-0,one,other,0.07,0.07,0.0,1.9999999999951001,2249.999999994488,,
+pair,left,right,start_s,end_s,duration_s,approach_speed_m_per_s,impulse_n_s,peak_force_n,peak_force_time_s,start_uncertainty_s
+0,one,other,0.07,0.07,0.0,1.9999999999951001,2249.999999994488,,,
 ");
     let history = text(out.join("history.csv"));
     let beginning: Vec<&str> = history.lines().take(9).collect();

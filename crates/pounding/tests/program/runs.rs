@@ -71,7 +71,7 @@ fn reference_free_impact() {
     let ended = run("free_impact", &scene.to_string(), Some(&quiet(10)));
     // 2 m/s close 125 mm in 0.0625 s; the method finds the overlap at 0.07 s.
     // (1 + e) · m₁m₂/(m₁ + m₂) · δ̇ = 1.5 · 750 kg · 2 m/s = 2.25 kN·s.
-    let pair = ["125", "1", "0.07", "2.250", "2.250", "impulsive"];
+    let pair = ["125", "1", "0.07", "2.250", "2.250", "impulsive", "–"];
     assert_eq!(line(printed(&ended), "one – other"), pair);
     // After it −0.25 m/s and 0.75 m/s: the right structure has gone 0.43 s · 0.75 m/s at the end.
     let one = line(printed(&ended), "one ");

@@ -133,7 +133,7 @@ fn extreme_two_kinds_of_damping() {
     let message = refused("two_dampings", |scene| {
         scene["structures"][0]["sdof"]["damping"]["ratio"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found both `two_frequencies` and `ratio`, allowed is one of them; delete the other"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found both `ratio` and `rayleigh`, allowed is one of them; delete the other"#);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn extreme_damping_as_a_number() {
     let message = refused("number", |scene| {
         scene["structures"][0]["sdof"]["damping"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 30, column 23: structures[0].sdof.damping: found both `two_frequencies` and `ratio`, allowed is one of them; delete the other"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 30, column 23: structures[0].sdof.damping: found no choice, allowed is one, such as {"ratio": 0.05} in JSON, { ratio = 0.05 } in TOML"#);
 }
 
 #[test]
@@ -262,7 +262,7 @@ fn extreme_duration_between_two_steps() {
     let message = refused("duration", |scene| scene["duration_s"] = json!(10.002));
     assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1"#);
     let message = refused("long", |scene| scene["duration_s"] = json!(1e6));
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 1000000, allowed at most 1e8 steps times structures; a longer time_step_s allows more"#);
+    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 1000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
 }
 
 #[test]

@@ -17,7 +17,7 @@ impl Effects {
     /// `low` and `high` are the least and the largest value under the record and its changes by one per cent.
     pub fn to_csv(&self, floors: &Floors) -> String {
         let mut rows = Vec::new();
-        for floor in floors.from_the_ground_up() {
+        for floor in floors.by_structure() {
             for (direction, effects) in [("as_given", &self.as_given), ("reversed", &self.reversed)]
             {
                 rows.push(row(&floors.all()[floor], direction, &effects[floor]));

@@ -74,10 +74,9 @@ impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
 
 /// What is said of a choice and another word beside it.
 fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
-    let first = match json!(choice) {
-        Value::Object(table) => table.keys().next().cloned(),
-        word => word.as_str().map(String::from),
-    };
+    let choice = json!(choice);
+    let table = choice.as_object().and_then(|table| table.keys().next());
+    let first = table.map(String::as_str).or(choice.as_str());
     format!("{TWO_CHOICES}`{}` and `{other}`", first.unwrap_or_default())
 }
 

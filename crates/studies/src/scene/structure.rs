@@ -102,12 +102,16 @@ impl Structure {
         }
     }
 
-    /// Shear force at which its first storey yields \[N\]; nothing for columns that stay elastic, and a wall.
-    pub fn yield_force(&self) -> Option<f64> {
+    /// Shear force at which every storey yields \[N\], from the ground up; nothing for columns that stay elastic. A wall has no
+    /// storeys.
+    pub fn yield_forces(&self) -> Vec<Option<f64>> {
         match self {
-            Self::Sdof(structure) => structure.yield_force_n,
-            Self::Building(building) => building.storeys[0].columns.yield_force_n,
-            Self::Wall => None,
+            Self::Sdof(structure) => vec![structure.yield_force_n],
+            Self::Building(building) => {
+                let storeys = building.storeys.iter();
+                storeys.map(|storey| storey.columns.yield_force_n).collect()
+            }
+            Self::Wall => Vec::new(),
         }
     }
 

@@ -41,11 +41,14 @@ fn structure(structure: &Structure, limit: Option<f64>) -> Value {
     let Some(period) = structure.period() else {
         return json!({"name": structure.name()});
     };
+    // Of every storey, from the ground up; the first stands alone, too.
+    let yield_forces = structure.yield_forces();
     json!({
         "name": structure.name(),
         "period_s": period,
         "damping_ratio": structure.damping_ratio(),
-        "yield_force_n": structure.yield_force(),
+        "yield_force_n": yield_forces.first(),
+        "yield_forces_n": yield_forces,
         "critical_time_step_s": limit,
     })
 }

@@ -139,7 +139,9 @@ fn exact(contents: &Contents<'_>) -> String {
     let first = pairs
         .iter()
         .map(|pair| python(pair.first.map(|first| first.start)));
-    let force = pairs.iter().map(|pair| python(pair.peak_force));
+    let force = pairs
+        .iter()
+        .map(|pair| python(pair.peak_force.map(|peak| peak.value)));
     let rows = [
         ("displacement", displacements.collect::<Vec<_>>()),
         ("touches", touches.collect()),

@@ -1,15 +1,18 @@
 //! `pounding run --records`: the scene under every record of a folder, a line each.
 
+mod data;
+
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use pounding::studies::{
-    Errors, PairOutcome, PairSummary, Prepared, Quantity, Review, Scene, StructureSummary,
+    Doubt, Errors, PairOutcome, PairSummary, Prepared, Quantity, Review, Scene, StructureSummary,
     StudyError, digits, read_file,
 };
-use serde_json::json;
 
 use super::{Arguments, Printed};
-use crate::commands::{csv_text, json_text, suite};
+use crate::commands::suite;
+use crate::folder;
 use crate::text::{NONE, paragraph, percent, short, table};
 
 /// What became of the scene under one motion in one direction.
@@ -19,10 +22,14 @@ type Line = suite::Line<Found>;
 struct Found {
     /// Peak ground acceleration \[m/s²\], without sign.
     pga: f64,
+    /// What the record was multiplied by, all scales together.
+    scale: f64,
     /// Largest error, where it was measured.
     error: Option<f64>,
     /// Why it was not, in a word.
     why: &'static str,
+    /// What looks wrong.
+    unusual: Vec<Doubt>,
     warnings: Vec<String>,
     /// The collisions of all pairs.
     all: PairOutcome,
@@ -39,13 +46,27 @@ impl Found {
         };
         Self {
             pga: prepared.record().peak().1.abs(),
+            scale: prepared.scale(),
             error,
             why,
+            unusual: prepared.doubts(),
             warnings: review.warnings.iter().map(ToString::to_string).collect(),
             all: PairOutcome::of(review.outcome.collisions.all()),
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
         }
+    }
+
+    /// The largest pounding force \[N\] of the pairs that have one: an impulse has none.
+    fn force(&self) -> Option<f64> {
+        let forces = self.pairs.iter().filter_map(|pair| pair.peak_force_n);
+        forces.max_by(f64::total_cmp)
+    }
+
+    /// Whether exact motion touches, where this run does not.
+    fn misses(&self) -> bool {
+        let errors = self.pairs.iter().filter_map(|pair| pair.errors.as_ref());
+        self.all.collisions == 0 && errors.map(|errors| errors.exact_collisions).sum::<usize>() > 0
     }
 
     /// The largest peak displacement of a structure \[m\], without sign.
@@ -66,15 +87,42 @@ pub(super) fn answer(asked: &Arguments, folder: &Path) -> Result<String, String>
     } else {
         &[scene.record.reversed]
     };
-    let lines = suite::lines(&scene, folder, directions, |prepared| {
+    if let Some(out) = &asked.results.out {
+        folder::check(out, asked.results.overwrite)?;
+    }
+    let ran = suite::lines(&scene, folder, directions, |prepared| {
         let review = prepared.review(!asked.model.no_error)?;
         Ok(Found::new(prepared, &review))
     })?;
-    Ok(match asked.printed() {
-        Printed::Text => text(&scene, &lines),
-        Printed::Csv => csv_of(&lines),
-        Printed::Json => json_of(&scene, &lines),
-    })
+    let lines = &ran.lines;
+    let mut answer = match asked.printed() {
+        Printed::Text => text(&scene, lines),
+        Printed::Csv => data::csv(lines),
+        Printed::Json => data::json(&scene, lines),
+    };
+    if let Some(out) = &asked.results.out {
+        folder::write(out, &files(&scene, lines))?;
+        if asked.printed() == Printed::Text {
+            let results = paragraph("Results", &out.display().to_string());
+            answer = format!("{answer}\n{results}");
+        }
+    }
+    ran.answer(answer)
+}
+
+/// The files of a folder of results, by name: the lines for programs and for people.
+fn files(scene: &Scene, lines: &[Line]) -> BTreeMap<String, Vec<u8>> {
+    let texts = [
+        data::csv(lines),
+        data::json(scene, lines),
+        text(scene, lines),
+    ];
+    let texts = texts.map(String::into_bytes);
+    folder::OF_RECORDS
+        .map(String::from)
+        .into_iter()
+        .zip(texts)
+        .collect()
 }
 
 fn text(scene: &Scene, lines: &[Line]) -> String {
@@ -87,11 +135,34 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
+    let unusual = unusual(lines);
+    if !unusual.is_empty() {
+        parts.push(paragraph("Unusual", &unusual.join("\n")));
+    }
     parts.push(paragraph("Notes", NOTES));
     parts.join("\n")
 }
 
-const NOTES: &str = "Impulse, force and displ.: the largest of all collisions and structures. Error: the largest distance of a \
+/// What looks wrong: of the scene once, of a record with its name.
+fn unusual(lines: &[Line]) -> Vec<String> {
+    let mut said: Vec<String> = Vec::new();
+    for line in lines {
+        for doubt in line.found.iter().flat_map(|found| &found.unusual) {
+            let brief = if doubt.place == "record" {
+                format!("{}: {}", line.motion, doubt.found)
+            } else {
+                doubt.brief()
+            };
+            if !said.contains(&brief) {
+                said.push(brief);
+            }
+        }
+    }
+    said
+}
+
+const NOTES: &str = "Scale: what the record was multiplied by. Impulse, force and displ.: the largest of all collisions and structures; \
+                     force, of the laws that have one. Error: the largest distance of a \
                      printed number from the exact run; ! marks a run with warnings, which a run of that record alone prints. \
                      --csv has every structure and pair.";
 
@@ -99,6 +170,7 @@ fn runs(scene: &Scene, lines: &[Line]) -> String {
     let header = [
         ["Record", ""],
         ["PGA", "[g]"],
+        ["Scale", ""],
         ["Colli-", "sions"],
         ["First", "[s]"],
         ["Impulse", "[kN·s]"],
@@ -112,19 +184,21 @@ fn runs(scene: &Scene, lines: &[Line]) -> String {
             collisions,
             first,
             largest,
-            peak_force,
             ..
         } = found.all;
         let mark = if found.warnings.is_empty() { "" } else { "!" };
         Some(vec![
             line.name(),
             short(found.pga / scene.record.gravity_m_per_s2),
+            short(found.scale),
             collisions.to_string(),
             first.map_or(NONE.into(), |first| {
                 digits((first.start * 1e4).round() * 1e-4)
             }),
             largest.map_or(NONE.into(), |largest| short(largest.impulse / 1e3)),
-            peak_force.map_or(NONE.into(), |force| short(force / 1e3)),
+            found
+                .force()
+                .map_or(NONE.into(), |force| short(force / 1e3)),
             short(1e3 * found.displacement()),
             format!("{}{mark}", found.error.map_or(found.why.into(), percent)),
         ])
@@ -140,7 +214,18 @@ fn result(lines: &[Line]) -> String {
         Some((line, largest.impulse))
     });
     let hits: Vec<_> = hits.collect();
-    let touch = format!("they touch under {} of {found} motions", hits.len());
+    let mut touch = format!("they touch under {} of {found} motions", hits.len());
+    let missed = lines
+        .iter()
+        .filter(|line| line.found.as_ref().is_ok_and(Found::misses));
+    let missed: Vec<String> = missed.map(Line::name).collect();
+    if !missed.is_empty() {
+        touch = format!(
+            "{touch};\nthe steps miss the touches that exact motion has under {}: {}",
+            missed.len(),
+            missed.join(", ")
+        );
+    }
     match hits.iter().max_by(|a, b| a.1.total_cmp(&b.1)) {
         None => touch,
         Some((line, impulse)) => {
@@ -152,105 +237,4 @@ fn result(lines: &[Line]) -> String {
             )
         }
     }
-}
-
-/// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
-fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
-    let numbers = [
-        ("peak_displacement_m", one.peak_displacement_m),
-        ("peak_displacement_time_s", one.peak_displacement_time_s),
-        ("peak_shear_force_n", one.peak_shear_force_n),
-        ("peak_shear_force_time_s", one.peak_shear_force_time_s),
-        ("ductility", one.ductility),
-        ("drift_ratio", one.drift_ratio),
-        (
-            "transferred_momentum_n_s",
-            Some(one.transferred_momentum_n_s),
-        ),
-    ];
-    let numbers = numbers.into_iter();
-    numbers
-        .filter_map(|(name, value)| Some((name, value?)))
-        .collect()
-}
-
-/// Numbers of a pair with their names, SI units: fields of its summary, those of a collision after its name.
-fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 9] {
-    let (first, largest) = (one.first, one.largest);
-    [
-        ("collisions", Some(one.collisions as f64)),
-        ("first_start_s", first.map(|first| first.start_s)),
-        ("first_impulse_n_s", first.map(|first| first.impulse_n_s)),
-        ("largest_start_s", largest.map(|largest| largest.start_s)),
-        (
-            "largest_impulse_n_s",
-            largest.map(|largest| largest.impulse_n_s),
-        ),
-        ("peak_force_n", one.peak_force_n),
-        ("total_impulse_n_s", Some(one.total_impulse_n_s)),
-        ("least_opening_m", Some(one.least_opening_m)),
-        ("least_opening_time_s", Some(one.least_opening_time_s)),
-    ]
-}
-
-/// A row per number of every structure and pair of every run: what, of which, and its value; SI units.
-fn csv_of(lines: &[Line]) -> String {
-    let header = ["record", "reversed", "of", "quantity", "value", "refused"];
-    let rows = lines.iter().flat_map(|line| {
-        let row = |of: &str, quantity: &str, value: Option<f64>| {
-            let value = value.map_or(String::new(), |value| value.to_string());
-            let row = [
-                &line.motion,
-                &line.reversed.to_string(),
-                of,
-                quantity,
-                &value,
-                "",
-            ];
-            row.map(String::from)
-        };
-        let found = match &line.found {
-            Ok(found) => found,
-            Err(reason) => {
-                let mut row = row("", "", None);
-                row[5].clone_from(reason);
-                return vec![row];
-            }
-        };
-        let mut rows = vec![
-            row("record", "pga_m_per_s2", Some(found.pga)),
-            row("run", "largest_error", found.error),
-            row("run", "warnings", Some(found.warnings.len() as f64)),
-        ];
-        for structure in &found.structures {
-            let numbers = of_structure(structure).into_iter();
-            rows.extend(
-                numbers.map(|(quantity, value)| row(&structure.name, quantity, Some(value))),
-            );
-        }
-        for pair in &found.pairs {
-            let name = format!("{} – {}", pair.left, pair.right);
-            rows.extend(of_pair(pair).map(|(quantity, value)| row(&name, quantity, value)));
-        }
-        rows
-    });
-    csv_text(std::iter::once(header.map(String::from)).chain(rows))
-}
-
-fn json_of(scene: &Scene, lines: &[Line]) -> String {
-    let line = |line: &Line| match &line.found {
-        Ok(found) => json!({
-            "record": line.motion,
-            "reversed": line.reversed,
-            "pga_m_per_s2": found.pga,
-            "largest_error": found.error,
-            "warnings": found.warnings,
-            "structures": found.structures,
-            "pairs": found.pairs,
-        }),
-        Err(reason) => {
-            json!({"record": line.motion, "reversed": line.reversed, "refused": reason})
-        }
-    };
-    json_text(&json!({"scene": scene, "motions": lines.iter().map(line).collect::<Vec<_>>()}))
 }

@@ -37,7 +37,10 @@ pub(super) fn html(
         figure("gaps"),
         tables::collisions(summary, review),
         effects::effects(summary, &figure("effects")),
-        format!("<h2>Structures</h2>\n{}", tables::structures(summary)),
+        format!(
+            "<h2>Structures</h2>\n{}",
+            tables::structures(summary, report.prepared.floors())
+        ),
         figure("hysteresis"),
         format!(
             "<h2>Scene</h2>\n{}",

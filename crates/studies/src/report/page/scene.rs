@@ -143,7 +143,7 @@ fn contact_row(neighbours: &[Structure], contact: &Contact) -> Vec<Cell> {
     let law = serde_json::to_value(contact.law).unwrap_or_default();
     let parameter = |(name, value): (&String, &serde_json::Value)| {
         let value = value.as_f64().map_or_else(|| value.to_string(), short);
-        format!("{} = {value}", name.replace('_', " "))
+        format!("{name} = {value}")
     };
     let parameters = law[name].as_object().into_iter().flatten();
     let parameters: Vec<String> = parameters.map(parameter).collect();

@@ -5,12 +5,17 @@ use serde_json::Value;
 
 use super::markup::{Cell, digits, facts, short, table};
 use crate::report::summary::{PairSummary, RecordSummary, StructureSummary, Summary};
-use crate::{Errors, Review, milliseconds, percent, rounded_down};
+use crate::{Errors, Floors, Review, milliseconds, percent, rounded_down};
 
 /// Collisions beyond these are in `impacts.csv` only.
 const FIRST: usize = 10;
 /// Energies below this part of what they are measured by are none.
 const ROUNDING: f64 = 1e-12;
+
+/// An instant to a tenth of a millisecond.
+fn instant(time: f64) -> String {
+    digits((time * 1e4).round() * 1e-4)
+}
 
 fn thousandths(value: Option<f64>) -> Option<String> {
     value.map(|value| short(value / 1e3))
@@ -25,7 +30,7 @@ fn off<E>(errors: Option<&E>, of: fn(&E) -> Option<f64>) -> Option<String> {
 }
 
 /// The structures.
-pub(super) fn structures(summary: &Summary) -> String {
+pub(super) fn structures(summary: &Summary, floors: &Floors) -> String {
     let header = [
         "Structure",
         "Peak displacement [mm]",
@@ -38,37 +43,34 @@ pub(super) fn structures(summary: &Summary) -> String {
         "Transferred momentum [kN·s]",
     ];
     let gravity = summary.scene.record.gravity_m_per_s2;
-    let structures = summary.structures.iter();
-    let rows: Vec<_> = structures.map(|one| structure(one, gravity)).collect();
+    let in_order = floors.by_structure();
+    let in_order: Vec<_> = in_order.map(|index| &summary.structures[index]).collect();
+    let rows: Vec<_> = in_order.iter().map(|one| structure(one, gravity)).collect();
     format!(
         "{}{}<p class=\"soft\">Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is what \
          is left at the end of the run, {} s: once the free vibration has died away.</p>\n",
         table(&header, &rows),
-        storeys(summary),
+        storeys(&in_order),
         digits(summary.method.duration_s)
     )
 }
 
 /// Drifts of storeys; nothing where no structure says more of them than its displacement.
-fn storeys(summary: &Summary) -> String {
+fn storeys(structures: &[&StructureSummary]) -> String {
     let header = [
-        "Storey",
+        "Columns of",
         "Peak drift [mm]",
         "at [s]",
         "Residual, at the end [mm]",
         "Drift ratio",
         "Ductility",
     ];
-    let tells = |one: &&StructureSummary| {
+    let tells = |one: &StructureSummary| {
         let drift = one.peak_drift_m.or(one.drift_ratio).or(one.ductility);
         drift.is_some() || one.storey.is_some()
     };
-    let rows: Vec<_> = summary
-        .structures
-        .iter()
-        .filter(tells)
-        .map(storey)
-        .collect();
+    let telling = structures.iter().filter(|one| tells(one));
+    let rows: Vec<_> = telling.map(|one| storey(one)).collect();
     if rows.is_empty() {
         return String::new();
     }
@@ -92,7 +94,7 @@ fn storey(one: &StructureSummary) -> Vec<Cell> {
     vec![
         Cell::new(&one.name),
         millimetres(drift).over(off.clone()),
-        Cell::known(time.map(digits)),
+        Cell::known(time.map(instant)),
         millimetres(last),
         Cell::known(one.drift_ratio.map(percent))
             .over(off.clone().filter(|_| one.drift_ratio.is_some())),
@@ -110,7 +112,7 @@ fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
     vec![
         Cell::new(&one.name),
         Cell::known(one.peak_displacement_m.map(|value| short(1e3 * value))).over(displaced),
-        Cell::known(one.peak_displacement_time_s.map(digits))
+        Cell::known(one.peak_displacement_time_s.map(instant))
             .over(time.map(|time| format!("error {}", milliseconds(time)))),
         Cell::known(
             one.residual_displacement_at_end_m
@@ -124,10 +126,10 @@ fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
                 .map(|value| short(value / gravity)),
         )
         .over(off(errors_of_peaks, |errors| errors.peak_acceleration)),
-        Cell::known(one.peak_acceleration_time_s.map(digits)),
+        Cell::known(one.peak_acceleration_time_s.map(instant)),
         Cell::known(thousandths(one.peak_shear_force_n))
             .over(off(errors_of_peaks, |errors| errors.peak_shear_force)),
-        Cell::known(one.peak_shear_force_time_s.map(digits)),
+        Cell::known(one.peak_shear_force_time_s.map(instant)),
         momentum.over(off(errors, |errors| errors.transferred_momentum)),
     ]
 }
@@ -181,7 +183,7 @@ fn pair(one: &PairSummary) -> Vec<Cell> {
         Cell::known(thousandths(one.largest.map(|largest| largest.impulse_n_s)))
             .over(off(compared, |errors| errors.largest_impulse)),
         force,
-        Cell::known(one.peak_force_time_s.map(digits)),
+        Cell::known(one.peak_force_time_s.map(instant)),
     ]
 }
 
@@ -232,7 +234,7 @@ fn collision(summary: &Summary, one: &Collision) -> Vec<Cell> {
         Cell::known(one.approach_speed.map(short)),
         Cell::new(short(one.impulse / 1e3)),
         Cell::known(thousandths(one.peak_force)),
-        Cell::known(one.peak_force_time.map(digits)),
+        Cell::known(one.peak_force_time.map(instant)),
     ]
 }
 

@@ -1,0 +1,260 @@
+//! The tables of a run: structures, what is left of their motion, storeys, pairs.
+
+use pounding::solver::Collision;
+use pounding::studies::{
+    Contact, Floor, Floors, Outcome, PairErrors, PairOutcome, Prepared, RunErrors, Scene,
+    StructureErrors, digits,
+};
+
+use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
+
+/// Peaks of every floor and wall.
+pub(super) fn structures(
+    prepared: &Prepared,
+    outcome: &Outcome,
+    errors: Option<&RunErrors>,
+) -> String {
+    let header = [
+        ["Structure", "", ""],
+        ["Period", "[s]", ""],
+        ["Damping", "ratio", ""],
+        ["Peak", "displ.", "[mm]"],
+        ["at", "[s]", ""],
+        ["Peak", "shear", "[kN]"],
+        ["Ductility", "", ""],
+        ["Transf.", "momentum", "[kN·s]"],
+    ];
+    let floors = prepared.floors().all().iter().enumerate();
+    let rows = floors.flat_map(|(index, floor)| {
+        let errors = errors.map(|errors| structure_errors(errors.structures[index], floor));
+        let row = structure_row((prepared.scene(), floor), index, outcome);
+        std::iter::once(row).chain(errors)
+    });
+    table(&header, &rows.collect::<Vec<_>>())
+}
+
+/// What is left of the motion at the end, and what stands on the floors felt of it; nothing of walls.
+pub(super) fn motions(
+    prepared: &Prepared,
+    outcome: &Outcome,
+    errors: Option<&RunErrors>,
+) -> String {
+    let header = [
+        ["Structure", "", ""],
+        ["Residual", "at end", "[mm]"],
+        ["Peak abs.", "accel.", "[g]"],
+        ["at", "[s]", ""],
+    ];
+    let gravity = prepared.scene().record.gravity_m_per_s2;
+    let floors = prepared.floors().all().iter().enumerate();
+    let moving = floors.filter(|(_, floor)| !floor.is_wall());
+    let rows = moving.flat_map(|(index, floor)| {
+        let peak = outcome.accelerations[index];
+        let row = vec![
+            floor.name.clone(),
+            short(1e3 * outcome.last.of(index)),
+            short(peak.value / gravity),
+            instant(peak.time),
+        ];
+        let error = |errors: &RunErrors| {
+            let errors = &errors.structures[index];
+            vec![
+                ERROR.into(),
+                percent(errors.last_displacement),
+                percent(errors.acceleration),
+                String::new(),
+            ]
+        };
+        std::iter::once(row).chain(errors.map(error))
+    });
+    let rows: Vec<_> = rows.collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table(&header, &rows)
+}
+
+/// To a tenth of a millisecond: the line must fit.
+fn instant(time: f64) -> String {
+    digits((time * 1e4).round() * 1e-4)
+}
+
+/// Drifts of the storeys of buildings, from the ground up; nothing where every structure has one storey.
+pub(super) fn storeys(floors: &Floors, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+    let header = [
+        ["Storey", ""],
+        ["Peak", "drift [mm]"],
+        ["at", "[s]"],
+        ["Residual", "[mm]"],
+        ["Drift", "ratio"],
+        ["Shear", "[kN]"],
+        ["Ductility", ""],
+    ];
+    let row = |index: usize| {
+        let floor = &floors.all()[index];
+        floor.storey?;
+        let peaks = outcome.peaks.of(index);
+        let drift = peaks.drift();
+        let below = floors
+            .below(index)
+            .map_or(0.0, |below| outcome.last.of(below));
+        let number = |value: Option<f64>| value.map_or_else(|| NONE.into(), short);
+        let row = vec![
+            floor.name.clone(),
+            short(1e3 * drift.value),
+            instant(drift.time),
+            short(1e3 * (outcome.last.of(index) - below)),
+            floor.drift_ratio(drift.value).map_or(NONE.into(), percent),
+            short(1e-3 * peaks.restoring_force.value),
+            number(floor.ductility(drift.value)),
+        ];
+        let errors = errors.map(|errors| drift_errors(errors.structures[index], floor));
+        Some(std::iter::once(row).chain(errors))
+    };
+    let rows: Vec<_> = floors.by_structure().filter_map(row).flatten().collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table(&header, &rows)
+}
+
+/// The errors of a storey, for the line below it.
+fn drift_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
+    // On the ground the drift is the displacement.
+    let drift = percent(errors.drift.unwrap_or(errors.displacement));
+    let unless = |missing: bool| {
+        if missing {
+            String::new()
+        } else {
+            drift.clone()
+        }
+    };
+    let made_of = floor.made_of;
+    vec![
+        ERROR.into(),
+        drift.clone(),
+        String::new(),
+        String::new(),
+        unless(made_of.is_none_or(|made| made.height_m.is_none())),
+        percent(errors.restoring_force),
+        unless(!floor.can_yield()),
+    ]
+}
+
+fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outcome) -> Vec<String> {
+    let momentum = short(outcome.momentum.of(index) / 1e3);
+    let Some((period, damping_ratio)) = floor.oscillation(scene) else {
+        let mut row = vec![floor.name.clone()];
+        row.resize(7, NONE.into());
+        row.push(momentum);
+        return row;
+    };
+    let peaks = outcome.peaks.of(index);
+    vec![
+        floor.name.clone(),
+        short(period),
+        short(damping_ratio),
+        short(peaks.displacement.value * 1e3),
+        instant(peaks.displacement.time),
+        short(peaks.restoring_force.value / 1e3),
+        floor
+            .ductility(peaks.drift().value)
+            .map_or_else(|| NONE.into(), short),
+        momentum,
+    ]
+}
+
+/// The errors of a structure, for the line below it.
+fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
+    let wall = floor.is_wall();
+    let peak = |text: String| if wall { String::new() } else { text };
+    vec![
+        ERROR.into(),
+        String::new(),
+        String::new(),
+        peak(percent(errors.displacement)),
+        peak(milliseconds(errors.displacement_time)),
+        peak(percent(errors.restoring_force)),
+        // A ductility is a peak drift over a given one.
+        if floor.can_yield() {
+            percent(errors.drift.unwrap_or(errors.displacement))
+        } else {
+            String::new()
+        },
+        percent(errors.momentum),
+    ]
+}
+
+/// Begins a line of errors.
+const ERROR: &str = "  error";
+
+/// Collisions of every pair.
+pub(super) fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+    let (floors, scene) = (prepared.floors(), prepared.scene());
+    if floors.facing().is_empty() {
+        return paragraph("Pairs", "none: no structure can touch another");
+    }
+    let contacts: Vec<&Contact> = scene.contacts.iter().flatten().collect();
+    let header = [
+        ["Pair", "", ""],
+        ["Gap", "[mm]", ""],
+        ["Colli-", "sions", ""],
+        ["First", "[s]", ""],
+        ["First", "impulse", "[kN·s]"],
+        ["Largest", "impulse", "[kN·s]"],
+        ["Peak", "force", "[kN]"],
+        ["at", "[s]", ""],
+    ];
+    let rows = floors
+        .facing()
+        .iter()
+        .enumerate()
+        .flat_map(|(index, facing)| {
+            let [left, right] = floors.names(index);
+            let gap = contacts[facing.contact].gap_m;
+            let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
+            row.extend(pair_numbers(&outcome.of_pair(index)));
+            let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
+            std::iter::once(row).chain(errors)
+        });
+    table(&header, &rows.collect::<Vec<_>>())
+}
+
+/// Collisions of a pair: number, time and impulse of the first, largest impulse, and force with its time.
+fn pair_numbers(pair: &PairOutcome) -> [String; 6] {
+    let impulse = |one: Option<Collision>| one.map_or(NONE.into(), |one| short(one.impulse / 1e3));
+    [
+        pair.collisions.to_string(),
+        pair.first.map_or(NONE.into(), |first| digits(first.start)),
+        impulse(pair.first),
+        impulse(pair.largest),
+        match pair.peak_force {
+            None if pair.collisions == 0 => NONE.into(),
+            None => "impulsive".into(),
+            Some(force) => short(force.value / 1e3),
+        },
+        pair.peak_force
+            .map_or(NONE.into(), |force| instant(force.time)),
+    ]
+}
+
+/// The errors of a pair, for the line below it.
+fn pair_errors(errors: &PairErrors) -> Vec<String> {
+    let relative = |error: Option<f64>| error.map_or(String::new(), percent);
+    vec![
+        ERROR.into(),
+        String::new(),
+        if errors.rests {
+            "rests".into()
+        } else if errors.differ() {
+            format!("exact {}", errors.collisions.1)
+        } else {
+            "equal".into()
+        },
+        errors.first_time.map_or(String::new(), milliseconds),
+        relative(errors.first_impulse),
+        relative(errors.largest_impulse),
+        relative(errors.peak_force),
+        String::new(),
+    ]
+}
