@@ -309,3 +309,64 @@ fn extreme_run_that_diverges() {
     });
     assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structure 0 at t = 0.6450 s: the response is no longer a finite number; use a smaller time step (found 0.005 s); structure 0 is "weak""#);
 }
+
+/// A record in the place of a scene was read as TOML, and its first line called bad syntax.
+#[test]
+fn issue_a_record_is_no_scene() {
+    let folder = folder("record_as_scene");
+    let text = "PEER\nX\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .01 SEC\n .1 .2\n";
+    fs::write(folder.join("q.AT2"), text).expect("written");
+    assert_snapshot!(refusal(&pounding(&folder, &["run", "q.AT2"])), @"error: q.AT2: found a record (PEER AT2), allowed is a scene, a TOML or JSON file; `pounding init --record q.AT2` writes one that it shakes");
+    assert_eq!(
+        pounding(&folder, &["init", "--record", "q.AT2"]).code,
+        0,
+        "as it says"
+    );
+}
+
+/// The line of the table was named, not that of the field.
+#[test]
+fn issue_the_line_of_a_field_is_named() {
+    let folder = folder("lines_of_fields");
+    pounding(&folder, &["init", "scene.toml"]);
+    pounding(&folder, &["init", "scene.json"]);
+    for (field, before, after, said) in [
+        (
+            "period_s",
+            "1.0",
+            "-1.0",
+            "structures[0].sdof.period_s: found -1, allowed a finite number > 0",
+        ),
+        (
+            "gap_m",
+            "0.02",
+            "-0.02",
+            "contacts[0].gap_m: found -0.02, allowed a finite number >= 0",
+        ),
+        (
+            "height_m",
+            "12.0",
+            "\"12 m\"",
+            "structures[0].sdof.height_m: found the text \"12 m\", allowed is a number",
+        ),
+    ] {
+        for (name, between) in [("scene.toml", " = "), ("scene.json", "\": ")] {
+            let text = fs::read_to_string(folder.join(name)).expect("there");
+            let from = format!("{field}{between}{before}");
+            assert!(text.contains(&from), "{name} holds {from}");
+            let text = text.replacen(&from, &format!("{field}{between}{after}"), 1);
+            let line = text
+                .lines()
+                .position(|line| line.contains(&format!("{between}{after}")));
+            let line = line.expect("the field") + 1;
+            let bad = format!("bad-{name}");
+            fs::write(folder.join(&bad), text).expect("written");
+            let message = refusal(&pounding(&folder, &["check", &bad]));
+            assert!(
+                message.starts_with(&format!("error: {bad}, line {line}, column ")),
+                "{message}"
+            );
+            assert!(message.ends_with(said), "{message}");
+        }
+    }
+}
