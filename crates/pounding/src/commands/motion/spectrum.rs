@@ -89,7 +89,8 @@ const TABLE: [f64; 21] = [
 /// Periods for a program that asks for no number of them.
 const COUNT: u32 = 100;
 
-/// Periods through which a figure is drawn: between two neighbours its pen moves by less than its width.
+/// Periods through which a figure is drawn: from 0.02 s to 10 s they are 1.6 % apart, so that the narrowest resonance at 2 %
+/// damping, 4 % wide, has more than two.
 const DRAWN: u32 = 400;
 
 /// The spectra.

@@ -43,7 +43,7 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
     parts.push(measures(found, gravity));
     if let Some(drift) = found.drift {
         let left = format!(
-            "mean velocity over the last tenth {} m/s, {} of PGV: {DRIFT}",
+            "{} m/s on average over the last tenth, {} of PGV; {DRIFT}",
             short(drift.velocity),
             percent(drift.share)
         );
@@ -187,7 +187,7 @@ const DRIFT: &str = "the ground does not come to rest: an offset of the baseline
                      takes an offset away, in a scene `detrend` or `band_pass`";
 
 /// Letters of a name in the table, which is then no wider than 80 columns.
-const NAME: usize = 23;
+const NAME: usize = 21;
 
 /// That of the component where there is one file, else of the file, cut before the component.
 fn name(line: &Line, of_one_file: bool) -> String {
