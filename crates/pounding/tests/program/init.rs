@@ -202,5 +202,16 @@ fn issue_a_scene_in_json_is_json() {
         &folder,
         &["init", "asks.json", "--record", "records/column.txt"],
     );
-    assert_snapshot!(printed(&asked), @"");
+    assert_snapshot!(printed(&asked), @r#"
+    wrote asks.json
+
+    Record    it needs `time_step_s` (the file does not say it) and `unit` (the file
+              does not say it): add to "record" in asks.json, for example,
+              "time_step_s": 0.01 (time between samples [s]); "unit": "g" (one of g,
+              m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10)
+
+    next:
+      pounding check asks.json
+      pounding run asks.json --out results
+    "#);
 }

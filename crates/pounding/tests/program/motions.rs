@@ -367,8 +367,9 @@ fn issue_the_table_of_a_spectrum_fits_a_screen() {
     fs::write(folder.join("record.csv"), waves("g")).expect("written");
     let rows = |arguments: &[&str]| {
         let ended = motion(&folder, &[&["spectrum", "record.csv"], arguments].concat());
-        let text = printed(&ended);
-        text.lines()
+        ended
+            .stdout
+            .lines()
             .filter(|line| line.starts_with(|first: char| first.is_ascii_digit()))
             .count()
     };
@@ -466,7 +467,12 @@ fn issue_the_record_that_is_read_is_never_written_over() {
         refused(&["scene.json", "esm.asc"]),
         refused(&["scene.json", "scene.json"]),
     ];
-    assert_snapshot!(all.join("\n"), @"");
+    assert_snapshot!(all.join("\n"), @r"
+    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: ./esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: scene.json: is the file that is read (scene.json), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    ");
     assert_eq!(fs::read(folder.join("esm.asc")).expect("there"), before);
 }
 
@@ -475,7 +481,10 @@ fn issue_the_record_that_is_read_is_never_written_over() {
 fn issue_a_converted_csv_is_a_header_and_numbers() {
     let folder = folder_with("motion_bare", &["usgs.smc"]);
     let ended = motion(&folder, &["convert", "usgs.smc", "out.csv", "--to", "g"]);
-    assert_snapshot!(printed(&ended), @"");
+    assert_snapshot!(printed(&ended), @r"
+    wrote out.csv: 21 samples, 0.01 s apart, peak -0.71842 m/s² at 0.01 s
+    wrote out.provenance.json: where they come from
+    ");
     let text = fs::read_to_string(folder.join("out.csv")).expect("written");
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("time_s,acceleration_g"));
@@ -514,7 +523,17 @@ fn issue_a_drift_of_the_ground_is_pointed_out() {
         .lines()
         .skip_while(|line| !line.starts_with("Drift"))
         .collect();
-    assert_snapshot!(drift.join("\n"), @"");
+    assert_snapshot!(drift.join("\n"), @r"
+    Drift     0.3811 m/s on average over the last tenth, 95 % of PGV; the ground
+              does not come to rest: an offset of the baseline, or a record cut
+              short; PGV and PGD are those of the drift. A straight line (--detrend
+              linear) or a high-pass (--band-pass) in `motion convert` takes an
+              offset away, in a scene `detrend` or `band_pass`
+
+    Notes     PGV and PGD without correction of the baseline; Arias intensity with g
+              = 9.80665 m/s²; CAV without threshold; D: while the Arias intensity
+              grows from 5 % to 75 % and to 95 %.
+    ");
     let arguments = [
         &["convert", "offset.txt", "line.csv", "--detrend", "linear"],
         &declared[..],
@@ -539,5 +558,21 @@ fn issue_a_drift_of_the_ground_is_pointed_out() {
 #[test]
 fn issue_components_are_listed_with_unit_and_time_of_peak() {
     let folder = folder_with("motion_components", &["csmip.v2"]);
-    assert_snapshot!(printed(&motion(&folder, &["info", "csmip.v2"])), @"");
+    assert_snapshot!(printed(&motion(&folder, &["info", "csmip.v2"])), @r"
+    File      csmip.v2
+    Format    CSMIP V2
+
+    Component       Samples   Step   Unit      PGA     at       PGV    D5–95
+                               [s]             [g]    [s]     [m/s]      [s]
+    Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
+    Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
+
+    Drift     Chan 1: 90 Deg; Chan 2: Up: the ground does not come to rest: an
+              offset of the baseline, or a record cut short; PGV and PGD are those
+              of the drift. A straight line (--detrend linear) or a high-pass
+              (--band-pass) in `motion convert` takes an offset away, in a scene
+              `detrend` or `band_pass`
+
+    Notes     --component takes one, by its name, a part of it, or its number
+    ");
 }

@@ -350,11 +350,11 @@ fn issue_the_line_of_a_field_is_named() {
             "structures[0].sdof.height_m: found the text \"12 m\", allowed is a number",
         ),
     ] {
-        for (name, between) in [("scene.toml", " = "), ("scene.json", "\": ")] {
+        for (name, begin, between) in [("scene.toml", "\n", " = "), ("scene.json", "\"", "\": ")] {
             let text = fs::read_to_string(folder.join(name)).expect("there");
-            let from = format!("{field}{between}{before}");
+            let from = format!("{begin}{field}{between}{before}");
             assert!(text.contains(&from), "{name} holds {from}");
-            let text = text.replacen(&from, &format!("{field}{between}{after}"), 1);
+            let text = text.replacen(&from, &format!("{begin}{field}{between}{after}"), 1);
             let line = text
                 .lines()
                 .position(|line| line.contains(&format!("{between}{after}")));

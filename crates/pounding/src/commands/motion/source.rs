@@ -24,7 +24,7 @@ pub(super) struct Declared {
     /// Time between samples [s].
     #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     time_step: Option<f64>,
-    /// Which of several components: name, part of it, or number.
+    /// Which component: name, part of it, or number.
     #[arg(long, value_name = "NAME")]
     pub(super) component: Option<String>,
     /// What one count of a digitiser is worth, in --unit.
