@@ -2,8 +2,9 @@
 
 use crate::Record;
 
-/// Part of a record, at its end, over which the velocity is averaged: waves average out, a drift does not.
-const END: f64 = 0.1;
+/// The end of a record over which the velocity is averaged, as so manieth part of its steps: waves average out, a drift
+/// does not.
+const END: usize = 10;
 
 /// Share of the peak velocity above which the mean velocity at the end is called a drift.
 ///
@@ -32,7 +33,7 @@ impl Record {
         let integrated = self.integrated();
         let displacement = &integrated.displacement;
         let last = displacement.len() - 1;
-        let first = last - ((END * last as f64).ceil() as usize).min(last);
+        let first = last - last.div_ceil(END);
         if first == last {
             return None;
         }

@@ -326,10 +326,12 @@ impl StudyError {
 
     /// Line and column of the field to blame in the file of its scene.
     fn position_in(&self, path: &Path) -> Option<(usize, usize)> {
-        let message = match self {
-            Self::Scene { source, .. } => source.to_string(),
-            Self::NoRecord { .. } => self.to_string(),
-            _ => return None,
+        let message = if let Self::Scene { source, .. } = self {
+            source.to_string()
+        } else if matches!(self, Self::NoRecord { .. }) {
+            self.to_string()
+        } else {
+            return None;
         };
         let (place, _) = message.split_once(": ")?;
         crate::file::position_in(path, place)

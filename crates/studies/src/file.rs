@@ -106,6 +106,18 @@ impl Refused {
             fault,
         }
     }
+
+    /// At its field, where that is on another line than the one at which the parser noticed the fault.
+    fn at_field(mut self, text: &str, find: impl Fn(&str) -> Option<usize>) -> Self {
+        // A choice that is not known stands where the parser found it, behind its field.
+        let field = match (&self.fault, &self.place) {
+            (Fault::UnknownChoice { .. }, _) | (_, None) => None,
+            (_, Some(place)) => find(place).map(|byte| line_and_column(text, byte)),
+        };
+        let is_new = |(line, _)| self.position.is_none_or(|(known, _)| known != line);
+        self.position = field.filter(|field| is_new(*field)).or(self.position);
+        self
+    }
 }
 
 /// The field that a message of a whole table begins with, and the rest of it.
@@ -116,18 +128,6 @@ fn own_field(message: &str) -> (Option<&str>, &str) {
             (Some(field), rest)
         }
         _ => (None, message),
-    }
-}
-
-/// The place of a field, where it is on another line than the one at which the parser noticed the fault.
-fn nearer(
-    position: Option<(usize, usize)>,
-    field: Option<(usize, usize)>,
-) -> Option<(usize, usize)> {
-    match (position, field) {
-        (Some((line, _)), Some((nearer, _))) if line == nearer => position,
-        (_, Some(_)) => field,
-        (_, None) => position,
     }
 }
 
@@ -143,14 +143,10 @@ fn json<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let place = named(error.path());
         let error = error.into_inner();
-        let mut refused = Refused::of(&without_position(&error), place, position(&error));
-        let byte = refused
-            .place
-            .as_ref()
-            .and_then(|place| position::in_json(text, place));
-        let field = byte.map(|byte| line_and_column(&String::from_utf8_lossy(text), byte));
-        refused.position = nearer(refused.position, field);
-        refused
+        let refused = Refused::of(&without_position(&error), place, position(&error));
+        refused.at_field(&String::from_utf8_lossy(text), |place| {
+            position::in_json(text, place)
+        })
     })
 }
 
@@ -173,15 +169,8 @@ fn toml<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     serde_path_to_error::deserialize(reader).map_err(|error| {
         let place = named(error.path());
         let error = error.into_inner();
-        let at = position(text, &error);
-        let mut refused = Refused::of(&one_line(error.message()), place, at);
-        let byte = refused
-            .place
-            .as_ref()
-            .and_then(|place| position::in_toml(text, place));
-        let field = byte.map(|byte| line_and_column(text, byte));
-        refused.position = nearer(refused.position, field);
-        refused
+        let refused = Refused::of(&one_line(error.message()), place, position(text, &error));
+        refused.at_field(text, |place| position::in_toml(text, place))
     })
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn in_toml(text: &str, place: &str) -> Option<usize> {
                 (value.get_ref(), Some(key.span().start))
             }
             (Step::Item(index), DeValue::Array(items)) => {
-                let item = items.iter().nth(index)?;
+                let item = items.get(index)?;
                 (item.get_ref(), Some(item.span().start))
             }
             _ => return None,

@@ -25,7 +25,7 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     let pieces: Vec<&[u8]> = line.pieces().collect();
     let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
     let of_numbers = pieces.iter().all(|piece| is_like_a_number(piece));
-    match pieces.iter().position(|piece| is_bad(piece)) {
+    match pieces.iter().position(is_bad) {
         Some(index) if of_numbers => ReadError::NotANumber {
             line: line.number,
             field: index + 1,
