@@ -58,8 +58,8 @@ mod tests {
     fn shaken(offset: f64) -> Record {
         let sample = |index: i32| {
             let time = f64::from(index) * 0.01;
-            let envelope = libm::sin(TAU * time / 20.0).powi(2);
-            envelope * libm::sin(TAU * time) + offset
+            let envelope = libm::sin(TAU * time / 20.0);
+            envelope * envelope * libm::sin(TAU * time) + offset
         };
         let samples = (0..=1000).map(sample).collect();
         Record::new(0.01, samples, "a sine").expect("a record")

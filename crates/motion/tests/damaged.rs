@@ -1,7 +1,7 @@
 //! Damaged numbers and files of other kinds: the message names what stands where, and what to do.
 
 use insta::assert_snapshot;
-use pounding_motion::{AccelerationUnit, Declared, Format, read, read_declared, recognised};
+use pounding_motion::{Format, read, recognised};
 
 /// An AT2 file of nine values with something in the place of the fourth, which begins a line.
 fn at2(damaged: &str) -> String {
@@ -12,18 +12,7 @@ fn at2(damaged: &str) -> String {
 }
 
 fn refusal(bytes: &[u8]) -> String {
-    let declared = Declared {
-        unit: Some(AccelerationUnit::StandardGravity),
-        time_step: Some(0.01),
-        ..Declared::default()
-    };
-    // What a file says of its unit may contradict this; none that is refused here does.
-    let read = read(bytes).or_else(|error| match error {
-        pounding_motion::ReadError::UnitNotStated
-        | pounding_motion::ReadError::TimeStepNotStated => read_declared(bytes, &declared),
-        other => Err(other),
-    });
-    read.expect_err("a file that is refused").to_string()
+    read(bytes).expect_err("a file that is refused").to_string()
 }
 
 /// A damaged number at the start of a line ended the values, and the header was blamed.
@@ -44,7 +33,7 @@ fn issue_damaged_numbers_of_an_at2_file_are_named() {
     assert_snapshot!(refusal(short.as_bytes()), @"the values end at line 6 after 6 of them, but the header declares 9; fetch the file again, or correct the header if the values are complete");
 }
 
-/// A file of the readers with one number replaced, line and text before it given.
+/// A file of the readers with one number replaced.
 fn damaged(name: &str, number: &str, by: &str) -> String {
     let path = format!("{}/tests/files/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("the file is there");
