@@ -46,15 +46,14 @@ impl BandPass {
         let allowed = "a number of Hz, at least 1e-6 over the time step";
         let resolved = self.low_corner * time_step >= LOWEST_CORNER;
         within("low_corner", self.low_corner, resolved, allowed)?;
-        below_nyquist("high_corner", self.high_corner, time_step)?;
-        if self.low_corner < self.high_corner {
-            Ok(())
-        } else {
-            Err(RecordError::Corners {
+        // Before the highest frequency: of exchanged corners the wrong one would be blamed.
+        if self.low_corner >= self.high_corner {
+            return Err(RecordError::Corners {
                 low: self.low_corner,
                 high: self.high_corner,
-            })
+            });
         }
+        below_nyquist("high_corner", self.high_corner, time_step)
     }
 
     /// Samples that are reflected at either end: three times the number of poles and one, as `scipy` does.

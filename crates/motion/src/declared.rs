@@ -11,8 +11,8 @@ pub struct Declared {
     pub unit: Option<AccelerationUnit>,
     /// Time between two samples \[s\], above zero.
     pub time_step: Option<f64>,
-    /// Which of several components is taken: its name as the file spells it, see
-    /// [`components`](crate::components), or its number from 1.
+    /// Which of several components is taken: its name, see [`components`](crate::components), a part of it that no other
+    /// has, or its number from 1; capitals do not matter.
     pub component: Option<String>,
     /// What one count of a digitiser is worth, in [`unit`](Self::unit); not zero.
     pub per_count: Option<f64>,

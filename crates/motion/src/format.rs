@@ -4,15 +4,18 @@ mod afad;
 mod at2;
 mod bbp;
 mod columns;
+mod component;
 mod cosmos;
 mod csmip_v1;
 mod csmip_v2;
 mod csmip_v3;
 mod csv;
 mod cwb;
+mod damage;
 mod draft;
 mod eqsig;
 mod esm;
+mod foreign;
 mod geonet;
 mod knet;
 mod miniseed;
@@ -27,7 +30,8 @@ mod unam;
 mod usc;
 
 use crate::line::{Line, lines};
-use crate::{Accelerogram, Declared, Place, ReadError};
+use crate::{Accelerogram, Declared, ReadError};
+use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
 
 /// A `Format` is a layout of record files.
@@ -134,12 +138,6 @@ struct File<'t> {
     lines: Vec<Line<'t>>,
 }
 
-/// One component of a file.
-struct Component {
-    name: String,
-    place: Place,
-}
-
 /// How one format is read; each of its files has one of these.
 struct Reader {
     format: Format,
@@ -203,7 +201,16 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
     let component = components
         .get(index)
         .map(|component| reading("component", Some(component.place), &component.name));
-    (reader.read)(&file, index)?.settle(reader.format, component, declared)
+    let draft = (reader.read)(&file, index);
+    let settled = draft.and_then(|draft| draft.settle(reader.format, component, declared));
+    settled.map_err(|error| damage::located(error, &file))
+}
+
+/// Returns the format that a file is in, by its content; none where that is not known.
+///
+/// A file of a known format may still be refused when it is read.
+pub fn recognised(bytes: &[u8]) -> Option<Format> {
+    reader(&File::new(bytes)).ok().map(|reader| reader.format)
 }
 
 /// Returns the names of the components of a file, in their order; none for a file with one that
@@ -224,40 +231,6 @@ fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
         .collect()
 }
 
-/// Index of the component that is declared, or of the only one.
-fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, ReadError> {
-    let names = || {
-        components
-            .iter()
-            .map(|component| component.name.clone())
-            .collect()
-    };
-    let Some(declared) = declared else {
-        return if components.len() > 1 {
-            Err(ReadError::ComponentNeeded { names: names() })
-        } else {
-            Ok(0)
-        };
-    };
-    let declared = declared.trim();
-    // A name comes before a number: channels may be called 3, 1, 2.
-    let by_name = components
-        .iter()
-        .position(|component| component.name.eq_ignore_ascii_case(declared));
-    let by_number = || {
-        let number: usize = declared.parse().ok()?;
-        (1..=components.len().max(1))
-            .contains(&number)
-            .then(|| number - 1)
-    };
-    by_name
-        .or_else(by_number)
-        .ok_or_else(|| ReadError::UnknownComponent {
-            found: declared.to_owned(),
-            names: names(),
-        })
-}
-
 /// The lines from each at which something begins to the next.
 fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<&'l [Line<'t>]> {
     let mut starts: Vec<usize> = (0..lines.len()).filter(|index| begins(*index)).collect();
@@ -276,13 +249,24 @@ fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
 
 fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {
     let known = READERS.iter().find(|reader| (reader.recognises)(file));
-    known.ok_or_else(|| match file.first() {
+    match known {
+        Some(reader) if matches!(reader.format, Format::Sac | Format::MiniSeed) => Ok(reader),
+        _ => match foreign::refusal(file) {
+            Some(refusal) => Err(refusal),
+            None => known.ok_or_else(|| unknown(file)),
+        },
+    }
+}
+
+fn unknown(file: &File<'_>) -> ReadError {
+    let begin = || match file.first() {
         None => ReadError::Empty,
         Some(line) => ReadError::UnknownFormat {
             line: line.number,
             found: line.excerpt(),
         },
-    })
+    };
+    foreign::binary(file.bytes).unwrap_or_else(begin)
 }
 
 impl<'t> File<'t> {

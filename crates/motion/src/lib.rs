@@ -22,6 +22,7 @@
 mod accelerogram;
 mod at_rest;
 mod band_pass;
+mod baseline;
 mod butterworth;
 mod declared;
 mod detrend;
@@ -44,12 +45,13 @@ mod unit;
 
 pub use accelerogram::Accelerogram;
 pub use band_pass::{BandPass, Passes};
+pub use baseline::Drift;
 pub use declared::Declared;
 pub use detrend::Trend;
 pub use direction::Direction;
 pub use envelope::Envelope;
 pub use error::RecordError;
-pub use format::{Format, components, read, read_declared};
+pub use format::{Format, components, read, read_declared, recognised};
 pub use ground::GroundFilter;
 pub use harmonic::Harmonic;
 pub use integration::Integrated;

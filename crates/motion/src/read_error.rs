@@ -12,6 +12,25 @@ pub enum ReadError {
         "the text holds nothing but blank lines and comments; give a header followed by numbers"
     )]
     Empty,
+    /// The file is of another kind altogether.
+    #[error("the file is {what}, allowed is a record as text, SAC or miniSEED; {advice}")]
+    Foreign {
+        /// What it is, such as `packed by gzip`.
+        what: &'static str,
+        /// What to do.
+        advice: &'static str,
+    },
+    /// The file holds bytes that no text has, and is none of the binary formats known.
+    #[error(
+        "the file is binary (byte {byte} is {found:#04x}) and neither SAC nor miniSEED, the binary formats that are read; \
+         fetch the record as text or in one of them"
+    )]
+    Binary {
+        /// Place of the first such byte, counted from 1.
+        byte: usize,
+        /// The byte.
+        found: u8,
+    },
     /// The text looks like none of the formats known.
     #[error(
         "line {line} reads {found:?}, which begins none of the formats known: {}; \
@@ -48,7 +67,8 @@ pub enum ReadError {
     },
     /// A field is not a number.
     #[error(
-        "line {line}, field {field}: {found:?} is not a number; write it like -0.00640 or -.6403182E-02"
+        "line {line}, field {field}: {found:?} is not a number; {}",
+        of_number(found)
     )]
     NotANumber {
         /// Line of the field.
@@ -161,8 +181,9 @@ pub enum ReadError {
     },
     /// A file holds more or fewer values than its header declares.
     #[error(
-        "the values end at {place} after {found} of them, but the header declares {allowed}; \
-         fetch the file again, or correct the header if the values are complete"
+        "the values end at {place} after {found} of them{}, but the header declares {allowed}; \
+         fetch the file again, or correct the header if the values are complete",
+        before(next.as_ref())
     )]
     SampleCount {
         /// Place of the last value, or the header's last line where there is none.
@@ -171,6 +192,8 @@ pub enum ReadError {
         found: usize,
         /// Values declared by the header.
         allowed: usize,
+        /// The line at which they end, and what it reads; nothing where there is none.
+        next: Option<(usize, String)>,
     },
     /// The largest value is not the peak that the header states.
     #[error(
@@ -365,10 +388,21 @@ pub enum ReadError {
         /// Names of the components in their order.
         names: Vec<String>,
     },
+    /// Several components have the declared one as a part of their names.
+    #[error(
+        "{found:?} is declared as `component` and fits {} components: {}; give more of the name, or the number",
+        fitting.len(), numbered(fitting)
+    )]
+    AmbiguousComponent {
+        /// Component declared.
+        found: String,
+        /// Numbers, from 1, and names of the components that it fits.
+        fitting: Vec<(usize, String)>,
+    },
     /// The declared component is none of the file's.
     #[error(
-        "{found:?} is declared as `component`, but the file holds {}; choose one of them by its name or its number",
-        listed(names)
+        "{found:?} is declared as `component`, but the file holds {}",
+        choice(names)
     )]
     UnknownComponent {
         /// Component declared.
@@ -381,18 +415,49 @@ pub enum ReadError {
 /// Most components that a message lists.
 const MOST_LISTED: usize = 50;
 
-fn listed(names: &[String]) -> String {
+/// What may be chosen instead of a component that is not there.
+fn choice(names: &[String]) -> String {
     if names.is_empty() {
-        return "one that has no name, number 1".to_owned();
+        return "one, which has no name; leave the declaration away".to_owned();
     }
-    let mut listed: Vec<String> = names
-        .iter()
-        .take(MOST_LISTED)
-        .enumerate()
-        .map(|(index, name)| format!("{} = {name:?}", index + 1))
+    format!(
+        "{}; choose one of them by its name, a part of it, or its number",
+        listed(names)
+    )
+}
+
+fn listed(names: &[String]) -> String {
+    let names = names.iter().cloned().enumerate();
+    let all: Vec<_> = names.map(|(index, name)| (index + 1, name)).collect();
+    numbered(&all)
+}
+
+/// Components with their numbers.
+fn numbered(components: &[(usize, String)]) -> String {
+    let first = components.iter().take(MOST_LISTED);
+    let mut listed: Vec<String> = first
+        .map(|(number, name)| format!("{number} = {name:?}"))
         .collect();
-    if names.len() > MOST_LISTED {
+    if components.len() > MOST_LISTED {
         listed.push("…".to_owned());
     }
     listed.join(", ")
+}
+
+/// How to write a number, by what stands in its place.
+fn of_number(found: &str) -> &'static str {
+    if found.contains("**") {
+        "a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"
+    } else if found.contains(',') {
+        "write a decimal point for the comma, as in -0.00640"
+    } else {
+        "write it like -0.00640 or -.6403182E-02"
+    }
+}
+
+/// The line before which values end.
+fn before(next: Option<&(usize, String)>) -> String {
+    next.map_or_else(String::new, |(line, found)| {
+        format!(" (line {line} reads {found:?})")
+    })
 }

@@ -192,14 +192,14 @@ fn reference_what_is_read_is_told_and_a_missing_unit_may_be_declared() {
 #[test]
 fn extreme_values() {
     assert_snapshot!(refusal(&with_values(4, "0.1 0.2\n0.3\n")), @"the values end at line 6 after 3 of them, but the header declares 4; fetch the file again, or correct the header if the values are complete");
-    assert_snapshot!(refusal(&with_values(4, "0.1 0.2\n0.3\n*** End Data ***\n0.4\n")), @"the values end at line 6 after 3 of them, but the header declares 4; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refusal(&with_values(4, "0.1 0.2\n0.3\n*** End Data ***\n0.4\n")), @r#"the values end at line 6 after 3 of them (line 7 reads "*** End Data ***"), but the header declares 4; fetch the file again, or correct the header if the values are complete"#);
     assert_snapshot!(refusal(&with_values(4, "")), @"the values end at line 4 after 0 of them, but the header declares 4; fetch the file again, or correct the header if the values are complete");
     assert_snapshot!(refusal(&with_values(2, "0.1 0.2\n0.3\n")), @"the values end at line 6 after 3 of them, but the header declares 2; fetch the file again, or correct the header if the values are complete");
     assert_snapshot!(refusal(&with_values(3, "0.1 0.2\n0.3x\n")), @r#"line 6, field 1: "0.3x" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(3, "0.1 0.2\nNaN\n")), @r#"line 6, field 1: "NaN" is not finite, and every number must be; put a measured value there or cut the record before it"#);
     assert_snapshot!(refusal(&with_values(3, "0.1 1D999\n0.3\n")), @r#"line 5, field 2: "1D999" is not finite, and every number must be; put a measured value there or cut the record before it"#);
     assert_snapshot!(refusal(&with_values(2, "0.1 -inf\n")), @r#"line 5, field 2: "-inf" is not finite, and every number must be; put a measured value there or cut the record before it"#);
-    assert_snapshot!(refusal(&with_values(2, "0.1 *******\n")), @r#"line 5, field 2: "*******" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    assert_snapshot!(refusal(&with_values(2, "0.1 *******\n")), @r#"line 5, field 2: "*******" is not a number; a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"#);
     assert_snapshot!(refusal(&with_values(4, "0.12-0.345\n0.1 0.2\n")), @r#"line 5, field 1: "0.12-0.345" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(4, "-12.3\u{b2}5-34.500\n")), @r#"line 5, field 1: "-12.3²" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal(&with_values(18_446_744_073_709_551_615, "0.1\n")), @"the values end at line 5 after 1 of them, but the header declares 18446744073709551615; fetch the file again, or correct the header if the values are complete");

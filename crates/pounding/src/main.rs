@@ -15,16 +15,19 @@ use clap::Parser;
 use commands::Program;
 
 fn main() -> ExitCode {
-    match Program::parse().answer().and_then(|text| print(&text)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            #[expect(clippy::print_stderr, reason = "a program speaks to its user")]
-            {
-                eprintln!("error: {message}");
-            }
-            ExitCode::FAILURE
-        }
+    let (printed, refused) = match Program::parse().answer() {
+        Ok(text) => (text, None),
+        Err(failure) => (failure.printed, Some(failure.message)),
+    };
+    let refused = match (print(&printed), refused) {
+        (Ok(()), None) => return ExitCode::SUCCESS,
+        (_, Some(message)) | (Err(message), None) => message,
+    };
+    #[expect(clippy::print_stderr, reason = "a program speaks to its user")]
+    {
+        eprintln!("error: {refused}");
     }
+    ExitCode::FAILURE
 }
 
 /// Writes to standard output; a reader that has seen enough (`| head`) is no failure.

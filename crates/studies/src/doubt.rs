@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Building, Prepared, Sdof, Structure, digits};
+use crate::{Building, Prepared, Sdof, Structure, digits, percent, short};
 
 /// A value that looks wrong, though it can be modelled.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -107,6 +107,7 @@ impl Prepared {
                 "0.01 to 30 m/s²; its unit and scale decide it",
             ),
         );
+        self.doubt_the_baseline(doubts);
         let shortest = scene.structures.iter().filter_map(Structure::period);
         let shortest = shortest.fold(f64::INFINITY, f64::min);
         let step = record.time_step();
@@ -132,6 +133,26 @@ impl Prepared {
                     digits(record.duration())
                 ),
                 "the whole record",
+            ),
+        );
+    }
+
+    /// Of a record alone: a formula may leave the ground moving on purpose.
+    fn doubt_the_baseline(&self, doubts: &mut Doubts) {
+        let drift = self.record().drift().filter(|_| self.origin().is_some());
+        let said = drift.map_or_else(String::new, |drift| {
+            format!(
+                "a ground that does not come to rest: its mean velocity over the last tenth is {} m/s, {} of the peak",
+                short(drift.velocity),
+                percent(drift.share)
+            )
+        });
+        doubts.unless(
+            drift.is_none(),
+            "record",
+            (
+                said,
+                "up to 10 %; an offset of the baseline goes with record.detrend = \"linear\" or record.band_pass",
             ),
         );
     }

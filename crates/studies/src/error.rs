@@ -29,10 +29,12 @@ pub enum StudyError {
         source: std::io::Error,
     },
     /// A scene of a file that cannot be modelled or run.
-    #[error("{}: {source}", path.display())]
+    #[error("{}{}: {source}", path.display(), at(*position))]
     InFile {
         /// The file that holds the scene.
         path: PathBuf,
+        /// Line and column of the field, counted from 1, where one is to blame and is found.
+        position: Option<(usize, usize)>,
         /// What is wrong with it.
         source: Box<StudyError>,
     },
@@ -350,7 +352,20 @@ impl StudyError {
         }
     }
 
-    /// Names the file that holds the scene, where the message does not yet.
+    /// Line and column of the field to blame in the file of its scene.
+    fn position_in(&self, path: &Path) -> Option<(usize, usize)> {
+        let message = if let Self::Scene { source, .. } = self {
+            source.to_string()
+        } else if matches!(self, Self::NoRecord { .. }) {
+            self.to_string()
+        } else {
+            return None;
+        };
+        let (place, _) = message.split_once(": ")?;
+        crate::file::position_in(path, place)
+    }
+
+    /// Names the file that holds the scene, and the line of the field, where the message does not yet.
     #[must_use]
     pub fn in_file(self, path: &Path) -> Self {
         if matches!(
@@ -363,6 +378,7 @@ impl StudyError {
         ) {
             Self::InFile {
                 path: path.to_path_buf(),
+                position: self.position_in(path),
                 source: Box::new(self),
             }
         } else {

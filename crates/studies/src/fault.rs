@@ -1,5 +1,7 @@
 //! What is wrong with a field of a file, in words: the deserialisers' messages name types of Rust.
 
+use std::path::PathBuf;
+
 /// What is wrong with a file or one of its fields.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -15,6 +17,17 @@ pub enum Fault {
     NotUtf8 {
         /// Bytes before the fault.
         byte: usize,
+    },
+    /// A record where a scene is asked for.
+    #[error(
+        "found a record ({format}), allowed is a scene, a TOML or JSON file; `pounding init --record {}` writes one that it shakes",
+        path.display()
+    )]
+    Record {
+        /// Name of its format.
+        format: &'static str,
+        /// The file.
+        path: PathBuf,
     },
     /// A file of a study where a scene is asked for.
     #[error(

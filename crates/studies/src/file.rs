@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::de::{DeserializeOwned, IgnoredAny};
 
-use crate::{Fault, StudyError};
+use crate::{Fault, StudyError, position};
 
 /// Reads a JSON or TOML file; an error names the line and the field.
 ///
@@ -36,12 +36,52 @@ pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyEr
     } else {
         toml(text)
     };
-    refused.map_err(|refused| StudyError::Form {
-        path: path.to_path_buf(),
-        position: refused.position,
-        place: refused.place,
-        fault: Box::new(refused.fault),
+    refused.map_err(|refused| {
+        let refused = record(text, path).unwrap_or(refused);
+        StudyError::Form {
+            path: path.to_path_buf(),
+            position: refused.position,
+            place: refused.place,
+            fault: Box::new(refused.fault),
+        }
     })
+}
+
+fn is_json(text: &[u8], path: &Path) -> bool {
+    let by_name = path.extension().is_some_and(|ending| ending == "json");
+    by_name || text.trim_ascii_start().starts_with(b"{")
+}
+
+/// What is said of a record where a scene is asked for.
+fn record(text: &[u8], path: &Path) -> Option<Refused> {
+    let ending = path.extension().unwrap_or_default();
+    // A bad scene may hold a line of numbers alone, and so look like a record of plain text.
+    if ending == "toml" || ending == "json" {
+        return None;
+    }
+    let format = pounding_motion::recognised(text)?;
+    Some(Refused {
+        position: None,
+        place: None,
+        fault: Fault::Record {
+            format: format.name(),
+            path: path.to_path_buf(),
+        },
+    })
+}
+
+/// Line and column of a field of a file, counted from 1, as far as it can be found again; nothing in a file of one line.
+pub(crate) fn position_in(path: &Path, place: &str) -> Option<(usize, usize)> {
+    let bytes = std::fs::read(path).ok()?;
+    let text = std::str::from_utf8(&bytes).ok()?;
+    let byte = if is_json(&bytes, path) {
+        position::in_json(&bytes, place)
+    } else {
+        position::in_toml(text, place)
+    };
+    let is_one_line = text.trim_end().lines().count() < 2;
+    byte.filter(|_| !is_one_line)
+        .map(|byte| line_and_column(text, byte))
 }
 
 /// Why a text is refused.
@@ -54,6 +94,10 @@ struct Refused {
 impl Refused {
     /// What a deserialiser says of a field.
     fn of(message: &str, mut place: String, position: Option<(usize, usize)>) -> Self {
+        let (field, message) = own_field(message);
+        if let Some(field) = field {
+            place = format!("{place}.{field}");
+        }
         let fault = Fault::of(message, &place);
         // Of a choice that is not known the place is what makes it, and no field of that name.
         if let Fault::UnknownChoice { found, .. } = &fault
@@ -67,6 +111,29 @@ impl Refused {
             place: Some(place),
             fault,
         }
+    }
+
+    /// At its field, where that is on another line than the one at which the parser noticed the fault.
+    fn at_field(mut self, text: &str, find: impl Fn(&str) -> Option<usize>) -> Self {
+        // A choice that is not known stands where the parser found it, behind its field.
+        let field = match (&self.fault, &self.place) {
+            (Fault::UnknownChoice { .. }, _) | (_, None) => None,
+            (_, Some(place)) => find(place).map(|byte| line_and_column(text, byte)),
+        };
+        let is_new = |(line, _)| self.position.is_none_or(|(known, _)| known != line);
+        self.position = field.filter(|field| is_new(*field)).or(self.position);
+        self
+    }
+}
+
+/// The field that a message of a whole table begins with, and the rest of it.
+fn own_field(message: &str) -> (Option<&str>, &str) {
+    let in_field = |letter: char| letter.is_ascii_alphanumeric() || "_.[]".contains(letter);
+    match message.split_once(": ") {
+        Some((field, rest)) if rest.starts_with("found ") && field.chars().all(in_field) => {
+            (Some(field), rest)
+        }
+        _ => (None, message),
     }
 }
 
@@ -82,7 +149,10 @@ fn json<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let place = named(error.path());
         let error = error.into_inner();
-        Refused::of(&without_position(&error), place, position(&error))
+        let refused = Refused::of(&without_position(&error), place, position(&error));
+        refused.at_field(&String::from_utf8_lossy(text), |place| {
+            position::in_json(text, place)
+        })
     })
 }
 
@@ -105,7 +175,8 @@ fn toml<T: DeserializeOwned>(text: &[u8]) -> Result<T, Refused> {
     serde_path_to_error::deserialize(reader).map_err(|error| {
         let place = named(error.path());
         let error = error.into_inner();
-        Refused::of(&one_line(error.message()), place, position(text, &error))
+        let refused = Refused::of(&one_line(error.message()), place, position(text, &error));
+        refused.at_field(text, |place| position::in_toml(text, place))
     })
 }
 

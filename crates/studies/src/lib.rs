@@ -33,6 +33,7 @@ mod limits;
 mod motion_error;
 mod noise;
 mod plot;
+mod position;
 mod prepared;
 mod processed;
 mod report;

@@ -33,8 +33,9 @@ pub enum MotionError {
     },
     /// Corners of a filter that leave no band between them.
     #[error(
-        "{place}: found a low corner of {low} Hz and a high one of {high} Hz, allowed is a low one below the high one; exchange \
-         or part them"
+        "{place}: found {place}.low_hz (below it the motion is taken away) {low} Hz and {place}.high_hz (above it) {high} Hz, \
+         allowed is the first below the second; {}",
+        if low > high { "exchange them" } else { "part them" }
     )]
     Corners {
         /// The filter.

@@ -90,7 +90,8 @@ impl Motion {
     }
 }
 
-/// The files of a folder, in the order of their names, but for those whose names begin with a dot.
+/// The files of a folder, in the order of their names, but for those whose names begin with a dot or end with
+/// `.provenance.json`: such a file tells where the record beside it comes from.
 ///
 /// # Errors
 /// [`StudyError::Unreadable`] when the folder cannot be read.
@@ -102,9 +103,10 @@ pub fn files_in(folder: &Path) -> Result<Vec<PathBuf>, StudyError> {
     let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
-        let hidden = path
-            .file_name()
-            .is_none_or(|name| name.to_string_lossy().starts_with('.'));
+        let hidden = path.file_name().is_none_or(|name| {
+            let name = name.to_string_lossy();
+            name.starts_with('.') || name.ends_with(".provenance.json")
+        });
         if path.is_file() && !hidden {
             paths.push(path);
         }

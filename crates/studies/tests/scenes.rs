@@ -131,7 +131,7 @@ fn extreme_scene_that_diverges_is_named() {
     let law = &mut study["scenes"][2]["contacts"][0]["law"]["nonlinear_viscoelastic"];
     law["impact_stiffness_n_per_m1_5"] = json!(1e300);
     let error = make("diverges", &study).expect_err("contact far too stiff for the time step");
-    let StudyError::InFile { path, source } = &error else {
+    let StudyError::InFile { path, source, .. } = &error else {
         panic!("the error should name its file: {error}");
     };
     assert!(path.ends_with("study.json"), "{}", path.display());

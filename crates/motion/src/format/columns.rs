@@ -207,8 +207,8 @@ pub(super) fn leading_data<'l, 't>(lines: &'l [Line<'t>]) -> &'l [Line<'t>] {
 
 fn is_data(line: Line<'_>) -> bool {
     let of_numbers = |byte: &u8| {
-        byte.is_ascii_digit() || matches!(byte, b' ' | b'\t' | b'+' | b'-' | b'.' | b'*')
-            // NaN and Inf are refused as numbers, not taken for the end.
+        byte.is_ascii_digit() || matches!(byte, b' ' | b'\t' | b'+' | b'-' | b'.' | b'*' | b',')
+            // NaN, Inf and decimal commas are refused as numbers, not taken for the end.
             || b"EeDdNnAaIiFf".contains(byte)
     };
     !line.is_blank()

@@ -143,6 +143,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
             place: Place::Line(end),
             found: values.len(),
             allowed: count.value,
+            next: None,
         });
     }
     let (time_step, rest) = times.into_step(&mut values)?;

@@ -96,6 +96,7 @@ impl Draft {
                 place: self.end,
                 found,
                 allowed: count.value,
+                next: None,
             });
         }
         if found == 0 {

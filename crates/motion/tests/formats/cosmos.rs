@@ -64,7 +64,7 @@ fn reference_counts_become_what_the_caller_says() {
 #[test]
 fn extreme_header_and_values() {
     let refused = |from: &str, to: &str| refusal(with("cosmos.v2", from, to), &component("1"));
-    assert_snapshot!(refused("     20  acceleration pts", "     21  acceleration pts"), @"the values end at line 51 after 20 of them, but the header declares 21; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refused("     20  acceleration pts", "     21  acceleration pts"), @r#"the values end at line 51 after 20 of them (line 52 reads "/&  ----------  End of data for channel  1  ----------"), but the header declares 21; fetch the file again, or correct the header if the values are complete"#);
     assert_snapshot!(refused("approx    0 secs", "approx   70 secs"), @r#"line 48 reads "20  acceleration pts, approx   70 secs, units=cm/sec2(04),Fo…", but a duration that the number of values and the time step of the header give should stand there; fetch the file again"#);
     assert_snapshot!(refused("cm/sec2(04)", "in/sec2(07)"), @r#"line 48 reads "20  acceleration pts, approx    0 secs, units=in/sec2(07),Fo…" and names no unit of an acceleration that is known, such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"#);
     assert_snapshot!(refused(",Format=(8F10.5)", ""), @r#"line 48 reads "20  acceleration pts, approx    0 secs, units=cm/sec2(04)", but a Fortran format such as Format=(8F10.5) should stand there; fetch the file again"#);

@@ -37,7 +37,7 @@ fn reference_volume_2_has_several_channels_and_takes_the_first_block() {
     ");
     assert_eq!(accelerogram(&bytes, &component("2")).values().len(), 19);
     assert_snapshot!(refusal(&bytes, &NOTHING), @r#"the file holds 2 components: 1 = "Chan 1: 90 Deg", 2 = "Chan 2: Up"; choose one by its name or its number as `component`"#);
-    assert_snapshot!(refusal(&bytes, &component("3")), @r#""3" is declared as `component`, but the file holds 1 = "Chan 1: 90 Deg", 2 = "Chan 2: Up"; choose one of them by its name or its number"#);
+    assert_snapshot!(refusal(&bytes, &component("3")), @r#""3" is declared as `component`, but the file holds 1 = "Chan 1: 90 Deg", 2 = "Chan 2: Up"; choose one of them by its name, a part of it, or its number"#);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn issue_pairs_without_a_title_of_their_unit() {
 #[test]
 fn extreme_volume_1() {
     let refused = |from, to| refusal(with("csmip-old.v1", from, to), &NOTHING);
-    assert_snapshot!(refused("points =     12", "points =     13"), @"the values end at line 30 after 12 of them, but the header declares 13; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refused("points =     12", "points =     13"), @r#"the values end at line 30 after 12 of them (line 31 reads "/&  ----------  End of data for channel  1  ----------"), but the header declares 13; fetch the file again, or correct the header if the values are complete"#);
     assert_snapshot!(refused("   .110  2.758", "   .110"), @r#"line 30 reads ".100  -.531   .110", but a value behind each time should stand there; fetch the file again"#);
     assert_snapshot!(refused("   .100  -.531", "   .105  -.531"), @"line 30: the time changes by 0.005 s from the line before, allowed is the 0.01 s of the other lines; resample the record to equal steps or print its times with more decimals");
     assert_snapshot!(refused("sec and g/10", "sec and volts"), @r#"line 12 reads "Units are sec and volts" and names no unit of an acceleration that is known, such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"#);
@@ -134,7 +134,7 @@ fn extreme_volume_1() {
 #[test]
 fn extreme_volume_2() {
     let refused = |from, to| refusal(with("csmip.v2", from, to), &component("1"));
-    assert_snapshot!(refused("   20 points of accel data", "   21 points of accel data"), @"the values end at line 49 after 20 of them, but the header declares 21; fetch the file again, or correct the header if the values are complete");
+    assert_snapshot!(refused("   20 points of accel data", "   21 points of accel data"), @r#"the values end at line 49 after 20 of them (line 50 reads "20 points of veloc data equally spaced at .005 sec, in cm/se…"), but the header declares 21; fetch the file again, or correct the header if the values are complete"#);
     assert_snapshot!(refused("in cm/sec2. (8f10.6)", "in inches. (8f10.6)"), @r#"line 46 reads "20 points of accel data equally spaced at .005 sec, in inche…" and names no unit of an acceleration that is known, such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"#);
     assert_snapshot!(refused("in cm/sec2. (8f10.6)", "in mg. (8f10.6)"), @r#"line 18 states a peak of "Peak acceleration =  -88.728800   cm/sec/sec  at    .010   s…", but the largest value read is 88.7288 mg; one of them is damaged or in another unit: fetch the file again"#);
     assert_snapshot!(refused("in cm/sec2. (8f10.6)", "in cm/sec2. (8f11.6)"), @r#"line 47, field 1: "-77.314366-" is not a number; write it like -0.00640 or -.6403182E-02"#);

@@ -47,8 +47,8 @@ fn extreme_contradictions() {
     assert_snapshot!(refusal(CSV, &time_step(0.01)), @"line 2 gives a time step of 0.02 s, but 0.01 s is declared as `time_step`; leave the declaration away");
     assert_snapshot!(refusal(CSV, &time_step(f64::NAN)), @"the declared `time_step` is NaN s, and must be finite and above 0 s");
     assert_snapshot!(refusal(CSV, &time_step(0.0)), @"the declared `time_step` is 0 s, and must be finite and above 0 s");
-    assert_snapshot!(refusal(CSV, &component("Up")), @r#""Up" is declared as `component`, but the file holds one that has no name, number 1; choose one of them by its name or its number"#);
-    assert_snapshot!(refusal(file("esm.asc"), &component("HNN")), @r#""HNN" is declared as `component`, but the file holds 1 = "HNE"; choose one of them by its name or its number"#);
+    assert_snapshot!(refusal(CSV, &component("Up")), @r#""Up" is declared as `component`, but the file holds one, which has no name; leave the declaration away"#);
+    assert_snapshot!(refusal(file("esm.asc"), &component("HNN")), @r#""HNN" is declared as `component`, but the file holds 1 = "HNE"; choose one of them by its name, a part of it, or its number"#);
     assert_snapshot!(refusal(CSV, &Declared { unit: None, time_step: None, ..per_count(2.0) }), @"line 1 says that the values are in g, but `per_count` is declared as 2; leave it away, there are no counts to scale");
     let scaled = |worth| refusal("1e30\n2.0\n", &per_count(worth));
     assert_snapshot!(scaled(0.0), @"the declared `per_count` is 0.0, and must be finite, not 0, and keep every value finite");

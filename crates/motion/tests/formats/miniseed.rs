@@ -154,7 +154,7 @@ fn extreme_records() {
         Samples::Double(vec![0.1, f64::NAN]),
     );
     assert_snapshot!(refusal(not_finite, &in_milli_g()), @r#"byte 1 reads "a value that is not finite", but finite values should stand there; fetch the file again"#);
-    assert_snapshot!(refusal(counts(3, 0, EncodingFormat::Int32), &component("HNE")), @r#""HNE" is declared as `component`, but the file holds 1 = "ZZ.STA.00.HNE"; choose one of them by its name or its number"#);
+    assert_snapshot!(refusal(counts(3, 0, EncodingFormat::Int32), &component("HNX")), @r#""HNX" is declared as `component`, but the file holds 1 = "ZZ.STA.00.HNE"; choose one of them by its name, a part of it, or its number"#);
 }
 
 proptest! {

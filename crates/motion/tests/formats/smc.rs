@@ -48,7 +48,7 @@ fn extreme_values() {
     assert_snapshot!(refused(" 8.8053E+0", ""), @"the values end at line 32 after 20 of them, but the header declares 21; fetch the file again, or correct the header if the values are complete");
     assert_snapshot!(refused(" 8.8053E+0", "-3.2768E+4"), @r#"line 32, field 5: "-3.2768E+4" marks a missing value; cut the record before it or take another"#);
     assert_snapshot!(refused(" 8.8053E+0", " 1.7000E38"), @r#"line 32, field 5: "1.7000E38" marks a missing value; cut the record before it or take another"#);
-    assert_snapshot!(refused(" 8.8053E+0", "**********"), @r#"line 32, field 5: "**********" is not a number; write it like -0.00640 or -.6403182E-02"#);
+    assert_snapshot!(refused(" 8.8053E+0", "**********"), @r#"line 32, field 5: "**********" is not a number; a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"#);
     assert_snapshot!(refused(" 8.8053E+0", "        88"), @r#"line 32, field 5: "88" is not a number; write it like -0.00640 or -.6403182E-02"#);
     // A byte lost in the line moves every field behind it.
     assert_snapshot!(refused("-4.1299E+1-3.4734E+1", "-4.129E+1-3.4734E+1"), @r#"line 31, field 1: "-4.129E+1-" is not a number; write it like -0.00640 or -.6403182E-02"#);

@@ -33,7 +33,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Largest error, as 1% or 0.01.
-    #[arg(long, value_parser = error)]
+    #[arg(long, allow_negative_numbers = true, value_parser = error)]
     error: f64,
     /// Of what.
     #[arg(long, value_enum, default_value_t = OfWhat::All)]

@@ -26,22 +26,22 @@ pub(crate) struct Arguments {
     #[arg(value_name = "LAW", value_parser = law)]
     law: LawName,
     /// Coefficient of restitution asked for.
-    #[arg(long, value_name = "E")]
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
     restitution: f64,
     /// Masses of the neighbours [kg].
-    #[arg(long, required = true, num_args = 2, value_names = ["LEFT", "RIGHT"], value_parser = positive)]
+    #[arg(long, required = true, num_args = 2, value_names = ["LEFT", "RIGHT"], allow_negative_numbers = true, value_parser = positive)]
     masses: Vec<f64>,
     /// Approach speed [m/s].
-    #[arg(long, value_name = "V0", value_parser = positive)]
+    #[arg(long, value_name = "V0", allow_negative_numbers = true, value_parser = positive)]
     speed: f64,
     /// Impact stiffness [N/m or N/m^1.5]; 9.35e7 or 2.75e9 where not given.
-    #[arg(long, value_name = "K", value_parser = positive)]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, value_parser = positive)]
     stiffness: Option<f64>,
     /// How the damping is chosen.
     #[arg(long, value_enum, default_value_t = By::Exact)]
     calibration: By,
     /// Time step of the methods [s]; without it none is tried.
-    #[arg(long, value_name = "DT", value_parser = positive)]
+    #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     time_step: Option<f64>,
     /// The method; without it all are tried.
     #[arg(long, value_name = "METHOD", value_parser = method, requires = "time_step")]

@@ -46,7 +46,7 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "out")]
     overwrite: bool,
     /// Time step of OpenSees [s]; without it a fine one.
-    #[arg(long, value_name = "DT", value_parser = positive)]
+    #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     time_step: Option<f64>,
     /// Take a material that pulls for Kelvin–Voigt contacts.
     #[arg(long)]

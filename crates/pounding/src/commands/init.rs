@@ -2,8 +2,12 @@
 
 mod record;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use pounding::studies::parse;
+use serde_json::Value;
+
+use super::json_text;
 use crate::new_file;
 use crate::text::paragraph;
 use record::Named;
@@ -12,6 +16,7 @@ const EXAMPLES: &str = "\
 Examples:
   pounding init                                   # writes scene.toml
   pounding init towers.toml --record quake.AT2    # shaken by a record of yours
+  pounding init towers.json                       # JSON, which has no comments
   pounding run towers.toml
 
 The record is named from the folder of the scene where it lies in it, below it
@@ -31,7 +36,7 @@ generated.stochastic = { ground = "medium", pga_m_per_s2 = 3.0, strong_from_s = 
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The file to write.
+    /// The file to write: TOML, or JSON where its name ends so.
     #[arg(value_name = "SCENE.toml", default_value = "scene.toml")]
     scene: PathBuf,
     /// The record that shakes it, seen from here; without it a motion from a formula.
@@ -53,14 +58,23 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         .as_ref()
         .map_or_else(|| GENERATED.into(), Named::lines);
     let text = TEMPLATE.replace("RECORD", &motion);
+    let is_json = asked.scene.extension().is_some_and(|end| end == "json");
+    let text = if is_json { json_of(&text)? } else { text };
     let path = asked.scene.display();
     new_file::write(&asked.scene, text.as_bytes(), asked.overwrite)?;
     let mut parts = vec![format!("wrote {path}\n")];
     if let Some(named) = &named {
-        parts.push(paragraph("Record", &named.said(&path.to_string())));
+        parts.push(paragraph("Record", &named.said(&path.to_string(), is_json)));
     }
     parts.push(format!(
         "next:\n  pounding check {path}\n  pounding run {path} --out results\n"
     ));
     Ok(parts.join("\n"))
+}
+
+/// A scene of TOML, which holds comments, as JSON, which does not.
+fn json_of(toml: &str) -> Result<String, String> {
+    let scene: Value =
+        parse(toml.as_bytes(), Path::new("scene.toml")).map_err(|error| error.to_string())?;
+    Ok(json_text(&scene))
 }

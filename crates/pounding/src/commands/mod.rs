@@ -73,13 +73,29 @@ enum Command {
     Completions(completions::Arguments),
 }
 
+/// An answer that is none, or not all of what was asked for.
+pub(crate) struct Failure {
+    /// What is printed nevertheless.
+    pub(crate) printed: String,
+    /// What is said on standard error.
+    pub(crate) message: String,
+}
+
+impl From<String> for Failure {
+    fn from(message: String) -> Self {
+        let printed = String::new();
+        Self { printed, message }
+    }
+}
+
 impl Program {
     /// What is printed.
     ///
     /// # Errors
-    /// What is said on standard error.
-    pub(crate) fn answer(&self) -> Result<String, String> {
-        match &self.command {
+    /// What is said on standard error, and what is printed nevertheless.
+    pub(crate) fn answer(&self) -> Result<String, Failure> {
+        let text = match &self.command {
+            Command::Motion(asked) => return motion::answer(asked),
             Command::Demo(asked) => demo::answer(asked),
             Command::Init(asked) => init::answer(asked),
             Command::Check(asked) => check::answer(asked),
@@ -88,12 +104,12 @@ impl Program {
             Command::Gap(asked) => gap::answer(asked),
             Command::Export(asked) => export::answer(asked),
             Command::Advise(asked) => advise::answer(asked),
-            Command::Motion(asked) => motion::answer(asked),
             Command::Laws(asked) => Ok(laws::answer(asked)),
             Command::Certify(asked) => certify::answer(asked),
             Command::Schema => Ok(schema::answer()),
             Command::Completions(asked) => Ok(completions::answer(asked)),
-        }
+        };
+        Ok(text?)
     }
 }
 

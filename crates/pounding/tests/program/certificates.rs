@@ -85,3 +85,23 @@ fn extreme_numbers_that_are_none_are_refused_by_every_option() {
         }
     }
 }
+
+/// A negative mass was taken for a flag that nobody knows.
+#[test]
+fn issue_a_negative_mass_is_refused_as_a_number() {
+    for masses in [["-75e3", "3e6"], ["75e3", "-3e6"]] {
+        let masses = [&["--masses"], &masses[..]].concat();
+        let rest = [
+            "certify",
+            "hertz_damp",
+            "--restitution",
+            "0.65",
+            "--speed",
+            "0.3",
+        ];
+        let ended = pounding(Path::new("."), &[&rest[..], &masses].concat());
+        assert_eq!(ended.code, 2);
+        let said = "for '--masses <LEFT> <RIGHT>': allowed is a finite number > 0";
+        assert!(ended.stderr.contains(said), "{}", ended.stderr);
+    }
+}

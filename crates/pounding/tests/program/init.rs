@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
+use serde_json::Value;
 
 use crate::runs::printed;
 use crate::suites::suite;
@@ -176,4 +177,41 @@ fn extreme_a_record_with_an_apostrophe_in_its_name() {
     assert_eq!(wrote.code, 0, "{}", wrote.stderr);
     let ran = pounding(&folder, &["run", "quote.toml"]);
     assert_eq!(ran.code, 0, "{}", ran.stderr);
+}
+
+/// TOML stood in a file that is read as JSON.
+#[test]
+fn issue_a_scene_in_json_is_json() {
+    let folder = suite("init_json");
+    printed(&pounding(
+        &folder,
+        &["init", "own.json", "--record", "records/pulse.csv"],
+    ));
+    printed(&pounding(
+        &folder,
+        &["init", "own.toml", "--record", "records/pulse.csv"],
+    ));
+    let json: Value = serde_json::from_str(&text(folder.join("own.json"))).expect("JSON");
+    assert_eq!(
+        json["structures"][0]["sdof"]["period_s"], 1.0,
+        "in the words of a file"
+    );
+    let run = |scene: &str| printed(&pounding(&folder, &["run", scene])).to_string();
+    assert_eq!(run("own.json"), run("own.toml"));
+    let asked = pounding(
+        &folder,
+        &["init", "asks.json", "--record", "records/column.txt"],
+    );
+    assert_snapshot!(printed(&asked), @r#"
+    wrote asks.json
+
+    Record    it needs `time_step_s` (the file does not say it) and `unit` (the file
+              does not say it): add to "record" in asks.json, for example,
+              "time_step_s": 0.01 (time between samples [s]); "unit": "g" (one of g,
+              m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10)
+
+    next:
+      pounding check asks.json
+      pounding run asks.json --out results
+    "#);
 }

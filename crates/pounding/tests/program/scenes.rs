@@ -65,7 +65,7 @@ fn extreme_field_missing() {
         let structure = scene["structures"][0]["sdof"].as_object_mut();
         structure.expect("a structure has fields").remove("mass_kg");
     });
-    assert_snapshot!(message, @"error: scene.json, line 39, column 7: structures[0].sdof: found no `mass_kg`, which must be there; add it");
+    assert_snapshot!(message, @"error: scene.json, line 29, column 7: structures[0].sdof: found no `mass_kg`, which must be there; add it");
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn extreme_law_given_twice() {
             "impact_stiffness_n_per_m1_5": 2.75e9, "impact_damping_factor": 0.5, "restitution": 0.65,
         }});
     });
-    assert_snapshot!(message, @"error: scene.json, line 11, column 7: contacts[0].law.hertz_damp: found both `impact_damping_factor` and `restitution`, allowed one of them");
+    assert_snapshot!(message, @"error: scene.json, line 6, column 9: contacts[0].law.hertz_damp: found both `impact_damping_factor` and `restitution`, allowed one of them");
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn extreme_restitution_beyond_one() {
             "impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 1.2,
         }});
     });
-    assert_snapshot!(message, @"error: scene.json, line 10, column 7: contacts[0].law.hertz_damp: restitution: found 1.2, allowed more than 0, up to 1");
+    assert_snapshot!(message, @"error: scene.json, line 8, column 11: contacts[0].law.hertz_damp.restitution: found 1.2, allowed more than 0, up to 1");
 }
 
 #[test]
@@ -125,7 +125,7 @@ fn extreme_two_contact_laws() {
     let message = refused("two_laws", |scene| {
         scene["contacts"][0]["law"]["stereomechanical"] = json!({"restitution": 0.65});
     });
-    assert_snapshot!(message, @"error: scene.json, line 10, column 26: contacts[0].law: found both `nonlinear_viscoelastic` and `stereomechanical`, allowed is one of them; delete the other");
+    assert_snapshot!(message, @"error: scene.json, line 5, column 7: contacts[0].law: found both `nonlinear_viscoelastic` and `stereomechanical`, allowed is one of them; delete the other");
 }
 
 #[test]
@@ -133,7 +133,7 @@ fn extreme_two_kinds_of_damping() {
     let message = refused("two_dampings", |scene| {
         scene["structures"][0]["sdof"]["damping"]["ratio"] = json!(0.05);
     });
-    assert_snapshot!(message, @r#"error: scene.json, line 32, column 20: structures[0].sdof.damping: found both `ratio` and `rayleigh`, allowed is one of them; delete the other"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 30, column 9: structures[0].sdof.damping: found both `ratio` and `rayleigh`, allowed is one of them; delete the other"#);
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn extreme_mass_negative() {
     let message = refused("negative_mass", |scene| {
         scene["structures"][0]["sdof"]["mass_kg"] = json!(-75e3);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[0].sdof.mass_kg: found -75000, allowed a finite number > 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 36, column 9: scene "two structures": structures[0].sdof.mass_kg: found -75000, allowed a finite number > 0"#);
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn extreme_stiffness_zero() {
     let message = refused("zero_stiffness", |scene| {
         scene["structures"][1]["sdof"]["stiffness_n_per_m"] = json!(0);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[1].sdof.stiffness_n_per_m: found 0, allowed a finite number > 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 52, column 9: scene "two structures": structures[1].sdof.stiffness_n_per_m: found 0, allowed a finite number > 0"#);
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn extreme_damping_negative() {
     let message = refused("negative_damping", |scene| {
         scene["structures"][1]["sdof"]["damping"]["rayleigh"]["beta_s"] = json!(-0.001);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[1].sdof.damping.rayleigh.beta_s: found -0.001, allowed a finite number >= 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 47, column 13: scene "two structures": structures[1].sdof.damping.rayleigh.beta_s: found -0.001, allowed a finite number >= 0"#);
 }
 
 #[test]
@@ -179,13 +179,13 @@ fn extreme_yield_force_zero() {
     let message = refused("zero_yield_force", |scene| {
         scene["structures"][0]["sdof"]["yield_force_n"] = json!(0);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures[0].sdof.yield_force_n: found 0, allowed a finite number > 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 39, column 9: scene "two structures": structures[0].sdof.yield_force_n: found 0, allowed a finite number > 0"#);
 }
 
 #[test]
 fn extreme_no_structures() {
     let message = refused("no_structures", |scene| scene["structures"] = json!([]));
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structures: found none, allowed one or more"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 27, column 3: scene "two structures": structures: found none, allowed one or more"#);
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn extreme_more_contacts_than_fit() {
         let contact = scene["contacts"][0].clone();
         scene["contacts"] = json!([contact, contact]);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts: found 2 for 2 structures, allowed 1 (one between each structure and its right neighbour), or no field `contacts` when they stand apart"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 2, column 3: scene "two structures": contacts: found 2 for 2 structures, allowed 1 (one between each structure and its right neighbour), or no field `contacts` when they stand apart"#);
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn extreme_contact_between_walls() {
         scene["structures"] = json!([scene["structures"][0], "wall", "wall"]);
         scene["contacts"] = json!([contact, contact]);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[1]: found a wall on either side, allowed at most one wall per contact"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 12, column 5: scene "two structures": contacts[1]: found a wall on either side, allowed at most one wall per contact"#);
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn extreme_restitution_above_one() {
     let message = refused("restitution", |scene| {
         scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 1.2}});
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].law.stereomechanical.restitution: found 1.2, allowed 0 to 1"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 7, column 11: scene "two structures": contacts[0].law.stereomechanical.restitution: found 1.2, allowed 0 to 1"#);
 }
 
 #[test]
@@ -221,13 +221,13 @@ fn extreme_impact_stiffness_zero() {
         scene["contacts"][0]["law"]["nonlinear_viscoelastic"]["impact_stiffness_n_per_m1_5"] =
             json!(0);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].law.nonlinear_viscoelastic.impact_stiffness_n_per_m1_5: found 0, allowed a finite number > 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 8, column 11: scene "two structures": contacts[0].law.nonlinear_viscoelastic.impact_stiffness_n_per_m1_5: found 0, allowed a finite number > 0"#);
 }
 
 #[test]
 fn extreme_gap_negative() {
     let message = refused("gap", |scene| scene["contacts"][0]["gap_m"] = json!(-0.03));
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].gap_m: found -0.03, allowed a finite number >= 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 4, column 7: scene "two structures": contacts[0].gap_m: found -0.03, allowed a finite number >= 0"#);
 }
 
 #[test]
@@ -240,11 +240,11 @@ fn extreme_settings_of_methods_out_of_range() {
     let divided = json!({"central_difference": {
         "time_step_s": 0.01, "start": "consistent", "contact_substeps": 4
     }});
-    assert_snapshot!(refused(divided), @r#"error: scene.json: scene "two structures": method.central_difference.contact_substeps: found 4, allowed 1; more with the impacts velocity_jump"#);
+    assert_snapshot!(refused(divided), @r#"error: scene.json, line 16, column 7: scene "two structures": method.central_difference.contact_substeps: found 4, allowed 1; more with the impacts velocity_jump"#);
     let hht = json!({"hht": {"time_step_s": 0.01, "alpha": 0.1}});
-    assert_snapshot!(refused(hht), @r#"error: scene.json: scene "two structures": method.hht.alpha: found 0.1, allowed -1/3 to 0"#);
+    assert_snapshot!(refused(hht), @r#"error: scene.json, line 16, column 7: scene "two structures": method.hht.alpha: found 0.1, allowed -1/3 to 0"#);
     let moreau_jean = json!({"moreau_jean": {"time_step_s": 0.01, "theta": 0.4}});
-    assert_snapshot!(refused(moreau_jean), @r#"error: scene.json: scene "two structures": method.moreau_jean.theta: found 0.4, allowed 0.5 to 1"#);
+    assert_snapshot!(refused(moreau_jean), @r#"error: scene.json, line 16, column 7: scene "two structures": method.moreau_jean.theta: found 0.4, allowed 0.5 to 1"#);
     let verlet = json!({"velocity_verlet": {"time_step_s": 0.01, "impacts": "as_published"}});
     assert_snapshot!(refused(verlet), @"error: scene.json, line 16, column 31: method.velocity_verlet.impacts: found `as_published`, allowed are `velocity_jump`, `located`");
 }
@@ -254,15 +254,15 @@ fn extreme_gap_closed_at_the_start() {
     let message = refused("closed", |scene| {
         scene["structures"][0]["sdof"]["initial_displacement_m"] = json!(0.04);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": contacts[0].gap_m: found 0.03, but the initial displacements of structures[0] and [1] close that gap and overlap by 0.01 m; allowed is a gap that they leave open, or other initial_displacement_m"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 4, column 7: scene "two structures": contacts[0].gap_m: found 0.03, but the initial displacements of structures[0] and [1] close that gap and overlap by 0.01 m; allowed is a gap that they leave open, or other initial_displacement_m"#);
 }
 
 #[test]
 fn extreme_duration_between_two_steps() {
     let message = refused("duration", |scene| scene["duration_s"] = json!(10.002));
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 13, column 3: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1"#);
     let message = refused("long", |scene| scene["duration_s"] = json!(1e6));
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": duration_s: found 1000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 13, column 3: scene "two structures": duration_s: found 1000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
 }
 
 #[test]
@@ -270,7 +270,7 @@ fn extreme_time_step_zero() {
     let message = refused("time_step", |scene| {
         scene["method"]["central_difference"]["time_step_s"] = json!(0);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.central_difference.time_step_s: found 0, allowed a finite number > 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 17, column 7: scene "two structures": method.central_difference.time_step_s: found 0, allowed a finite number > 0"#);
 }
 
 #[test]
@@ -278,7 +278,7 @@ fn extreme_gravity_zero() {
     let message = refused("gravity", |scene| {
         scene["record"]["gravity_m_per_s2"] = json!(0);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": record.gravity_m_per_s2: found 0, allowed a finite number > 0"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 23, column 5: scene "two structures": record.gravity_m_per_s2: found 0, allowed a finite number > 0"#);
 }
 
 #[test]
@@ -286,7 +286,7 @@ fn extreme_beta_above_one_half() {
     let message = refused("beta", |scene| {
         scene["method"] = json!({"newmark": {"time_step_s": 0.01, "beta": 0.6, "gamma": 0.5}});
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.newmark.beta: found 0.6, allowed 0 to 0.5"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 16, column 7: scene "two structures": method.newmark.beta: found 0.6, allowed 0 to 0.5"#);
 }
 
 #[test]
@@ -294,7 +294,7 @@ fn extreme_time_step_beyond_the_stability_limit() {
     let message = refused("unstable", |scene| {
         scene["method"]["central_difference"]["time_step_s"] = json!(0.1);
     });
-    assert_snapshot!(message, @r#"error: scene.json: scene "two structures": method.central_difference.time_step_s: found 0.1, allowed less than 0.09549105 (structures[1], "stiff", grows without bound from there on); contact can ask for less; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 17, column 7: scene "two structures": method.central_difference.time_step_s: found 0.1, allowed less than 0.09549105 (structures[1], "stiff", grows without bound from there on); contact can ask for less; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"#);
 }
 
 /// Contact far too stiff for the time step: it throws the structures apart, and the second contact overflows.
@@ -308,4 +308,65 @@ fn extreme_run_that_diverges() {
         law["impact_stiffness_n_per_m1_5"] = json!(1e300);
     });
     assert_snapshot!(message, @r#"error: scene.json: scene "two structures": structure 0 at t = 0.6450 s: the response is no longer a finite number; use a smaller time step (found 0.005 s); structure 0 is "weak""#);
+}
+
+/// A record in the place of a scene was read as TOML, and its first line called bad syntax.
+#[test]
+fn issue_a_record_is_no_scene() {
+    let folder = folder("record_as_scene");
+    let text = "PEER\nX\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .01 SEC\n .1 .2\n";
+    fs::write(folder.join("q.AT2"), text).expect("written");
+    assert_snapshot!(refusal(&pounding(&folder, &["run", "q.AT2"])), @"error: q.AT2: found a record (PEER AT2), allowed is a scene, a TOML or JSON file; `pounding init --record q.AT2` writes one that it shakes");
+    assert_eq!(
+        pounding(&folder, &["init", "--record", "q.AT2"]).code,
+        0,
+        "as it says"
+    );
+}
+
+/// The line of the table was named, not that of the field.
+#[test]
+fn issue_the_line_of_a_field_is_named() {
+    let folder = folder("lines_of_fields");
+    pounding(&folder, &["init", "scene.toml"]);
+    pounding(&folder, &["init", "scene.json"]);
+    for (field, before, after, said) in [
+        (
+            "period_s",
+            "1.0",
+            "-1.0",
+            "structures[0].sdof.period_s: found -1, allowed a finite number > 0",
+        ),
+        (
+            "gap_m",
+            "0.02",
+            "-0.02",
+            "contacts[0].gap_m: found -0.02, allowed a finite number >= 0",
+        ),
+        (
+            "height_m",
+            "12.0",
+            "\"12 m\"",
+            "structures[0].sdof.height_m: found the text \"12 m\", allowed is a number",
+        ),
+    ] {
+        for (name, begin, between) in [("scene.toml", "\n", " = "), ("scene.json", "\"", "\": ")] {
+            let text = fs::read_to_string(folder.join(name)).expect("there");
+            let from = format!("{begin}{field}{between}{before}");
+            assert!(text.contains(&from), "{name} holds {from}");
+            let text = text.replacen(&from, &format!("{begin}{field}{between}{after}"), 1);
+            let line = text
+                .lines()
+                .position(|line| line.contains(&format!("{between}{after}")));
+            let line = line.expect("the field") + 1;
+            let bad = format!("bad-{name}");
+            fs::write(folder.join(&bad), text).expect("written");
+            let message = refusal(&pounding(&folder, &["check", &bad]));
+            assert!(
+                message.starts_with(&format!("error: {bad}, line {line}, column ")),
+                "{message}"
+            );
+            assert!(message.ends_with(said), "{message}");
+        }
+    }
 }

@@ -335,7 +335,7 @@ fn extreme_a_scene_that_cannot_be_compared() {
     let wrong = TOWERS.replace("gap_m = 0.01", "gap_m = -0.01");
     fs::write(folder.join("wrong.toml"), wrong).expect("a file");
     let refused = |arguments: &[&str]| refusal(&pounding(&folder, arguments));
-    assert_snapshot!(refused(&["compare", "towers.toml", "wrong.toml"]), @r#"error: wrong.toml: scene "towers": contacts[0].gap_m: found -0.01, allowed a finite number >= 0"#);
+    assert_snapshot!(refused(&["compare", "towers.toml", "wrong.toml"]), @r#"error: wrong.toml, line 12, column 1: scene "towers": contacts[0].gap_m: found -0.01, allowed a finite number >= 0"#);
     let missing = refused(&["compare", "towers.toml", "missing.toml"]);
     assert!(
         missing.starts_with("error: missing.toml: cannot be read: "),

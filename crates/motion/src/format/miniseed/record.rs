@@ -187,6 +187,7 @@ impl<'t> Record<'t> {
                 place: Place::Byte(self.at + 1),
                 found: values.len() - before,
                 allowed: self.n_samples,
+                next: None,
             });
         }
         if !values[before..].iter().all(|value| value.is_finite()) {

@@ -92,13 +92,21 @@ impl Named {
     }
 
     /// What is said of it after the scene is written.
-    pub(super) fn said(&self, scene: &str) -> String {
+    pub(super) fn said(&self, scene: &str, is_json: bool) -> String {
         let missing = self.missing.iter();
         let missing: Vec<String> = missing
             .map(|one| format!("`{}` ({})", one.field, one.why))
             .collect();
+        let example =
+            |one: &Missing| format!("\"{}\": {} ({})", one.field, one.example, one.allowed);
+        let examples: Vec<String> = self.missing.iter().map(example).collect();
         match &self.holds {
             Some(holds) => holds.clone(),
+            None if is_json => format!(
+                "it needs {}: add to \"record\" in {scene}, for example, {}",
+                missing.join(" and "),
+                examples.join("; ")
+            ),
             None => format!(
                 "it needs {}: fill in what stands for it in {scene} as a comment",
                 missing.join(" and ")

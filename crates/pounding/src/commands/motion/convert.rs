@@ -1,13 +1,14 @@
 //! `pounding motion convert`: a record as the project's CSV, processed as a scene would.
 
 mod processing;
+mod provenance;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use pounding::motion::{Record, read};
-use pounding::studies::{GroundMotion, RecordUse, Scene, Source, digits, read_file};
+use pounding::studies::{GroundMotion, Origin, RecordUse, Scene, digits, read_file};
 
 use super::source::{Declared, processed};
 use crate::new_file;
@@ -17,14 +18,17 @@ use processing::Processing;
 const EXAMPLES: &str = "\
 Examples:
   pounding motion convert quake.AT2 quake.csv
-  pounding motion convert quake.v1 quake.csv --detrend linear --band-pass 0.1 25
+  pounding motion convert quake.v1 quake.csv --detrend linear \\
+    --band-pass 0.1 25
   pounding motion convert quake.AT2 strong.csv --scale-to-pga 0.4
   pounding motion convert quake.AT2 strong.csv --scale-to-sa 1.0 5% 0.35
   pounding motion convert scene.toml shaking.csv     # the motion of a scene
 
 The order is that of a scene: detrend, band-pass, resample, scale to a target,
-scale, reverse. The CSV holds every digit: read again, in m/s² always and in g
-where such numbers exist, it gives the same samples to the last bit.";
+scale, reverse. The CSV is a header that names the unit, and numbers with every
+digit: read again, in m/s² always and in g where such numbers exist, they give
+the same samples to the last bit. Where they come from and what was done to them
+stands beside it, in OUT.provenance.json.";
 
 /// What is asked of `motion convert`.
 #[derive(Debug, clap::Args)]
@@ -39,7 +43,7 @@ pub(super) struct Arguments {
     /// Unit of the CSV.
     #[arg(long, help = "Unit of the CSV: m_per_s2 or g", value_enum, value_name = "UNIT", default_value_t = To::MPerS2, hide_possible_values = true)]
     to: To,
-    /// Write over a file that is there already.
+    /// Write over files that are there already, but never over FILE.
     #[arg(long)]
     overwrite: bool,
     #[command(flatten)]
@@ -59,14 +63,18 @@ enum To {
     G,
 }
 
-/// A motion, and what is said of it above the numbers.
+/// A motion, and where it comes from.
 struct Motion {
     record: Record,
     gravity: f64,
-    comments: Vec<String>,
+    origin: Option<Origin>,
+    /// What was done to it, in words.
+    processing: Vec<String>,
+    /// The scene that it is the motion of.
+    scene: Option<String>,
 }
 
-/// Writes the CSV; returns what was written.
+/// Writes the CSV, and beside it where it comes from; returns what was written.
 pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
     let _waiting = Waiting::new("processing");
     let ending = asked.file.extension().unwrap_or_default();
@@ -75,20 +83,47 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
     } else {
         of_file(asked)?
     };
+    let beside = asked.out.with_extension("provenance.json");
+    let origin = motion.origin.as_ref().map(|origin| origin.path.as_path());
+    let read_from: Vec<&Path> = origin.into_iter().chain([asked.file.as_path()]).collect();
+    for written in [&asked.out, &beside] {
+        keep(&read_from, written)?;
+        new_file::check(written, asked.overwrite)?;
+    }
     let text = csv_of(&motion, asked.to);
     let out = asked.out.display();
     // What cannot be read again is not written.
     read(text.as_bytes()).map_err(|error| format!("{out}: not written: {error}"))?;
     new_file::write(&asked.out, text.as_bytes(), asked.overwrite)?;
+    let said = provenance::json_of(asked, &motion);
+    new_file::write(&beside, said.as_bytes(), asked.overwrite)?;
     let record = &motion.record;
     let (time, peak) = record.peak();
     Ok(format!(
-        "wrote {out}: {} samples, {} s apart, peak {} m/s² at {} s\n",
+        "wrote {out}: {} samples, {} s apart, peak {} m/s² at {} s\nwrote {}: where they come from\n",
         record.samples().len(),
         record.time_step(),
         digits(peak),
-        digits(time)
+        digits(time),
+        beside.display()
     ))
+}
+
+/// Refuses to write over what was read, by whatever path.
+fn keep(read_from: &[&Path], written: &Path) -> Result<(), String> {
+    let same = |one: &&&Path| {
+        let (one, other) = (one.canonicalize(), written.canonicalize());
+        matches!((one, other), (Ok(one), Ok(other)) if one == other)
+    };
+    match read_from.iter().find(same) {
+        None => Ok(()),
+        Some(one) => Err(format!(
+            "{}: is the file that is read ({}), allowed is another, also with --overwrite: a raw record cannot be made \
+             again; name a new file",
+            written.display(),
+            one.display()
+        )),
+    }
 }
 
 fn of_file(asked: &Arguments) -> Result<Motion, String> {
@@ -102,21 +137,16 @@ fn of_file(asked: &Arguments) -> Result<Motion, String> {
         ..asked.declared.use_of(&asked.file)
     };
     let opened = processed(&asked.file, &record)?;
-    let file = &opened.file;
-    let mut comments: Vec<String> = file.provenance().lines().map(String::from).collect();
-    comments.push(format!(
-        "from {}, {}, SHA-256 {}",
-        name(&asked.file),
-        file.format().name(),
-        opened.sha256
-    ));
-    let component = file.readings().iter().find(|one| one.what == "component");
-    comments.extend(component.map(|one| format!("component {}", one.found)));
-    comments.extend(record.processing());
     Ok(Motion {
         record: opened.record,
         gravity: asked.declared.gravity,
-        comments,
+        origin: Some(Origin {
+            path: asked.file.clone(),
+            sha256: opened.sha256,
+            file: opened.file,
+        }),
+        processing: record.processing(),
+        scene: None,
     })
 }
 
@@ -132,43 +162,26 @@ fn of_scene(asked: &Arguments) -> Result<Motion, String> {
     let scene: Scene = read_file(path).map_err(|error| error.in_file(path).to_string())?;
     let motion = GroundMotion::of(&scene.record, crate::commands::folder(path), &scene.name)
         .map_err(|error| error.in_file(path).to_string())?;
-    let mut comments: Vec<String> = motion.record.source().lines().map(String::from).collect();
-    let from = match &scene.record.source {
-        Source::File(file) => format!(", {}", name(Path::new(&file.file))),
-        Source::Generated(_) => String::new(),
-    };
-    comments.push(format!("from {}, scene {:?}{from}", name(path), scene.name));
-    comments.extend(scene.record.processing());
     Ok(Motion {
         record: motion.record,
         gravity: scene.record.gravity_m_per_s2,
-        comments,
+        origin: motion.origin,
+        processing: scene.record.processing(),
+        scene: Some(scene.name),
     })
-}
-
-/// Name of a file without its folder, which other machines do not have.
-fn name(path: &Path) -> String {
-    let name = path.file_name().unwrap_or(path.as_os_str());
-    name.to_string_lossy().into_owned()
 }
 
 fn csv_of(motion: &Motion, to: To) -> String {
     let mut text = String::new();
     let mut line = |line: &str| writeln!(text, "{line}").expect("memory takes all");
-    for comment in &motion.comments {
-        line(format!("# {comment}").trim_end());
-    }
     let value = |sample: f64| match to {
         To::MPerS2 => sample,
         To::G => in_g(sample, motion.gravity),
     };
-    match to {
-        To::MPerS2 => line("time_s,acceleration_m_per_s2"),
-        To::G => {
-            line(&format!("# one g is {} m/s²", motion.gravity));
-            line("time_s,acceleration_g");
-        }
-    }
+    line(match to {
+        To::MPerS2 => "time_s,acceleration_m_per_s2",
+        To::G => "time_s,acceleration_g",
+    });
     let record = &motion.record;
     for (index, sample) in record.samples().iter().enumerate() {
         let time = index as f64 * record.time_step();

@@ -2,12 +2,13 @@
 
 mod printed;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use pounding::motion::{Measures, components};
+use pounding::motion::{Drift, Measures, components};
 use rayon::prelude::*;
 
-use super::source::{Declared, Opened, files};
+use super::source::{Declared, Named, Opened, files};
+use crate::commands::Failure;
 use crate::commands::suite::nothing_found;
 use crate::progress::Progress;
 
@@ -15,13 +16,14 @@ const EXAMPLES: &str = "\
 Examples:
   pounding motion info quake.AT2
   pounding motion info records                  # every file of a folder
-  pounding motion info station.v2 --component \"90 Deg\"
+  pounding motion info station.v2 --component \"90 deg\"
   pounding motion info list.txt --unit cm_per_s2 --time-step 0.005
   pounding motion info records --csv > measures.csv
 
-Of several files, what is declared holds for those that do not say it.
-Measures are exact for an acceleration that is linear between samples, and no
-baseline is corrected: a large PGV or PGD tells of an offset.";
+Of several files, what is declared holds for those that do not say it. The
+exit code is 1 where a file that is named here, and not only found in a folder,
+is refused. Measures are exact for an acceleration that is linear between
+samples, and no baseline is corrected: a drift of the ground is pointed out.";
 
 /// What is asked of `motion info`.
 #[derive(Debug, clap::Args)]
@@ -42,8 +44,8 @@ pub(super) struct Arguments {
 
 /// One component of one file.
 struct Line {
-    file: PathBuf,
-    /// Its name, where the file holds several.
+    file: Named,
+    /// Its name, where the file holds several or one is asked for.
     component: Option<String>,
     found: Result<Found, String>,
 }
@@ -52,10 +54,11 @@ struct Line {
 struct Found {
     opened: Opened,
     measures: Measures,
+    drift: Option<Drift>,
 }
 
 /// What the files hold.
-pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
+pub(super) fn answer(asked: &Arguments) -> Result<String, Failure> {
     let files = files(&asked.files)?;
     let strict = files.len() == 1;
     let motions: Vec<_> = files
@@ -63,46 +66,56 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
         .flat_map(|file| motions(file, &asked.declared))
         .collect();
     let progress = Progress::new();
-    let line = |(file, component): &(PathBuf, Option<String>)| {
+    let line = |(file, component): &(Named, Option<String>)| {
         let declared = asked.declared.of_component(component.clone());
         let opened = if strict {
-            declared.open(file)
+            declared.open(&file.path)
         } else {
-            declared.open_one_of_several(file)
+            declared.open_one_of_several(&file.path)
         };
         progress.step(motions.len());
+        let spelt = opened.as_ref().ok().and_then(Opened::component);
         Line {
             file: file.clone(),
-            component: component.clone(),
+            // What is asked for may be a part of the name.
+            component: component.clone().map(|asked| spelt.unwrap_or(asked)),
             found: opened.map(|opened| Found {
                 measures: opened.record.measures(),
+                drift: opened.record.drift(),
                 opened,
             }),
         }
     };
     let lines: Vec<Line> = motions.par_iter().map(line).collect();
+    drop(progress);
     all_refused(&lines)?;
-    Ok(if asked.json {
+    let printed = if asked.json {
         printed::json_of(&lines, asked.declared.gravity)
     } else if asked.csv {
         printed::csv_of(&lines, asked.declared.gravity)
     } else {
         printed::text(&lines, asked.declared.gravity)
-    })
+    };
+    match named_refused(&lines) {
+        None => Ok(printed),
+        Some(message) => Err(Failure { printed, message }),
+    }
 }
 
-/// The motions of a file: one, or each component that is asked for.
-fn motions(file: &Path, declared: &Declared) -> Vec<(PathBuf, Option<String>)> {
-    let names = std::fs::read(file)
-        .ok()
-        .and_then(|bytes| components(&bytes).ok())
-        .filter(|names| names.len() > 1);
-    let components = match (names, &declared.component) {
-        (Some(_), Some(asked)) => vec![Some(asked.clone())],
-        (Some(names), None) => names.into_iter().map(Some).collect(),
-        (None, _) => vec![None],
+/// The motions of a file: one, or each component, or the one that is asked for.
+fn motions(file: &Named, declared: &Declared) -> Vec<(Named, Option<String>)> {
+    let names = || {
+        let bytes = std::fs::read(&file.path).ok()?;
+        components(&bytes).ok().filter(|names| names.len() > 1)
     };
-    let motion = |component| (file.to_path_buf(), component);
+    let components = match &declared.component {
+        Some(asked) => vec![Some(asked.clone())],
+        None => match names() {
+            Some(names) => names.into_iter().map(Some).collect(),
+            None => vec![None],
+        },
+    };
+    let motion = |component| (file.clone(), component);
     components.into_iter().map(motion).collect()
 }
 
@@ -116,4 +129,18 @@ fn all_refused(lines: &[Line]) -> Result<(), String> {
             lines.len()
         )),
     }
+}
+
+/// What is said of files that were named and are refused; a folder may hold other files than records.
+fn named_refused(lines: &[Line]) -> Option<String> {
+    let refused = lines.iter().filter(|line| !line.file.in_folder);
+    let mut reasons = refused.filter_map(|line| line.found.as_ref().err());
+    let first = reasons.next()?;
+    Some(match reasons.count() {
+        0 => first.clone(),
+        others => format!(
+            "{} of the motions named are refused; the first: {first}",
+            others + 1
+        ),
+    })
 }

@@ -7,6 +7,8 @@ mod spectrum;
 
 use clap::Subcommand;
 
+use super::Failure;
+
 const EXAMPLES: &str = "\
 Examples:
   pounding motion info quake.AT2
@@ -33,10 +35,10 @@ enum Command {
 }
 
 /// Runs the subcommand; returns what is printed.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+pub(crate) fn answer(asked: &Arguments) -> Result<String, Failure> {
     match &asked.command {
         Command::Info(asked) => info::answer(asked),
-        Command::Convert(asked) => convert::answer(asked),
-        Command::Spectrum(asked) => spectrum::answer(asked),
+        Command::Convert(asked) => Ok(convert::answer(asked)?),
+        Command::Spectrum(asked) => Ok(spectrum::answer(asked)?),
     }
 }

@@ -22,16 +22,16 @@ pub(super) struct Declared {
     #[arg(long, value_name = "UNIT", help = UNITS, value_parser = unit(), hide_possible_values = true)]
     unit: Option<Unit>,
     /// Time between samples [s].
-    #[arg(long, value_name = "DT", value_parser = positive)]
+    #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     time_step: Option<f64>,
-    /// Which of several components: its name or number.
+    /// Which component: name, part of it, or number.
     #[arg(long, value_name = "NAME")]
     pub(super) component: Option<String>,
     /// What one count of a digitiser is worth, in --unit.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     per_count: Option<f64>,
     /// What one g is worth [m/s²].
-    #[arg(long, value_name = "G", default_value_t = STANDARD_GRAVITY, value_parser = positive)]
+    #[arg(long, value_name = "G", default_value_t = STANDARD_GRAVITY, allow_negative_numbers = true, value_parser = positive)]
     pub(super) gravity: f64,
 }
 
@@ -43,6 +43,23 @@ pub(super) struct Opened {
     pub(super) file: Accelerogram,
     /// SHA-256 of its bytes.
     pub(super) sha256: String,
+}
+
+impl Opened {
+    /// Name of its component, as the file spells it.
+    pub(super) fn component(&self) -> Option<String> {
+        let mut readings = self.file.readings().iter();
+        let component = readings.find(|one| one.what == "component");
+        component.map(|one| one.found.clone())
+    }
+}
+
+/// A file, and how it was found.
+#[derive(Debug, Clone)]
+pub(super) struct Named {
+    pub(super) path: PathBuf,
+    /// Whether it is one of the files of a folder that was named.
+    pub(super) in_folder: bool,
 }
 
 /// The units by the names that scenes give them.
@@ -161,7 +178,8 @@ fn message(path: &Path, error: &StudyError) -> String {
 }
 
 /// The files that are named, and every file of the folders that are.
-pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
+pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<Named>, String> {
+    let named = |path: PathBuf, in_folder| Named { path, in_folder };
     let mut files = Vec::new();
     for path in paths {
         if path.is_dir() {
@@ -172,9 +190,9 @@ pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
                     path.display()
                 ));
             }
-            files.extend(found);
+            files.extend(found.into_iter().map(|path| named(path, true)));
         } else {
-            files.push(path.clone());
+            files.push(named(path.clone(), false));
         }
     }
     Ok(files)

@@ -16,22 +16,28 @@ pub(super) struct Processing {
     #[arg(long, value_enum, value_name = "LINE", hide_possible_values = true)]
     detrend: Option<Line>,
     /// Keep a band of frequencies [Hz], Butterworth.
-    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], value_parser = positive)]
+    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_negative_numbers = true, value_parser = positive)]
     band_pass: Vec<f64>,
     /// Order of the filter, 1 to 10.
-    #[arg(long, value_name = "N", default_value_t = 4, requires = "band_pass")]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 4,
+        allow_negative_numbers = true,
+        requires = "band_pass"
+    )]
     order: u32,
     /// Filter forward only; both ways delay nothing.
     #[arg(long, requires = "band_pass")]
     causal: bool,
     /// New time between samples [s].
-    #[arg(long, value_name = "DT", value_parser = positive)]
+    #[arg(long, value_name = "DT", allow_negative_numbers = true, value_parser = positive)]
     pub(super) resample: Option<f64>,
     /// Scale to a peak ground acceleration [g].
-    #[arg(long, value_name = "PGA", value_parser = positive)]
+    #[arg(long, value_name = "PGA", allow_negative_numbers = true, value_parser = positive)]
     scale_to_pga: Option<f64>,
     /// Scale to Sa [g] at T [s], damping Z such as 5%.
-    #[arg(long, num_args = 3, value_names = ["T", "Z", "SA"], conflicts_with = "scale_to_pga")]
+    #[arg(long, num_args = 3, value_names = ["T", "Z", "SA"], allow_negative_numbers = true, conflicts_with = "scale_to_pga")]
     scale_to_sa: Vec<String>,
     /// Multiply.
     #[arg(

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::{Found, Line};
 use crate::commands::{csv_text, json_text};
-use crate::text::{NONE, cut, paragraph, short, table};
+use crate::text::{NONE, cut, paragraph, percent, short, table};
 
 /// Paragraphs of one motion, a table of several.
 pub(super) fn text(lines: &[Line], gravity: f64) -> String {
@@ -23,7 +23,7 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
     let opened = &found.opened;
     let readings: Vec<String> = opened.file.readings().iter().map(reading).collect();
     let mut parts = vec![
-        paragraph("File", &line.file.display().to_string()),
+        paragraph("File", &line.file.path.display().to_string()),
         paragraph("Read", &readings.join("\n")),
     ];
     let provenance = opened.file.provenance();
@@ -41,6 +41,14 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
         ),
     ));
     parts.push(measures(found, gravity));
+    if let Some(drift) = found.drift {
+        let left = format!(
+            "{} m/s on average over the last tenth, {} of PGV; {DRIFT}",
+            short(drift.velocity),
+            percent(drift.share)
+        );
+        parts.push(paragraph("Drift", &left));
+    }
     parts.push(paragraph("Notes", NOTES));
     parts.join("\n")
 }
@@ -91,30 +99,21 @@ fn measures(found: &Found, gravity: f64) -> String {
 
 /// A line per motion, and why others are left out.
 fn several(lines: &[Line], gravity: f64) -> String {
-    let header = [
-        ["Record", ""],
-        ["Format", ""],
-        ["Samples", ""],
-        ["Step", "[s]"],
-        ["PGA", "[g]"],
-        ["PGV", "[m/s]"],
-        ["D5–95", "[s]"],
-    ];
-    let row = |line: &Line| {
-        let Found { opened, measures } = line.found.as_ref().ok()?;
-        let d5_95 = measures.d5_95.map(|interval| interval.duration());
-        Some(vec![
-            name(line),
-            opened.file.format().name().into(),
-            opened.record.samples().len().to_string(),
-            digits(opened.record.time_step()),
-            short(measures.pga / gravity),
-            short(measures.pgv),
-            d5_95.map_or(NONE.into(), short),
-        ])
-    };
-    let rows: Vec<_> = lines.iter().filter_map(row).collect();
-    let mut parts = vec![table(&header, &rows)];
+    let file = &lines[0].file.path;
+    let of_one_file = lines.iter().all(|line| line.file.path == *file);
+    let mut parts = Vec::new();
+    if of_one_file {
+        let formats = lines.iter().filter_map(|line| line.found.as_ref().ok());
+        let format = formats
+            .map(|found| found.opened.file.format().name())
+            .next();
+        parts.push(format!(
+            "{}{}",
+            paragraph("File", &file.display().to_string()),
+            paragraph("Format", format.unwrap_or(NONE))
+        ));
+    }
+    parts.push(table_of(lines, gravity, of_one_file));
     let refused: Vec<String> = lines
         .iter()
         .filter_map(|line| line.found.as_ref().err().cloned())
@@ -122,31 +121,91 @@ fn several(lines: &[Line], gravity: f64) -> String {
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
-    if lines.iter().any(|line| line.component.is_some()) {
+    let drifting = |line: &&Line| line.found.as_ref().is_ok_and(|found| found.drift.is_some());
+    let drifting: Vec<String> = lines
+        .iter()
+        .filter(drifting)
+        .map(|line| name(line, of_one_file))
+        .collect();
+    if !drifting.is_empty() {
+        parts.push(paragraph(
+            "Drift",
+            &format!("{}: {DRIFT}", drifting.join("; ")),
+        ));
+    }
+    if of_one_file {
         parts.push(paragraph(
             "Notes",
-            "a file with several components has a line for each; --component takes one, by its name",
+            "--component takes one, by its name, a part of it, or its number",
+        ));
+    } else if lines.iter().any(|line| line.component.is_some()) {
+        parts.push(paragraph(
+            "Notes",
+            "a file with several components has a line for each; --component takes one, by its name, a part of it, or its \
+             number",
         ));
     }
     parts.join("\n")
 }
 
-/// Letters of a name in the table, which is then no wider than 80 columns.
-const NAME: usize = 23;
-
-/// That of the file, cut before the component.
-fn name(line: &Line) -> String {
-    let name = line.file.file_name().unwrap_or(line.file.as_os_str());
-    let file = name.to_string_lossy().into_owned();
-    let Some(component) = &line.component else {
-        return file;
+/// The numbers of each motion that is read; the peak with the time at which it is.
+fn table_of(lines: &[Line], gravity: f64, of_one_file: bool) -> String {
+    let header = [
+        [if of_one_file { "Component" } else { "Record" }, ""],
+        ["Samples", ""],
+        ["Step", "[s]"],
+        ["Unit", ""],
+        ["PGA", "[g]"],
+        ["at", "[s]"],
+        ["PGV", "[m/s]"],
+        ["D5–95", "[s]"],
+    ];
+    let row = |line: &Line| {
+        let Found {
+            opened, measures, ..
+        } = line.found.as_ref().ok()?;
+        let d5_95 = measures.d5_95.map(|interval| interval.duration());
+        let (time, _) = opened.record.peak();
+        Some(vec![
+            name(line, of_one_file),
+            opened.record.samples().len().to_string(),
+            digits(opened.record.time_step()),
+            opened.file.unit().symbol().into(),
+            short(measures.pga / gravity),
+            digits(time),
+            short(measures.pgv),
+            d5_95.map_or(NONE.into(), short),
+        ])
     };
-    let room = NAME.saturating_sub(component.chars().count() + 1).max(6);
-    format!("{} {component}", cut(&file, room))
+    let rows: Vec<_> = lines.iter().filter_map(row).collect();
+    table(&header, &rows)
+}
+
+/// What a velocity at the end tells, and what to do.
+const DRIFT: &str = "the ground does not come to rest: an offset of the baseline, or a record cut short; PGV and PGD are \
+                     those of the drift. A straight line (--detrend linear) or a high-pass (--band-pass) in `motion convert` \
+                     takes an offset away, in a scene `detrend` or `band_pass`";
+
+/// Letters of a name in the table, which is then no wider than 80 columns.
+const NAME: usize = 21;
+
+/// That of the component where there is one file, else of the file, cut before the component.
+fn name(line: &Line, of_one_file: bool) -> String {
+    let path = &line.file.path;
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    let file = name.to_string_lossy().into_owned();
+    match &line.component {
+        None => file,
+        Some(component) if of_one_file => component.clone(),
+        Some(component) => {
+            let room = NAME.saturating_sub(component.chars().count() + 1).max(6);
+            format!("{} {component}", cut(&file, room))
+        }
+    }
 }
 
 /// The numbers of a motion with their names, SI units; nothing where there is none.
-fn numbers(found: &Found) -> [(&'static str, Option<f64>); 14] {
+fn numbers(found: &Found) -> [(&'static str, Option<f64>); 15] {
     let (record, measures) = (&found.opened.record, &found.measures);
     let start = |interval: Option<Interval>| interval.map(|interval| interval.start);
     let duration = |interval: Option<Interval>| interval.map(|interval| interval.duration());
@@ -165,6 +224,7 @@ fn numbers(found: &Found) -> [(&'static str, Option<f64>); 14] {
         ("d5_75_s", duration(measures.d5_75)),
         ("d5_95_start_s", start(measures.d5_95)),
         ("d5_95_s", duration(measures.d5_95)),
+        ("drift_m_per_s", found.drift.map(|drift| drift.velocity)),
     ]
 }
 
@@ -178,7 +238,7 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
     let header: Vec<String> = header.map(ToString::to_string).collect();
     let row = |line: &Line| {
         let mut row = vec![
-            line.file.display().to_string(),
+            line.file.path.display().to_string(),
             line.component.clone().unwrap_or_default(),
         ];
         match &line.found {
@@ -204,7 +264,8 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
 pub(super) fn json_of(lines: &[Line], gravity: f64) -> String {
     let reading = |one: &Reading| json!({"what": one.what, "line": one.line, "found": one.found});
     let line = |line: &Line| {
-        let mut all = json!({"file": line.file.display().to_string(), "component": line.component});
+        let mut all =
+            json!({"file": line.file.path.display().to_string(), "component": line.component});
         match &line.found {
             Err(reason) => all["refused"] = json!(reason),
             Ok(found) => {

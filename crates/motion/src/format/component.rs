@@ -1,0 +1,155 @@
+//! The components of a file, and which of them is meant.
+
+use crate::{Place, ReadError};
+
+/// One component of a file.
+pub(super) struct Component {
+    pub(super) name: String,
+    pub(super) place: Place,
+}
+
+/// Index of the component that is declared, or of the only one.
+///
+/// A declared one is a name, a number from 1, or a part of one name alone: whole words such as `90 Deg` of
+/// `CHAN 1: 90 DEG` first, then any part that cuts no number.
+pub(super) fn chosen(components: &[Component], declared: Option<&str>) -> Result<usize, ReadError> {
+    let names = || components.iter().map(|component| component.name.clone());
+    let Some(declared) = declared else {
+        return if components.len() > 1 {
+            Err(ReadError::ComponentNeeded {
+                names: names().collect(),
+            })
+        } else {
+            Ok(0)
+        };
+    };
+    let wanted = folded(declared);
+    let folded: Vec<String> = names().map(|name| folded(&name)).collect();
+    let where_it = |fits: &dyn Fn(&String) -> bool| -> Vec<usize> {
+        let indices = 0..folded.len();
+        indices.filter(|index| fits(&folded[*index])).collect()
+    };
+    // A name comes before a number: channels may be called 3, 1, 2.
+    let by_name = where_it(&|name| *name == wanted);
+    let by_number = wanted.parse().ok().filter(|number: &usize| {
+        let numbers = 1..=components.len().max(1);
+        numbers.contains(number)
+    });
+    if let Some(index) = by_name.first().copied().or(by_number.map(|one| one - 1)) {
+        return Ok(index);
+    }
+    let words = where_it(&|name| holds(name, &wanted, cuts_word));
+    let parts = where_it(&|name| holds(name, &wanted, cuts_number));
+    let found = if words.is_empty() { parts } else { words };
+    match found[..] {
+        [index] => Ok(index),
+        [] => Err(ReadError::UnknownComponent {
+            found: declared.trim().to_owned(),
+            names: names().collect(),
+        }),
+        _ => Err(ReadError::AmbiguousComponent {
+            found: declared.trim().to_owned(),
+            fitting: found
+                .iter()
+                .map(|index| (index + 1, components[*index].name.clone()))
+                .collect(),
+        }),
+    }
+}
+
+/// Small letters with one blank between words.
+fn folded(text: &str) -> String {
+    let words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
+    words.join(" ")
+}
+
+/// Whether a text holds a part somewhere such that neither end cuts what may not be cut, a pair of neighbouring letters.
+fn holds(text: &str, part: &str, cuts: fn(char, char) -> bool) -> bool {
+    let cut_at = |byte: usize| {
+        let (before, behind) = text.split_at(byte);
+        let pair = before.chars().next_back().zip(behind.chars().next());
+        pair.is_some_and(|(left, right)| cuts(left, right))
+    };
+    !part.is_empty()
+        && text
+            .match_indices(part)
+            .any(|(start, found)| !cut_at(start) && !cut_at(start + found.len()))
+}
+
+fn cuts_word(left: char, right: char) -> bool {
+    left.is_alphanumeric() && right.is_alphanumeric()
+}
+
+/// `0 DEG` is no part of `90 DEG`, nor the number 1 of `12`.
+fn cuts_number(left: char, right: char) -> bool {
+    left.is_ascii_digit() && right.is_ascii_digit()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Component, chosen};
+    use crate::{Place, ReadError};
+
+    fn components(names: &[&str]) -> Vec<Component> {
+        let component = |name: &&str| Component {
+            name: (*name).to_owned(),
+            place: Place::Line(1),
+        };
+        names.iter().map(component).collect()
+    }
+
+    const CHANNELS: [&str; 4] = [
+        "CHAN 1: 90 DEG",
+        "CHAN 2: UP",
+        "CHAN 3: 0 DEG",
+        "CHAN 12: N08W",
+    ];
+
+    /// Names had to be given in full, number of the channel included.
+    #[test]
+    fn issue_a_unique_part_of_a_name_suffices() {
+        let channels = components(&CHANNELS);
+        for (declared, index) in [
+            ("90 Deg", 0),
+            ("90", 0),
+            ("chan 2: up", 1),
+            (" up ", 1),
+            ("0 deg", 2),
+            ("0", 2),
+            ("CHAN  3:", 2),
+            ("n08w", 3),
+            ("08W", 3),
+            ("12", 3),
+            // Numbers of four components come before parts of names.
+            ("2", 1),
+            ("4", 3),
+        ] {
+            assert_eq!(chosen(&channels, Some(declared)), Ok(index), "{declared}");
+        }
+        assert_eq!(
+            chosen(&components(&["HNE", "HNN", "HNZ"]), Some("nz")),
+            Ok(2)
+        );
+        assert_eq!(chosen(&components(&["3", "1", "2"]), Some("1")), Ok(1));
+        assert_eq!(chosen(&components(&["UP", "UP 2"]), Some("Up")), Ok(0));
+        assert_eq!(chosen(&[], Some("1")), Ok(0));
+    }
+
+    #[test]
+    fn extreme_parts_of_several_names_and_of_none() {
+        let channels = components(&CHANNELS);
+        let ambiguous = |declared: &str| match chosen(&channels, Some(declared)) {
+            Err(ReadError::AmbiguousComponent { fitting, .. }) => {
+                fitting.iter().map(|(number, _)| *number).collect()
+            }
+            _ => Vec::new(),
+        };
+        assert_eq!(ambiguous("deg"), [1, 3]);
+        assert_eq!(ambiguous("chan"), [1, 2, 3, 4]);
+        for declared in ["9", "5", "", " ", "45", "chan 1: up", "8W"] {
+            let found = chosen(&channels, Some(declared));
+            let unknown = matches!(found, Err(ReadError::UnknownComponent { .. }));
+            assert!(unknown, "{declared}: {found:?}");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! What stopped the values of a file before their number was reached: a number that is none, or something else.
+
+use super::File;
+use crate::line::{excerpt, number};
+use crate::{Place, ReadError};
+
+/// The same error, or one that names the field where the values stopped.
+pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
+    let ReadError::SampleCount {
+        place: Place::Line(last),
+        found,
+        allowed,
+        ..
+    } = error
+    else {
+        return error;
+    };
+    let mut behind = file
+        .lines
+        .iter()
+        .filter(|line| line.number > last && !line.is_blank());
+    let Some(line) = behind.next().filter(|_| found < allowed) else {
+        return error;
+    };
+    let pieces: Vec<&[u8]> = line.pieces().collect();
+    let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
+    let of_numbers = pieces.iter().all(|piece| is_like_a_number(piece));
+    match pieces.iter().position(is_bad) {
+        Some(index) if of_numbers => ReadError::NotANumber {
+            line: line.number,
+            field: index + 1,
+            found: excerpt(pieces[index]),
+        },
+        _ => ReadError::SampleCount {
+            place: Place::Line(last),
+            found,
+            allowed,
+            next: Some((line.number, line.excerpt())),
+        },
+    }
+}
+
+/// A number, or what is left of one: digits with commas, the asterisks of Fortran, the words of programs for what is no number.
+fn is_like_a_number(piece: &[u8]) -> bool {
+    let of_digits = |byte: &u8| byte.is_ascii_digit() || b".,+-*?#eEdD".contains(byte);
+    let has_digit = piece
+        .iter()
+        .any(|byte| byte.is_ascii_digit() || matches!(byte, b'*' | b'?' | b'#'));
+    let words = [
+        &b"NA"[..],
+        b"N/A",
+        b"NULL",
+        b"NONE",
+        b"#N/A",
+        b"#NUM!",
+        b"#VALUE!",
+        b"#REF!",
+        b"#DIV/0!",
+    ];
+    number(piece).is_some()
+        || (has_digit && piece.iter().all(of_digits))
+        || words.iter().any(|word| word.eq_ignore_ascii_case(piece))
+}

@@ -1,0 +1,101 @@
+//! Files that hold no text and no record that is read: packed ones, other encodings, pictures, web pages.
+
+use super::File;
+use crate::ReadError;
+
+/// Bytes at the start of a file that tell what it is, and what to do with it.
+const SIGNATURES: [(&[u8], &str, &str); 11] = {
+    const UNPACK: &str = "unpack it and give the file in it";
+    const SAVE: &str = "save its numbers as text (CSV)";
+    [
+        (
+            b"\x1f\x8b",
+            "packed by gzip",
+            "unpack it first (`gunzip FILE.gz`)",
+        ),
+        (
+            b"PK\x03\x04",
+            "a ZIP archive, or a sheet of a program such as Excel",
+            "unpack it and give a file in it, or save the sheet as CSV",
+        ),
+        (
+            b"BZh",
+            "packed by bzip2",
+            "unpack it first (`bunzip2 FILE.bz2`)",
+        ),
+        (
+            b"\xfd7zXZ",
+            "packed by xz",
+            "unpack it first (`unxz FILE.xz`)",
+        ),
+        (b"7z\xbc\xaf", "a 7z archive", UNPACK),
+        (
+            b"\x1f\x9d",
+            "packed by compress",
+            "unpack it first (`uncompress FILE.Z`)",
+        ),
+        (b"%PDF", "a PDF", "fetch the record as a text file"),
+        (
+            b"\xd0\xcf\x11\xe0",
+            "a document of an old office program such as .xls",
+            SAVE,
+        ),
+        (b"\x89HDF", "an HDF5 file", SAVE),
+        (b"MATLAB 5.0", "a MAT-file of MATLAB", SAVE),
+        (b"\x89PNG", "a picture", "fetch the record as a text file"),
+    ]
+};
+
+/// Bytes that are looked at for those that no text has.
+const SEARCHED: usize = 4096;
+
+/// What a file is, where that keeps it from being read.
+pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
+    let bytes = file.bytes;
+    let known = SIGNATURES
+        .iter()
+        .find(|(start, ..)| bytes.starts_with(start));
+    if let Some(&(_, what, advice)) = known {
+        return Some(ReadError::Foreign { what, advice });
+    }
+    if is_utf16(bytes) {
+        return Some(ReadError::Foreign {
+            what: "text in UTF-16",
+            advice: "save it again as UTF-8 (an editor's \"Save as\", or `iconv -f UTF-16 -t UTF-8`)",
+        });
+    }
+    let begin = file.first()?.bytes.trim_ascii().to_ascii_lowercase();
+    let is_page = [&b"<!doctype html"[..], b"<html"]
+        .iter()
+        .any(|tag| begin.starts_with(tag));
+    is_page.then_some(ReadError::Foreign {
+        what: "a web page",
+        advice: "fetch the record again; a site that wants a log-in sends such pages instead",
+    })
+}
+
+/// The first byte that no text has, as an error; of a file that no reader knows.
+pub(super) fn binary(bytes: &[u8]) -> Option<ReadError> {
+    let is_control =
+        |byte: &u8| *byte < b' ' && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
+    let at = bytes.iter().take(SEARCHED).position(is_control)?;
+    Some(ReadError::Binary {
+        byte: at + 1,
+        found: bytes[at],
+    })
+}
+
+/// Two bytes a letter, by their mark, or because of the first ones every other is zero.
+fn is_utf16(bytes: &[u8]) -> bool {
+    let marked = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
+    let pairs = bytes.get(..16).unwrap_or_default();
+    let zeros = |offset: usize| {
+        let mut chosen = pairs.iter().skip(offset).step_by(2);
+        !pairs.is_empty() && chosen.all(|byte| *byte == 0)
+    };
+    let ascii = |offset: usize| {
+        let mut chosen = pairs.iter().skip(offset).step_by(2);
+        chosen.all(|byte| matches!(byte, b'\t' | b'\n' | b'\r' | b' '..=b'~'))
+    };
+    marked || (zeros(1) && ascii(0)) || (zeros(0) && ascii(1))
+}

@@ -1,0 +1,50 @@
+//! What stands beside a converted record: where its numbers come from, and what was done to them.
+
+use std::path::Path;
+
+use pounding::studies::Origin;
+use serde_json::{Value, json};
+
+use super::{Arguments, Motion, To};
+use crate::commands::json_text;
+
+/// File, component, digits by which the file is known, and every step, as JSON.
+pub(super) fn json_of(asked: &Arguments, motion: &Motion) -> String {
+    let record = &motion.record;
+    let unit = match asked.to {
+        To::MPerS2 => "m_per_s2",
+        To::G => "g",
+    };
+    let said = json!({
+        "file": name(&asked.out),
+        "unit": unit,
+        "gravity_m_per_s2": motion.gravity,
+        "n_samples": record.samples().len(),
+        "time_step_s": record.time_step(),
+        "from": motion.origin.as_ref().map(from),
+        "scene": motion.scene.as_ref().map(|scene| json!({"file": name(&asked.file), "name": scene})),
+        "processing": motion.processing,
+        "says": record.source().lines().collect::<Vec<_>>(),
+        "program": concat!("pounding ", env!("CARGO_PKG_VERSION")),
+    });
+    json_text(&said)
+}
+
+/// The file of a record; nothing of it where it was never one.
+fn from(origin: &Origin) -> Value {
+    let mut readings = origin.file.readings().iter();
+    let component = readings.find(|one| one.what == "component");
+    json!({
+        "file": name(&origin.path),
+        "format": origin.file.format().name(),
+        "component": component.map(|one| &one.found),
+        "unit": origin.file.unit().name(),
+        "sha256": origin.sha256,
+    })
+}
+
+/// Name of a file without its folder, which other machines do not have.
+fn name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
+}

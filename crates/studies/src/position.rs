@@ -1,0 +1,209 @@
+//! Where a field stands in a file: the line that a message names.
+
+use toml::de::{DeTable, DeValue};
+
+/// One step on the way to a field.
+enum Step<'p> {
+    Field(&'p str),
+    Item(usize),
+}
+
+/// The byte at which a field, for example `structures[1].sdof.mass_kg`, begins in a text that is good TOML.
+pub(crate) fn in_toml(text: &str, place: &str) -> Option<usize> {
+    let table = DeTable::parse(text).ok()?;
+    let root = DeValue::Table(table.into_inner());
+    let (mut value, mut start) = (&root, None);
+    for step in steps(place) {
+        (value, start) = match (step, value) {
+            (Step::Field(name), DeValue::Table(table)) => {
+                let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
+                (value.get_ref(), Some(key.span().start))
+            }
+            (Step::Item(index), DeValue::Array(items)) => {
+                let item = items.get(index)?;
+                (item.get_ref(), Some(item.span().start))
+            }
+            _ => return None,
+        };
+    }
+    start
+}
+
+/// The same in a text that is good JSON.
+pub(crate) fn in_json(text: &[u8], place: &str) -> Option<usize> {
+    let mut reader = Json { text, at: 0 };
+    let mut start = None;
+    for step in steps(place) {
+        start = Some(match step {
+            Step::Field(name) => reader.field(name)?,
+            Step::Item(index) => reader.item(index)?,
+        });
+    }
+    start
+}
+
+fn steps(place: &str) -> impl Iterator<Item = Step<'_>> {
+    let pieces = place.split(['.', '[']);
+    pieces.map(|piece| match piece.strip_suffix(']') {
+        Some(index) => index.parse().map_or(Step::Field(piece), Step::Item),
+        None => Step::Field(piece),
+    })
+}
+
+/// A walk through JSON that is known to be good; anything else gives nothing.
+struct Json<'t> {
+    text: &'t [u8],
+    at: usize,
+}
+
+impl<'t> Json<'t> {
+    /// Goes to the value of a field; the byte at which its name begins.
+    fn field(&mut self, name: &str) -> Option<usize> {
+        self.expect(b'{')?;
+        loop {
+            self.blanks();
+            let start = self.at;
+            let key = self.string()?;
+            self.expect(b':')?;
+            if key == name.as_bytes() {
+                return Some(start);
+            }
+            self.value()?;
+            self.expect(b',')?;
+        }
+    }
+
+    /// Goes to an item of a list; the byte at which it begins.
+    fn item(&mut self, index: usize) -> Option<usize> {
+        self.expect(b'[')?;
+        for _ in 0..index {
+            self.value()?;
+            self.expect(b',')?;
+        }
+        self.blanks();
+        Some(self.at)
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.text.get(self.at).copied()
+    }
+
+    fn blanks(&mut self) {
+        while self.peek().is_some_and(|byte| byte.is_ascii_whitespace()) {
+            self.at += 1;
+        }
+    }
+
+    fn expect(&mut self, byte: u8) -> Option<()> {
+        self.blanks();
+        let found = self.peek()? == byte;
+        self.at += usize::from(found);
+        found.then_some(())
+    }
+
+    /// Passes a string; what stands between its quotes.
+    fn string(&mut self) -> Option<&'t [u8]> {
+        self.expect(b'"')?;
+        let start = self.at;
+        while self.peek()? != b'"' {
+            self.at += if self.peek()? == b'\\' { 2 } else { 1 };
+        }
+        self.at += 1;
+        self.text.get(start..self.at - 1)
+    }
+
+    /// Passes a value.
+    fn value(&mut self) -> Option<()> {
+        let mut depth = 0_usize;
+        loop {
+            self.blanks();
+            match self.peek()? {
+                b'"' => {
+                    self.string()?;
+                }
+                b'{' | b'[' => {
+                    depth += 1;
+                    self.at += 1;
+                }
+                b'}' | b']' => {
+                    depth = depth.checked_sub(1)?;
+                    self.at += 1;
+                }
+                b',' | b':' => self.at += 1,
+                _ => self.word(),
+            }
+            if depth == 0 {
+                return Some(());
+            }
+        }
+    }
+
+    /// Passes a number or a word.
+    fn word(&mut self) {
+        let ends = |byte: u8| b",:]}".contains(&byte) || byte.is_ascii_whitespace();
+        while self.peek().is_some_and(|byte| !ends(byte)) {
+            self.at += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{in_json, in_toml};
+
+    const TOML: &str = "name = \"x\"\n\n[record]\nfile = \"a[0].b\"\nband_pass = { low_hz = 1, high_hz = 2 }\n\n\
+                        [[structures]]\n[structures.sdof]\nmass_kg = 1\ndamping.ratio = 2\n\n[[structures]]\nwall = {}\n";
+    const JSON: &str = "{\"name\": \"x {\\\" [\",\n \"list\": [1, {\"a\": [true, -2e3]},\n  {\"b\": {\"c\": null,\n \"d\" : 7}}],\n \"end\": 0}\n";
+
+    #[test]
+    fn reference_lines_of_fields() {
+        let toml = |place: &str| {
+            let byte = in_toml(TOML, place)?;
+            Some(TOML[..byte].matches('\n').count() + 1)
+        };
+        for (place, expected) in [
+            ("name", 1),
+            ("record.file", 4),
+            ("record.band_pass.high_hz", 5),
+            ("structures[0].sdof.mass_kg", 9),
+            ("structures[0].sdof.damping.ratio", 10),
+            ("structures[1].wall", 13),
+        ] {
+            assert_eq!(toml(place), Some(expected), "{place}");
+        }
+        let json = |place: &str| {
+            let byte = in_json(JSON.as_bytes(), place)?;
+            Some(JSON[..byte].matches('\n').count() + 1)
+        };
+        for (place, expected) in [
+            ("name", 1),
+            ("list", 2),
+            ("list[1].a[1]", 2),
+            ("list[2].b", 3),
+            ("list[2].b.d", 4),
+            ("end", 5),
+        ] {
+            assert_eq!(json(place), Some(expected), "{place}");
+        }
+    }
+
+    #[test]
+    fn extreme_fields_that_are_not_there() {
+        for place in [
+            "",
+            "top level",
+            "name.x",
+            "list[3]",
+            "list[0].a",
+            "x[",
+            "list[1].a[9]",
+            "list[x]",
+        ] {
+            assert_eq!(in_json(JSON.as_bytes(), place), None, "{place}");
+            assert_eq!(in_toml(TOML, place), None, "{place}");
+        }
+        for length in 0..JSON.len() {
+            let _ = in_json(&JSON.as_bytes()[..length], "list[2].b.d");
+        }
+    }
+}
