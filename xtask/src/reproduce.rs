@@ -6,7 +6,9 @@ use std::path::Path;
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pounding_studies::{Claim, Comparison, Examples, Extent, Finding, Reproduction, Studies, Verdict};
+use pounding_studies::{
+    Claim, Comparison, Examples, Extent, Finding, Reproduction, Studies, Verdict,
+};
 
 use crate::results;
 

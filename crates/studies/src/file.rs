@@ -47,11 +47,6 @@ pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyEr
     })
 }
 
-fn is_json(text: &[u8], path: &Path) -> bool {
-    let by_name = path.extension().is_some_and(|ending| ending == "json");
-    by_name || text.trim_ascii_start().starts_with(b"{")
-}
-
 /// What is said of a record where a scene is asked for.
 fn record(text: &[u8], path: &Path) -> Option<Refused> {
     let ending = path.extension().unwrap_or_default();
