@@ -274,14 +274,27 @@ fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -
     levels
 }
 
-/// A wall faces every floor beside it; one that faces none stands on the ground.
+/// A wall faces every floor beside it that its contact lets it touch; one that faces none stands on the ground.
 fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usize> {
-    let neighbours = [wall.checked_sub(1), Some(wall + 1)];
-    let beside = neighbours.into_iter().flatten().filter(|index| {
-        let moves = |one: &Structure| !matches!(one, Structure::Wall);
-        scene.contacts.is_some() && scene.structures.get(*index).is_some_and(moves)
-    });
-    let mut faced: Vec<usize> = beside.flat_map(|index| levels[index].clone()).collect();
+    let contacts = scene.contacts.as_deref().unwrap_or_default();
+    // Contact i lies between structures i and i + 1.
+    let sides = [
+        wall.checked_sub(1).map(|left| (left, left)),
+        Some((wall, wall + 1)),
+    ];
+    let mut faced = Vec::new();
+    for (contact, neighbour) in sides.into_iter().flatten() {
+        let (Some(contact), Some(Structure::Sdof(_) | Structure::Building(_))) =
+            (contacts.get(contact), scene.structures.get(neighbour))
+        else {
+            continue;
+        };
+        let chosen = |level: &&usize| {
+            let chosen = contact.levels.as_ref();
+            chosen.is_none_or(|chosen| chosen.contains(&(**level + 1)))
+        };
+        faced.extend(levels[neighbour].iter().filter(chosen));
+    }
     faced.sort_unstable();
     faced.dedup();
     if faced.is_empty() { vec![0] } else { faced }

@@ -148,6 +148,13 @@ impl Effects {
         [("as given", &self.as_given), ("reversed", &self.reversed)]
     }
 
+    /// Whether they say anything of a floor: of a wall but where something hits it.
+    pub fn concern(&self, floor: usize) -> bool {
+        let both = [&self.as_given[floor], &self.reversed[floor]];
+        both.iter()
+            .any(|one| one.drift_m.is_some() || one.collisions.high > 0.0)
+    }
+
     /// Largest error of all amplifications \[–\].
     pub fn largest_error(&self) -> f64 {
         let floors = self.as_given.iter().chain(&self.reversed);

@@ -13,36 +13,29 @@ pub(super) fn text(prepared: &Prepared, effects: &Effects) -> String {
         ["Drift", "× alone"],
         ["Shear", "× alone"],
         ["Accel.", "× alone"],
-        ["Robust", ""],
     ];
     let floors = prepared.floors();
     let structures = 0..prepared.scene().structures.len();
     let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev());
-    let rows = downwards.flat_map(|floor| {
-        let directions = effects.directions();
-        directions.map(|(name, all)| row(name, &all[*floor]))
-    });
+    let rows = downwards
+        .filter(|floor| effects.concern(**floor))
+        .flat_map(|floor| {
+            let directions = effects.directions();
+            directions.map(|(name, all)| row(name, &all[*floor]))
+        });
     let notes = format!(
-        "Effects of pounding: peaks beside the neighbours over those of the same building alone, by the exact method; errors \
-         below {}. Robust: whether all numbers of the line stay within {} when the record is made 1 % weaker, stronger, faster or \
-         slower; ~ marks those that do not. --out and --json say how far they go.",
+        "peaks beside the neighbours over those of the same building alone, by the exact method; errors: {}. ~ marks what moves by \
+         more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. --out and \
+         --json say how far it goes.",
         percent(effects.largest_error()),
         percent(ROBUST)
     );
-    format!(
-        "{}\n{}",
-        table(&header, &rows.collect::<Vec<_>>()),
-        paragraph("Effects", &notes)
-    )
+    let table = table(&header, &rows.collect::<Vec<_>>());
+    format!("{table}\n{}", paragraph("Effects", &notes))
 }
 
 fn row(direction: &str, floor: &FloorEffects) -> Vec<String> {
-    let hits = [floor.collisions, floor.impulse_n_s];
     let ratios = floor.responses().map(|one| one?.amplification);
-    let robust = hits
-        .iter()
-        .chain(ratios.iter().flatten())
-        .all(Known::is_robust);
     let [drift, shear, acceleration] = ratios.map(|one| {
         one.map_or_else(
             || NONE.into(),
@@ -61,7 +54,6 @@ fn row(direction: &str, floor: &FloorEffects) -> Vec<String> {
         drift,
         shear,
         acceleration,
-        if robust { "yes" } else { "no" }.into(),
     ]
 }
 

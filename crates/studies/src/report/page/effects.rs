@@ -2,10 +2,10 @@
 
 use super::markup::{Cell, digits, short, table};
 use crate::report::summary::Summary;
-use crate::{Effect, FloorEffects, Known, ROBUST, percent};
+use crate::{Effect, FloorEffects, Floors, Known, ROBUST, percent};
 
 /// The section with its figure; nothing where nobody asked.
-pub(super) fn effects(summary: &Summary, figure: &str) -> String {
+pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> String {
     let Some(effects) = &summary.effects else {
         return String::new();
     };
@@ -22,7 +22,9 @@ pub(super) fn effects(summary: &Summary, figure: &str) -> String {
         "× alone",
     ];
     let [one, other] = effects.directions();
-    let rows: Vec<_> = (0..one.1.len())
+    let rows: Vec<_> = floors
+        .by_structure()
+        .filter(|floor| effects.concern(*floor))
         .flat_map(|floor| [one, other].map(|(name, all)| row(name, &all[floor])))
         .collect();
     format!(

@@ -36,7 +36,7 @@ pub(super) fn html(
         format!("<h2>Pairs</h2>\n{}", tables::pairs(summary)),
         figure("gaps"),
         tables::collisions(summary, review),
-        effects::effects(summary, &figure("effects")),
+        effects::effects(summary, report.prepared.floors(), &figure("effects")),
         format!(
             "<h2>Structures</h2>\n{}",
             tables::structures(summary, report.prepared.floors())
