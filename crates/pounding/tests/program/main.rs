@@ -7,6 +7,7 @@ mod folders;
 mod helps;
 mod init;
 mod machines;
+mod motion_issues;
 mod motions;
 mod plans;
 mod records;
