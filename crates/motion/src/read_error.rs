@@ -1,6 +1,9 @@
 //! What can go wrong with a file, one variant for each thing the user can put right.
 
+mod words;
+
 use crate::{AccelerationUnit, Format, Place};
+use words::{before, choice, listed, numbered, of_number};
 
 /// A `ReadError` says why a text was not read as a ground motion.
 ///
@@ -410,54 +413,4 @@ pub enum ReadError {
         /// Names of the components in their order.
         names: Vec<String>,
     },
-}
-
-/// Most components that a message lists.
-const MOST_LISTED: usize = 50;
-
-/// What may be chosen instead of a component that is not there.
-fn choice(names: &[String]) -> String {
-    if names.is_empty() {
-        return "one, which has no name; leave the declaration away".to_owned();
-    }
-    format!(
-        "{}; choose one of them by its name, a part of it, or its number",
-        listed(names)
-    )
-}
-
-fn listed(names: &[String]) -> String {
-    let names = names.iter().cloned().enumerate();
-    let all: Vec<_> = names.map(|(index, name)| (index + 1, name)).collect();
-    numbered(&all)
-}
-
-/// Components with their numbers.
-fn numbered(components: &[(usize, String)]) -> String {
-    let first = components.iter().take(MOST_LISTED);
-    let mut listed: Vec<String> = first
-        .map(|(number, name)| format!("{number} = {name:?}"))
-        .collect();
-    if components.len() > MOST_LISTED {
-        listed.push("…".to_owned());
-    }
-    listed.join(", ")
-}
-
-/// How to write a number, by what stands in its place.
-fn of_number(found: &str) -> &'static str {
-    if found.contains("**") {
-        "a program writes asterisks for a number that did not fit: fetch the file again, or print it with wider columns"
-    } else if found.contains(',') {
-        "write a decimal point for the comma, as in -0.00640"
-    } else {
-        "write it like -0.00640 or -.6403182E-02"
-    }
-}
-
-/// The line before which values end.
-fn before(next: Option<&(usize, String)>) -> String {
-    next.map_or_else(String::new, |(line, found)| {
-        format!(" (line {line} reads {found:?})")
-    })
 }

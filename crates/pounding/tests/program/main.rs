@@ -9,6 +9,7 @@ mod folders;
 mod helps;
 mod init;
 mod machines;
+mod motion_issues;
 mod motions;
 mod names;
 mod plans;

@@ -1,0 +1,249 @@
+//! Faults that users of `pounding motion` met, and that must not come back.
+
+use std::fs;
+
+use insta::assert_snapshot;
+use serde_json::{Value, json};
+
+use crate::motions::{folder_with, json_of, motion, provenance, record, waves};
+use crate::runs::printed;
+use crate::{folder, good_scene, pounding, refusal};
+
+/// The figure was drawn through the rows of the table, and looked jagged; now its curves have hundreds of points.
+#[test]
+fn issue_a_figure_is_drawn_through_many_periods() {
+    let folder = folder("motion_smooth");
+    fs::write(folder.join("record.csv"), waves("g")).expect("written");
+    let arguments = [
+        "spectrum",
+        "record.csv",
+        "--periods",
+        "0.3,0.1",
+        "--figure",
+        "a.svg",
+    ];
+    printed(&motion(&folder, &arguments));
+    let svg = fs::read_to_string(folder.join("a.svg")).expect("written");
+    let points = |line: &str| line.matches([' ', 'L']).count();
+    let most = svg
+        .split("d=\"")
+        .map(|path| points(path.split('"').next().unwrap_or_default()));
+    assert!(most.max() > Some(300), "a smooth curve");
+}
+
+/// Without periods of one's own a table has a screenful of them, in a file for a program a hundred.
+#[test]
+fn issue_the_table_of_a_spectrum_fits_a_screen() {
+    let folder = folder("motion_table");
+    fs::write(folder.join("record.csv"), waves("g")).expect("written");
+    let rows = |arguments: &[&str]| {
+        let ended = motion(&folder, &[&["spectrum", "record.csv"], arguments].concat());
+        ended
+            .stdout
+            .lines()
+            .filter(|line| line.starts_with(|first: char| first.is_ascii_digit()))
+            .count()
+    };
+    assert_eq!(rows(&[]), 20);
+    assert_eq!(rows(&["--from", "0.31", "--to", "0.39"]), 2);
+    assert_eq!(rows(&["--csv"]), 100);
+    assert_eq!(rows(&["--count", "7"]), 7);
+}
+
+/// A name that the file does not have was taken for any, where the file holds one component.
+#[test]
+fn issue_a_component_that_is_not_there_is_refused_by_all() {
+    let folder = folder_with("motion_component", &["esm.asc", "csmip.v2"]);
+    let refused = |arguments: &[&str]| refusal(&motion(&folder, arguments));
+    let message = "error: esm.asc: \"HNN\" is declared as --component, but the file holds 1 = \"HNE\"; choose one of them by its \
+                   name, a part of it, or its number";
+    for arguments in [
+        &["info", "esm.asc", "--component", "HNN"][..],
+        &["convert", "esm.asc", "a.csv", "--component", "HNN"],
+        &["spectrum", "esm.asc", "--component", "HNN"],
+    ] {
+        assert_eq!(refused(arguments), message, "{arguments:?}");
+    }
+    assert_snapshot!(refused(&["info", "csmip.v2", "--component", "chan"]), @r#"error: csmip.v2: "chan" is declared as --component and fits 2 components: 1 = "Chan 1: 90 Deg", 2 = "Chan 2: Up"; give more of the name, or the number"#);
+}
+
+/// Components were known by their full names alone.
+#[test]
+fn issue_a_part_of_a_component_name_suffices() {
+    let folder = folder_with("motion_part", &["csmip.v2"]);
+    let whole = json_of(&motion(
+        &folder,
+        &[
+            "info",
+            "csmip.v2",
+            "--component",
+            "Chan 1: 90 Deg",
+            "--json",
+        ],
+    ));
+    let part = json_of(&motion(
+        &folder,
+        &["info", "csmip.v2", "--component", "90 DEG", "--json"],
+    ));
+    assert_eq!(whole, part);
+    assert_eq!(part["motions"][0]["component"], "Chan 1: 90 Deg");
+    let mut scene = good_scene();
+    scene["record"] = json!({"file": "csmip.v2", "component": "90 deg"});
+    fs::write(folder.join("scene.json"), scene.to_string()).expect("written");
+    printed(&motion(&folder, &["convert", "scene.json", "out.csv"]));
+    assert_eq!(
+        provenance(&folder, "out")["from"]["component"],
+        "Chan 1: 90 Deg"
+    );
+    assert_eq!(
+        json!(record("out.csv", &folder).peak().1),
+        part["motions"][0]["peak_m_per_s2"]
+    );
+}
+
+/// The exit code was 0 though a file that was named is refused.
+#[test]
+fn issue_a_named_file_that_is_refused_fails_after_all_are_printed() {
+    let folder = folder_with("motion_named", &["esm.asc", "usgs.smc"]);
+    fs::write(folder.join("letter.txt"), "Dear Sir\n").expect("written");
+    let info = |arguments: &[&str]| motion(&folder, &[&["info"], arguments].concat());
+    for form in ["--json", "--csv", "--gravity=9.81"] {
+        let ended = info(&["letter.txt", "esm.asc", "usgs.smc", form]);
+        assert_eq!(ended.code, 1, "{form}");
+        let begins =
+            "error: letter.txt: line 1 reads \"Dear Sir\", which begins none of the formats known";
+        assert!(ended.stderr.starts_with(begins), "{}", ended.stderr);
+        assert!(ended.stdout.contains("usgs.smc"), "{}", ended.stdout);
+    }
+    // A folder may hold other files than records.
+    printed(&info(&["."]));
+}
+
+/// `convert a a --overwrite` left nothing of the raw record.
+#[test]
+fn issue_the_record_that_is_read_is_never_written_over() {
+    let folder = folder_with("motion_onto", &["esm.asc"]);
+    let before = fs::read(folder.join("esm.asc")).expect("there");
+    let mut scene = good_scene();
+    scene["record"] = json!({"file": "esm.asc"});
+    fs::write(folder.join("scene.json"), scene.to_string()).expect("written");
+    fs::write(folder.join("raw.provenance.json"), &before).expect("written");
+    let refused = |arguments: &[&str]| {
+        let arguments = [&["convert"], arguments, &["--overwrite"]].concat();
+        refusal(&motion(&folder, &arguments))
+    };
+    let all = [
+        refused(&["esm.asc", "esm.asc"]),
+        refused(&["esm.asc", "./esm.asc"]),
+        refused(&["scene.json", "esm.asc"]),
+        refused(&["scene.json", "scene.json"]),
+    ];
+    assert_snapshot!(all.join("\n"), @r"
+    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: ./esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: scene.json: is the file that is read (scene.json), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    ");
+    assert_eq!(fs::read(folder.join("esm.asc")).expect("there"), before);
+}
+
+/// Comments above the header of a CSV break what others read it with.
+#[test]
+fn issue_a_converted_csv_is_a_header_and_numbers() {
+    let folder = folder_with("motion_bare", &["usgs.smc"]);
+    let ended = motion(&folder, &["convert", "usgs.smc", "out.csv", "--to", "g"]);
+    assert_snapshot!(printed(&ended), @r"
+    wrote out.csv: 21 samples, 0.01 s apart, peak -0.71842 m/s² at 0.01 s
+    wrote out.provenance.json: where they come from
+    ");
+    let text = fs::read_to_string(folder.join("out.csv")).expect("written");
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("time_s,acceleration_g"));
+    let is_row = |line: &str| {
+        let numbers: Vec<_> = line.split(',').map(str::parse::<f64>).collect();
+        numbers.len() == 2 && numbers.iter().all(Result::is_ok)
+    };
+    assert!(lines.all(is_row), "{text}");
+    assert_snapshot!(format!("{:#}", provenance(&folder, "out")));
+    // What tells where a record comes from is none.
+    let info = printed(&motion(&folder, &["info", "."])).to_string();
+    assert!(
+        info.contains("out.csv") && !info.contains("provenance"),
+        "{info}"
+    );
+    assert_snapshot!(refusal(&motion(&folder, &["convert", "usgs.smc", "out.csv"])), @"error: out.csv: is there already, allowed is a new file; name another one or add --overwrite");
+}
+
+/// An offset of the baseline moved the ground by metres, and nothing was said.
+#[test]
+fn issue_a_drift_of_the_ground_is_pointed_out() {
+    let folder = folder_with("motion_drift", &["usgs.smc"]);
+    let sample = |index: i32| {
+        let time = f64::from(index) / 50.0;
+        let shape = (time * (20.0 - time) / 100.0).max(0.0);
+        format!("{}\n", shape * shape * libm::sin(6.0 * time) + 0.02)
+    };
+    let offset: String = (0..=1000).map(sample).collect();
+    fs::write(folder.join("offset.txt"), offset).expect("written");
+    let declared = ["--unit", "m_per_s2", "--time-step", "0.02"];
+    let info = |file: &str, options: &[&str]| {
+        printed(&motion(&folder, &[&["info", file], options].concat())).to_string()
+    };
+    let text = info("offset.txt", &declared);
+    let drift: Vec<&str> = text
+        .lines()
+        .skip_while(|line| !line.starts_with("Drift"))
+        .collect();
+    assert_snapshot!(drift.join("\n"), @r"
+    Drift     0.3811 m/s on average over the last tenth, 95 % of PGV; the ground
+              does not come to rest: an offset of the baseline, or a record cut
+              short; PGV and PGD are those of the drift. A straight line (--detrend
+              linear) or a high-pass (--band-pass) in `motion convert` takes an
+              offset away, in a scene `detrend` or `band_pass`
+
+    Notes     PGV and PGD without correction of the baseline; Arias intensity with g
+              = 9.80665 m/s²; CAV without threshold; D: while the Arias intensity
+              grows from 5 % to 75 % and to 95 %.
+    ");
+    let arguments = [
+        &["convert", "offset.txt", "line.csv", "--detrend", "linear"],
+        &declared[..],
+    ]
+    .concat();
+    printed(&motion(&folder, &arguments));
+    assert!(!info("line.csv", &[]).contains("Drift"), "detrended");
+    let mut scene = good_scene();
+    scene["record"] = json!({"file": "offset.txt", "unit": "m_per_s2", "time_step_s": 0.02});
+    let check = |scene: &Value| {
+        fs::write(folder.join("scene.json"), scene.to_string()).expect("written");
+        pounding(&folder, &["check", "scene.json"]).stdout
+    };
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = "record: found a ground that does not come to rest";
+    assert!(words(&check(&scene)).contains(said), "{}", check(&scene));
+    scene["record"]["detrend"] = json!("linear");
+    assert!(!words(&check(&scene)).contains(said), "{}", check(&scene));
+}
+
+/// A file with several components is listed with the unit and the time of the peak of each.
+#[test]
+fn issue_components_are_listed_with_unit_and_time_of_peak() {
+    let folder = folder_with("motion_components", &["csmip.v2"]);
+    assert_snapshot!(printed(&motion(&folder, &["info", "csmip.v2"])), @r"
+    File      csmip.v2
+    Format    CSMIP V2
+
+    Component       Samples   Step   Unit      PGA     at       PGV    D5–95
+                               [s]             [g]    [s]     [m/s]      [s]
+    Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
+    Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
+
+    Drift     Chan 1: 90 Deg; Chan 2: Up: the ground does not come to rest: an
+              offset of the baseline, or a record cut short; PGV and PGD are those
+              of the drift. A straight line (--detrend linear) or a high-pass
+              (--band-pass) in `motion convert` takes an offset away, in a scene
+              `detrend` or `band_pass`
+
+    Notes     --component takes one, by its name, a part of it, or its number
+    ");
+}
