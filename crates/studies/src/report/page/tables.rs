@@ -47,8 +47,8 @@ pub(super) fn structures(summary: &Summary, floors: &Floors) -> String {
     let in_order: Vec<_> = in_order.map(|index| &summary.structures[index]).collect();
     let rows: Vec<_> = in_order.iter().map(|one| structure(one, gravity)).collect();
     format!(
-        "{}{}<p class=\"soft\">Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is what \
-         is left at the end of the run, {} s: once the free vibration has died away.</p>\n",
+        "{}{}<p class=\"soft\">Accelerations are absolute, that of the ground included, impulsive impacts left out. Residual is the displacement at the end of the run, at {} s; \
+         free vibration that has not died away by then is still in it.</p>\n",
         table(&header, &rows),
         storeys(&in_order),
         digits(summary.method.duration_s)
