@@ -1,0 +1,177 @@
+//! What a floor costs in a step, over the storeys of buildings and over their number.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use pounding_studies::{Condition, FloorCost, Method, RowSize, TimedRow, floor_cost_figure};
+
+/// Where the ratios and their figure are kept, from the top folder.
+const KEPT: [&str; 2] = ["results/storeys.csv", "results/storeys.png"];
+/// The record that shakes the rows, from the top folder.
+const RECORD: &str = "studies/records/el-centro-1940-ns-chopra.csv";
+/// Storeys of five buildings, and numbers of buildings of five storeys.
+const STOREYS: [usize; 7] = [1, 2, 3, 5, 10, 20, 50];
+const BUILDINGS: [usize; 5] = [2, 5, 10, 30, 100];
+/// The row that both have in common, and the one whose time is the unit.
+const FIXED: RowSize = RowSize {
+    storeys: 5,
+    buildings: 5,
+};
+const SMALLEST: RowSize = RowSize {
+    storeys: 1,
+    buildings: 5,
+};
+/// Rounds over the rows of a method and condition for as long as this, at least five: the median of five shrugs off two in
+/// which the machine was busy.
+const PATIENCE: Duration = Duration::from_secs(2);
+const LEAST_ROUNDS: usize = 5;
+/// Floors up to which the exact method is timed in contact: a body of more takes minutes.
+const MOST_EXACT: usize = 30;
+
+/// A row beside one of as many structures of one storey.
+struct Beside {
+    size: RowSize,
+    row: TimedRow,
+    single: TimedRow,
+    /// Times of both, round by round \[s\].
+    times: Vec<[f64; 2]>,
+    /// In which share of steps pairs touch, in both \[–\].
+    touch: [Option<f64>; 2],
+}
+
+/// Times rows of buildings beside rows of one storey, in turn, and writes medians of ratios and a figure.
+pub(super) fn run(root: &Path) -> Result<(), String> {
+    let mut csv = String::from(
+        "method,columns,contact,storeys,buildings,floors,touching_share,touching_share_one_storey,\
+         wall_time_over_smallest,per_floor_over_one_storey\n",
+    );
+    let mut costs = Vec::new();
+    println!("A floor in a step beside one in a row of structures of one storey:");
+    for (name, method) in TimedRow::methods() {
+        for condition in Condition::ALL {
+            let mut rows = rows((method, condition), &root.join(RECORD))?;
+            time(&mut rows)?;
+            let smallest = rows.iter().find(|one| one.size == SMALLEST);
+            let unit = smallest.map_or(f64::NAN, Beside::seconds);
+            let words = condition.words().join(",");
+            for one in &rows {
+                let over_smallest = one.seconds() / unit;
+                writeln!(csv, "{name},{words},{}", one.cells(over_smallest))
+                    .expect("a string takes all");
+                costs.push(FloorCost {
+                    method: name,
+                    condition,
+                    size: one.size,
+                    over_smallest,
+                });
+            }
+            println!("{name}, {}: {}", condition.words().join(", "), worst(&rows));
+        }
+    }
+    let figure = floor_cost_figure(&costs, FIXED, SMALLEST).map_err(|error| error.to_string())?;
+    for (path, bytes) in KEPT.into_iter().zip([csv.into_bytes(), figure]) {
+        fs::write(root.join(path), bytes).map_err(|error| format!("{path}: {error}"))?;
+    }
+    println!("kept in {} and {}", KEPT[0], KEPT[1]);
+    Ok(())
+}
+
+/// The row in which a floor costs the most, in words.
+fn worst(rows: &[Beside]) -> String {
+    let most = rows
+        .iter()
+        .max_by(|a, b| a.over_single().total_cmp(&b.over_single()));
+    most.map_or_else(String::new, |most| {
+        let RowSize { storeys, buildings } = most.size;
+        let times = most.over_single();
+        format!("at most {times:.2} times ({buildings} buildings of {storeys} storeys)")
+    })
+}
+
+/// Rows of all sizes for a method and a condition.
+fn rows((method, condition): (Method, Condition), record: &Path) -> Result<Vec<Beside>, String> {
+    let exact_in_contact = method.time_step().is_none() && condition.touching;
+    let most = if exact_in_contact {
+        MOST_EXACT
+    } else {
+        usize::MAX
+    };
+    let beside = |size: RowSize| {
+        let row = |size| {
+            TimedRow::new(size, condition, method, record).map_err(|error| error.to_string())
+        };
+        Ok(Beside {
+            size,
+            row: row(size)?,
+            single: row(size.of_one_storey())?,
+            times: Vec::new(),
+            touch: [None; 2],
+        })
+    };
+    let sizes = sizes().filter(|size| size.floors() <= most);
+    sizes.map(beside).collect()
+}
+
+/// All rows, each once.
+fn sizes() -> impl Iterator<Item = RowSize> {
+    let over_storeys = STOREYS.map(|storeys| RowSize { storeys, ..FIXED });
+    let over_buildings = BUILDINGS.map(|buildings| RowSize { buildings, ..FIXED });
+    let more = over_buildings.into_iter().filter(|size| *size != FIXED);
+    over_storeys.into_iter().chain(more)
+}
+
+/// Runs all rows round by round; a row and its counterpart of one storey follow each other, so that what else the machine does
+/// meets both.
+fn time(rows: &mut [Beside]) -> Result<(), String> {
+    let started = Instant::now();
+    let mut rounds = 0;
+    while rounds < LEAST_ROUNDS || started.elapsed() < PATIENCE {
+        for one in &mut *rows {
+            let (own, touch) = timed(&one.row)?;
+            let (single, single_touch) = timed(&one.single)?;
+            one.times.push([own, single]);
+            one.touch = [touch, single_touch];
+        }
+        rounds += 1;
+    }
+    Ok(())
+}
+
+/// Time of a run \[s\], and in which share of its steps pairs touch.
+fn timed(row: &TimedRow) -> Result<(f64, Option<f64>), String> {
+    let start = Instant::now();
+    let touch = row.run().map_err(|error| error.to_string())?;
+    Ok((start.elapsed().as_secs_f64(), touch))
+}
+
+impl Beside {
+    /// Time of the row \[s\], the median of all rounds.
+    fn seconds(&self) -> f64 {
+        median(self.times.iter().map(|[own, _]| *own))
+    }
+
+    /// What is measured, as cells of a table.
+    fn cells(&self, over_smallest: f64) -> String {
+        let RowSize { storeys, buildings } = self.size;
+        let share = |of: Option<f64>| of.map_or_else(String::new, |of| format!("{of:.3}"));
+        let [touch, single] = self.touch.map(share);
+        format!(
+            "{storeys},{buildings},{},{touch},{single},{over_smallest:.2},{:.2}",
+            self.size.floors(),
+            self.over_single()
+        )
+    }
+
+    /// Time of a floor over that of one in the row of one storey, the median of all rounds.
+    fn over_single(&self) -> f64 {
+        median(self.times.iter().map(|[own, single]| own / single))
+    }
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
