@@ -23,10 +23,12 @@ const SMALLEST: RowSize = RowSize {
     storeys: 1,
     buildings: 5,
 };
-/// Rounds over the rows of a method and condition for as long as this, at least five: the median of five shrugs off two in
-/// which the machine was busy.
+/// Rounds over the rows of a method and condition for as long as this, at least five: their median shrugs off those in which the
+/// machine was busy.
 const PATIENCE: Duration = Duration::from_secs(2);
 const LEAST_ROUNDS: usize = 5;
+/// Floors that are timed in a round of each size: what else the machine does weighs on short runs most, which are many.
+const FLOORS_PER_ROUND: usize = 300;
 /// Floors up to which the exact method is timed in contact: a body of more takes minutes.
 const MOST_EXACT: usize = 30;
 
@@ -129,10 +131,12 @@ fn time(rows: &mut [Beside]) -> Result<(), String> {
     let mut rounds = 0;
     while rounds < LEAST_ROUNDS || started.elapsed() < PATIENCE {
         for one in &mut *rows {
-            let (own, touch) = timed(&one.row)?;
-            let (single, single_touch) = timed(&one.single)?;
-            one.times.push([own, single]);
-            one.touch = [touch, single_touch];
+            for _ in 0..one.runs() {
+                let (own, touch) = timed(&one.row)?;
+                let (single, single_touch) = timed(&one.single)?;
+                one.times.push([own, single]);
+                one.touch = [touch, single_touch];
+            }
         }
         rounds += 1;
     }
@@ -150,6 +154,11 @@ impl Beside {
     /// Time of the row \[s\], the median of all rounds.
     fn seconds(&self) -> f64 {
         median(self.times.iter().map(|[own, _]| *own))
+    }
+
+    /// Runs in a round.
+    fn runs(&self) -> usize {
+        FLOORS_PER_ROUND.div_ceil(self.size.floors())
     }
 
     /// What is measured, as cells of a table.

@@ -1,7 +1,7 @@
 //! Wall time of rows over their size.
 
 use super::{Condition, RowSize};
-use crate::contenders::label_of;
+use crate::contenders::{REFERENCE, RIVAL, label_of};
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_png};
 
 /// What a row cost.
@@ -17,9 +17,9 @@ pub struct FloorCost {
     pub over_smallest: f64,
 }
 
-/// Looks of the methods.
-const LOOKS: [(&str, Shade, Mark); 7] = [
-    ("central_difference", Shade::Blue, Mark::Disc),
+/// Methods that are timed, by their names in tables, and their looks.
+pub(super) const METHODS: [(&str, Shade, Mark); 7] = [
+    (RIVAL, Shade::Blue, Mark::Disc),
     ("velocity_verlet", Shade::Green, Mark::Diamond),
     (
         "newmark_average_acceleration",
@@ -29,7 +29,7 @@ const LOOKS: [(&str, Shade, Mark); 7] = [
     ("hht", Shade::Amber, Mark::HollowSquare),
     ("moreau_jean", Shade::Grey, Mark::Cross),
     ("rk4", Shade::Rose, Mark::Inverted),
-    ("exact", Shade::Ink, Mark::HollowTriangle),
+    (REFERENCE, Shade::Ink, Mark::HollowTriangle),
 ];
 
 /// Elastic rows over their storeys and over their buildings, apart and touching, as a PNG; `fixed` is the row that both have
@@ -108,7 +108,7 @@ fn curves(costs: &[&FloorCost], count: impl Fn(RowSize) -> f64, smallest: RowSiz
     guide.sort_by(|one, other| one.0.total_cmp(&other.0));
     guide.dedup();
     let mut curves = vec![Curve::new(Kind::Dashed, Shade::Silver, guide).named("Slope one")];
-    for (method, shade, mark) in LOOKS {
+    for (method, shade, mark) in METHODS {
         let own = costs.iter().filter(|cost| cost.method == method);
         let mut points: Vec<_> = own
             .map(|cost| (count(cost.size), cost.over_smallest))

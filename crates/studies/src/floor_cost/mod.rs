@@ -15,6 +15,7 @@ use crate::{
     Building, Columns, Contact, Damping, FileUse, Method, Prepared, RecordUse, STANDARD_GRAVITY,
     Scene, Source, Storey, Structure, StudyError,
 };
+use figure::METHODS;
 pub use figure::{FloorCost, floor_cost_figure};
 
 /// How many buildings of how many storeys stand in a row.
@@ -73,16 +74,6 @@ impl Condition {
     }
 }
 
-/// Methods that are timed, by their names in tables.
-const METHODS: [&str; 7] = [
-    "central_difference",
-    "velocity_verlet",
-    "newmark_average_acceleration",
-    "hht",
-    "moreau_jean",
-    "rk4",
-    "exact",
-];
 /// Time step of the stepping methods \[s\].
 const TIME_STEP: f64 = 0.002;
 /// Duration of a run \[s\].
@@ -103,8 +94,9 @@ pub struct TimedRow {
 impl TimedRow {
     /// The methods to be timed, with their names in tables.
     pub fn methods() -> impl Iterator<Item = (&'static str, Method)> {
-        let of = |name: &&str| CONTENDERS.iter().find(|contender| contender.key == *name);
-        METHODS.iter().filter_map(of).map(|contender| {
+        METHODS.iter().map(|(name, ..)| {
+            let contender = CONTENDERS.iter().find(|contender| contender.key == *name);
+            let contender = contender.expect("the methods are contenders");
             let method = (contender.method)(TIME_STEP);
             match method.time_step() {
                 Some(_) => (contender.key, method),
