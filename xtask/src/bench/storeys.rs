@@ -23,22 +23,23 @@ const SMALLEST: RowSize = RowSize {
     storeys: 1,
     buildings: 5,
 };
-/// Rounds over the rows of a method and condition for as long as this, at least five: their median shrugs off those in which the
+/// Rounds over the rows of a method and condition for as long as this, at least three: their median shrugs off those in which the
 /// machine was busy.
 const PATIENCE: Duration = Duration::from_secs(2);
-const LEAST_ROUNDS: usize = 5;
+const LEAST_ROUNDS: usize = 3;
 /// Floors that are timed in a round of each size: what else the machine does weighs on short runs most, which are many.
 const FLOORS_PER_ROUND: usize = 300;
 /// Floors up to which the exact method is timed in contact: a body of more takes minutes.
 const MOST_EXACT: usize = 30;
 
-/// A row beside one of as many structures of one storey.
+/// A row beside one of as many structures of one storey, and beside the smallest row.
 struct Beside {
     size: RowSize,
     row: TimedRow,
     single: TimedRow,
-    /// Times of both, round by round \[s\].
-    times: Vec<[f64; 2]>,
+    smallest: TimedRow,
+    /// Times of all three, the smallest run as often as it takes to run as many floors \[s\].
+    times: Vec<[f64; 3]>,
     /// In which share of steps pairs touch, in both \[–\].
     touch: [Option<f64>; 2],
 }
@@ -55,13 +56,10 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
         for condition in Condition::ALL {
             let mut rows = rows((method, condition), &root.join(RECORD))?;
             time(&mut rows)?;
-            let smallest = rows.iter().find(|one| one.size == SMALLEST);
-            let unit = smallest.map_or(f64::NAN, Beside::seconds);
             let words = condition.words().join(",");
             for one in &rows {
-                let over_smallest = one.seconds() / unit;
-                writeln!(csv, "{name},{words},{}", one.cells(over_smallest))
-                    .expect("a string takes all");
+                let over_smallest = one.over_smallest();
+                writeln!(csv, "{name},{words},{}", one.cells()).expect("a string takes all");
                 costs.push(FloorCost {
                     method: name,
                     condition,
@@ -108,6 +106,7 @@ fn rows((method, condition): (Method, Condition), record: &Path) -> Result<Vec<B
             size,
             row: row(size)?,
             single: row(size.of_one_storey())?,
+            smallest: row(SMALLEST)?,
             times: Vec::new(),
             touch: [None; 2],
         })
@@ -124,7 +123,7 @@ fn sizes() -> impl Iterator<Item = RowSize> {
     over_storeys.into_iter().chain(more)
 }
 
-/// Runs all rows round by round; a row and its counterpart of one storey follow each other, so that what else the machine does
+/// Runs all rows round by round; those that are compared follow each other and take about as long, so that what else the machine does
 /// meets both.
 fn time(rows: &mut [Beside]) -> Result<(), String> {
     let started = Instant::now();
@@ -134,7 +133,11 @@ fn time(rows: &mut [Beside]) -> Result<(), String> {
             for _ in 0..one.runs() {
                 let (own, touch) = timed(&one.row)?;
                 let (single, single_touch) = timed(&one.single)?;
-                one.times.push([own, single]);
+                let mut smallest = 0.0;
+                for _ in 0..one.size.floors().div_ceil(SMALLEST.floors()) {
+                    smallest += timed(&one.smallest)?.0;
+                }
+                one.times.push([own, single, smallest]);
                 one.touch = [touch, single_touch];
             }
         }
@@ -151,9 +154,10 @@ fn timed(row: &TimedRow) -> Result<(f64, Option<f64>), String> {
 }
 
 impl Beside {
-    /// Time of the row \[s\], the median of all rounds.
-    fn seconds(&self) -> f64 {
-        median(self.times.iter().map(|[own, _]| *own))
+    /// Time of the row over that of the smallest one, the median of all runs.
+    fn over_smallest(&self) -> f64 {
+        let times = self.size.floors().div_ceil(SMALLEST.floors()) as f64;
+        times * median(self.times.iter().map(|[own, _, smallest]| own / smallest))
     }
 
     /// Runs in a round.
@@ -162,20 +166,21 @@ impl Beside {
     }
 
     /// What is measured, as cells of a table.
-    fn cells(&self, over_smallest: f64) -> String {
+    fn cells(&self) -> String {
         let RowSize { storeys, buildings } = self.size;
         let share = |of: Option<f64>| of.map_or_else(String::new, |of| format!("{of:.3}"));
         let [touch, single] = self.touch.map(share);
         format!(
-            "{storeys},{buildings},{},{touch},{single},{over_smallest:.2},{:.2}",
+            "{storeys},{buildings},{},{touch},{single},{:.2},{:.2}",
             self.size.floors(),
+            self.over_smallest(),
             self.over_single()
         )
     }
 
-    /// Time of a floor over that of one in the row of one storey, the median of all rounds.
+    /// Time of a floor over that of one in the row of one storey, the median of all runs.
     fn over_single(&self) -> f64 {
-        median(self.times.iter().map(|[own, single]| own / single))
+        median(self.times.iter().map(|[own, single, _]| own / single))
     }
 }
 

@@ -48,10 +48,10 @@ impl Change {
     pub(super) fn fault(self) -> Option<(String, &'static str)> {
         match self {
             Self::Storeys(count) if !(2..=MOST_STOREYS).contains(&count) => {
-                Some((format!("{count} storeys"), "2 to 20 storeys"))
+                Some((format!("storeys: {count}"), "2 to 20"))
             }
             Self::Weaker(part) if !(part > 0.0 && part < 1.0) => {
-                Some((format!("weaker by {part}"), "a number between 0 and 1"))
+                Some((format!("weaker: {part}"), "a number between 0 and 1"))
             }
             Self::Storeys(_) | Self::Weaker(_) => None,
         }

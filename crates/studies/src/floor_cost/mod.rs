@@ -48,7 +48,7 @@ impl RowSize {
 pub struct Condition {
     /// Columns yield; else they are elastic.
     pub yielding: bool,
-    /// Neighbours stand a millimetre apart and touch; else nothing can touch.
+    /// Neighbours stand a hundredth of a millimetre apart and touch; else nothing can touch.
     pub touching: bool,
 }
 
@@ -75,11 +75,11 @@ impl Condition {
 }
 
 /// Time step of the stepping methods \[s\].
-const TIME_STEP: f64 = 0.002;
+const TIME_STEP: f64 = 0.004;
 /// Duration of a run \[s\].
 const DURATION: f64 = 3.0;
 /// Gap between neighbours that touch \[m\].
-const GAP: f64 = 1e-3;
+const GAP: f64 = 1e-5;
 /// Mass of a floor \[kg\].
 const MASS: f64 = 1e5;
 /// Yield force of a storey over the weight of the floors that it carries \[–\].
