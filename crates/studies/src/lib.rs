@@ -55,7 +55,7 @@ pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
-pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, ListedMotion, Strength};
+pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMotion, Strength};
 pub use certificate::{Certificate, CertificateError, Wanted};
 pub use claims::{Claim, Finding, Survival, Tallies, Tally, claims, claims_csv};
 pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};

@@ -135,8 +135,9 @@ impl Studies {
         let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
         let beyond = BeyondStudy::listed(&read)?.map(|study| study.usual().run(done));
         let beyond = beyond.transpose()?;
-        let none = || vec![Tallies::default()];
-        let tallies = beyond.as_ref().map_or_else(none, Beyond::tallies);
+        let tallies = beyond
+            .as_ref()
+            .map_or_else(|| vec![Tallies::default()], Beyond::tallies);
         if let Some(beyond) = beyond {
             files.extend(beyond.files()?);
         }

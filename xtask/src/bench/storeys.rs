@@ -28,7 +28,7 @@ const SMALLEST: RowSize = RowSize {
 const PATIENCE: Duration = Duration::from_secs(2);
 const LEAST_ROUNDS: usize = 3;
 /// Floors that are timed in a round of each size: what else the machine does weighs on short runs most, which are many.
-const FLOORS_PER_ROUND: usize = 300;
+const FLOORS_PER_ROUND: usize = 100;
 /// Floors up to which the exact method is timed in contact: a body of more takes minutes.
 const MOST_EXACT: usize = 30;
 
@@ -131,14 +131,13 @@ fn time(rows: &mut [Beside]) -> Result<(), String> {
     while rounds < LEAST_ROUNDS || started.elapsed() < PATIENCE {
         for one in &mut *rows {
             for _ in 0..one.runs() {
-                let (own, touch) = timed(&one.row)?;
-                let (single, single_touch) = timed(&one.single)?;
-                let mut smallest = 0.0;
-                for _ in 0..one.size.floors().div_ceil(SMALLEST.floors()) {
-                    smallest += timed(&one.smallest)?.0;
+                let mut times = [0.0; 3];
+                // Another one first each time: the machine takes and gives back the processor in a rhythm of its own.
+                for place in 0..3 {
+                    let turn = (one.times.len() + place) % 3;
+                    times[turn] = one.timed(turn)?;
                 }
-                one.times.push([own, single, smallest]);
-                one.touch = [touch, single_touch];
+                one.times.push(times);
             }
         }
         rounds += 1;
@@ -146,14 +145,29 @@ fn time(rows: &mut [Beside]) -> Result<(), String> {
     Ok(())
 }
 
-/// Time of a run \[s\], and in which share of its steps pairs touch.
-fn timed(row: &TimedRow) -> Result<(f64, Option<f64>), String> {
-    let start = Instant::now();
-    let touch = row.run().map_err(|error| error.to_string())?;
-    Ok((start.elapsed().as_secs_f64(), touch))
-}
-
 impl Beside {
+    /// Time of one of the three \[s\].
+    fn timed(&mut self, which: usize) -> Result<f64, String> {
+        let (row, runs) = match which {
+            0 => (&self.row, 1),
+            1 => (&self.single, 1),
+            _ => (
+                &self.smallest,
+                self.size.floors().div_ceil(SMALLEST.floors()),
+            ),
+        };
+        let mut touch = None;
+        let start = Instant::now();
+        for _ in 0..runs {
+            touch = row.run().map_err(|error| error.to_string())?;
+        }
+        let seconds = start.elapsed().as_secs_f64();
+        if let Some(seen) = self.touch.get_mut(which) {
+            *seen = touch;
+        }
+        Ok(seconds)
+    }
+
     /// Time of the row over that of the smallest one, the median of all runs.
     fn over_smallest(&self) -> f64 {
         let times = self.size.floors().div_ceil(SMALLEST.floors()) as f64;

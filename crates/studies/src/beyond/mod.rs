@@ -66,6 +66,9 @@ struct Group {
     worlds: Vec<[World; 2]>,
 }
 
+/// A claim, and in how many cases it holds.
+pub type Counted = (&'static str, Tally);
+
 /// Motions in a figure; of more there are several.
 const MOTIONS_PER_FIGURE: usize = 12;
 
@@ -90,7 +93,7 @@ impl Beyond {
 
     /// The claims that exact runs can be asked, and in how many cases each holds: of the paper's scenes, and of each change
     /// of them.
-    pub fn claims(&self) -> Vec<(Option<Change>, Vec<(&'static str, Tally)>)> {
+    pub fn claims(&self) -> Vec<(Option<Change>, Vec<Counted>)> {
         let of = |group: &Group| {
             let claims = findings::all(&group.worlds);
             let counted = |asked: &findings::Asked<'_>| (asked.claim.claim, asked.tally());
