@@ -1,6 +1,7 @@
 //! Wall time of the methods: criterion measures, this compares.
 
 mod savings;
+mod storeys;
 
 use std::fmt::Write as _;
 use std::fs;
@@ -44,12 +45,18 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
     let csv = ratios(&timed, &home)?;
     fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
     println!("\n{csv}\nkept in {KEPT}\n\n{}", comparison(&timed, &home)?);
-    savings(root)
+    savings(root)?;
+    storeys(root)
 }
 
 /// Times what it saves to model only what a scene requires.
 pub(crate) fn savings(root: &Path) -> Result<(), String> {
     savings::run(root)
+}
+
+/// Times what a floor costs in a step.
+pub(crate) fn storeys(root: &Path) -> Result<(), String> {
+    storeys::run(root)
 }
 
 /// The run of the same scene that others are compared with.

@@ -1,38 +1,47 @@
-//! The paper's scenes and claims under a folder of one's own records.
+//! The paper's scenes and claims under other ground motions: those of the project's own list, or a folder of records.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pounding_studies::{Beyond, BeyondStudy};
+use pounding_studies::{Beyond, BeyondStudy, StudyFile};
 
-/// Where tables and figures go unless asked, from the top folder.
-const USUAL: &str = "target/beyond";
+/// Where tables and figures go unless asked, from the top folder: of the project's motions, and of a folder of records.
+const USUAL: [&str; 2] = ["results/beyond", "target/beyond"];
 
-/// Runs the scenes under every record of a folder; writes tables and figures.
+/// Runs the scenes under every record of a folder, or under the motions of the project; writes tables and figures.
 pub(crate) fn run(
     root: &Path,
-    records: &Path,
+    records: Option<&Path>,
     out: Option<PathBuf>,
     scaled: bool,
 ) -> Result<(), String> {
-    let study = BeyondStudy::of_records(&root.join("studies"), records, scaled);
+    let studies = root.join("studies");
+    let study = match records {
+        Some(records) => BeyondStudy::of_records(&studies, records, scaled).map(Some),
+        None => StudyFile::read_all(&studies).and_then(|files| {
+            let files: Vec<&StudyFile> = files.iter().collect();
+            BeyondStudy::listed(&files)
+        }),
+    };
     let study = study.map_err(|error| error.to_string())?;
-    let style =
-        ProgressStyle::with_template("{bar:40} {pos}/{len} records × directions, {elapsed}")
-            .expect("the template is well formed");
+    let study = study.ok_or("studies: no study lists ground motions")?;
+    let style = ProgressStyle::with_template(
+        "{bar:40} {pos}/{len} motions × directions × kinds of scene, {elapsed}",
+    )
+    .expect("the template is well formed");
     let bar = ProgressBar::new(study.n_cases() as u64).with_style(style);
     let made = study.run(&|| bar.inc(1));
     bar.finish_and_clear();
     let made = made.map_err(|error| error.to_string())?;
     let files = made.files().map_err(|error| error.to_string())?;
-    let folder = out.unwrap_or_else(|| root.join(USUAL));
+    let usual = USUAL[usize::from(records.is_some())];
+    let folder = out.unwrap_or_else(|| root.join(usual));
     for (path, bytes) in &files {
         // The folder is theirs alone.
-        let name = path.file_name().unwrap_or(path.as_os_str());
-        let path = folder.join(name);
-        fs::create_dir_all(&folder)
+        let path = folder.join(path.strip_prefix("beyond").unwrap_or(path));
+        fs::create_dir_all(path.parent().unwrap_or(&folder))
             .and_then(|()| fs::write(&path, bytes))
             .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
     }
@@ -46,10 +55,15 @@ pub(crate) fn run(
 
 /// In how many cases each claim holds, and what was left out.
 fn summary(made: &Beyond) -> String {
-    let mut text = String::from("The paper's claims under these records in both directions\n");
+    let mut text = String::from("The paper's claims under these motions in both directions\n");
     let mut line = |words: String| writeln!(text, "  {words}").expect("a string takes all");
-    for (claim, tally) in made.claims() {
-        line(format!("{:<40} {claim}", tally.words()));
+    for (change, claims) in made.claims() {
+        if let Some(change) = change {
+            line(format!("With {change}:"));
+        }
+        for (claim, tally) in claims {
+            line(format!("{:<40} {claim}", tally.words()));
+        }
     }
     for (name, reason) in made.left_out() {
         line(format!("left out: {name}: {reason}"));

@@ -37,26 +37,31 @@ enum Task {
         #[arg(long)]
         all: bool,
     },
-    /// Ask the paper's claims under your own records: its scenes under every record of a folder, in both directions.
+    /// Ask the paper's claims under other ground motions in both directions, of its scenes, of buildings of several storeys, and
+    /// under weaker shaking; with --records under every record of a folder of your own.
     Beyond {
-        /// A folder of records; those that cannot be read, and vertical ones, are listed as left out.
+        /// A folder of records instead of the motions of studies/beyond.json; those that cannot be read, and vertical ones, are listed as left out.
         #[arg(long, value_name = "FOLDER")]
-        records: PathBuf,
-        /// Folder for the tables and figures; without it target/beyond.
+        records: Option<PathBuf>,
+        /// Folder for the tables and figures; without it results/beyond, and target/beyond with --records.
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
         /// Leave the records as strong as they are, instead of scaling them to the peak of the paper's.
-        #[arg(long)]
+        #[arg(long, requires = "records")]
         as_recorded: bool,
     },
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
-    /// a scene requires; writes ratios into results/wall-time.csv and savings.csv; no part of `check`.
+    /// a scene requires, and what a floor costs; writes ratios into results/wall-time.csv, savings.csv and storeys.csv; no part of
+    /// `check`.
     Bench {
         /// Only the savings.
         #[arg(long)]
         savings: bool,
+        /// Only what a floor of a building costs in a step, beside one of a row of structures of one storey: two to three minutes.
+        #[arg(long, conflicts_with = "savings")]
+        storeys: bool,
     },
     /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
     Fuzz {
@@ -76,10 +81,11 @@ fn main() -> ExitCode {
             records,
             out,
             as_recorded,
-        } => beyond::run(&root(), &records, out, !as_recorded),
+        } => beyond::run(&root(), records.as_deref(), out, !as_recorded),
         Task::Check => check::run(&root()),
-        Task::Bench { savings: true } => bench::savings(&root()),
-        Task::Bench { savings: false } => bench::run(&root()),
+        Task::Bench { savings: true, .. } => bench::savings(&root()),
+        Task::Bench { storeys: true, .. } => bench::storeys(&root()),
+        Task::Bench { .. } => bench::run(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
     };
     match outcome {

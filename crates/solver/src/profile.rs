@@ -104,12 +104,18 @@ impl Profile {
             let (first, start) = (self.first[row], self.start[row]);
             for column in first..row {
                 let from = first.max(self.first[column]);
-                let (own, other) = (start + column - first, self.start[column]);
+                let own = start + column - first;
+                let other = self.start[column] + column - self.first[column];
                 let [mut below, mut above] = [self.lower[own], self.upper[own]];
-                for inner in from..column {
-                    let (mine, its) = (start + inner - first, other + inner - self.first[column]);
-                    below -= self.lower[mine] * self.upper[its];
-                    above -= self.lower[its] * self.upper[mine];
+                // What rows and columns have in common before this element: as slices, so that no index is checked in the loop.
+                let [mine, its] = [own, other].map(|end| end - (column - from)..end);
+                let lower = self.lower[mine.clone()]
+                    .iter()
+                    .zip(&self.upper[its.clone()]);
+                let upper = self.lower[its].iter().zip(&self.upper[mine]);
+                for (left, right) in lower.zip(upper) {
+                    below -= left.0 * left.1;
+                    above -= right.0 * right.1;
                 }
                 self.upper[own] = above;
                 self.lower[own] = below / self.diagonal[column];

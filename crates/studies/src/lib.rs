@@ -24,6 +24,7 @@ mod extremes;
 mod fault;
 mod figures;
 mod file;
+mod floor_cost;
 mod floors;
 mod free_collision;
 mod ground_motion;
@@ -57,9 +58,9 @@ pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
-pub use beyond::{Beyond, BeyondSettings, BeyondStudy, ListedMotion, Strength};
+pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMotion, Strength};
 pub use certificate::{Certificate, CertificateError, Wanted};
-pub use claims::{Claim, Finding, Survival, Tally, claims, claims_csv};
+pub use claims::{Claim, Finding, Survival, Tallies, Tally, claims, claims_csv};
 pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use contenders::StepMethod;
@@ -71,6 +72,7 @@ pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use fault::Fault;
 pub use figures::figure_png;
 pub use file::{is_json, parse, read_file};
+pub use floor_cost::{Condition, FloorCost, RowSize, TimedRow, floor_cost_figure};
 pub use floors::{Facing, Floor, Floors, Made};
 pub use free_collision::{CollisionError, Delivered, FreeCollision};
 pub use ground_motion::{GroundMotion, Origin};

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use crate::converged::{Converged, N_NOISY_RUNS};
 use crate::{
     Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, Comparison, Completed, Extent, Extremes,
-    PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
-    figure_png,
+    PublishedValues, StudyError, StudyFile, Table, Tallies, Trade, agreement_csv, claims,
+    claims_csv, figure_png,
 };
 
 /// The studies of a folder and the published numbers they are compared with.
@@ -79,7 +79,7 @@ impl Studies {
             let atlas = output.atlas().map(|_| Atlas::n_runs(scenes));
             let extremes = output.edges();
             let extremes = extremes.map(|edges| Extremes::n_runs(edges, self.extent));
-            let beyond = output.beyond().map(BeyondSettings::n_cases);
+            let beyond = output.beyond().map(BeyondSettings::n_usual_cases);
             let runs = trade.or(atlas).or(extremes).or(beyond);
             1 + scenes.len() + runs.unwrap_or(0)
         };
@@ -133,9 +133,11 @@ impl Studies {
         let converged = Converged::new(&completed, self.n_noisy_runs)?;
         files.extend(converged.files(&completed, &self.published)?);
         let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
-        let beyond = BeyondStudy::listed(&read)?.map(|study| study.run(done));
+        let beyond = BeyondStudy::listed(&read)?.map(|study| study.usual().run(done));
         let beyond = beyond.transpose()?;
-        let tallies = beyond.as_ref().map(Beyond::tallies).unwrap_or_default();
+        let tallies = beyond
+            .as_ref()
+            .map_or_else(|| vec![Tallies::default()], Beyond::tallies);
         if let Some(beyond) = beyond {
             files.extend(beyond.files()?);
         }

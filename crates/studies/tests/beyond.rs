@@ -7,8 +7,10 @@ use std::sync::LazyLock;
 
 use insta::assert_snapshot;
 use pounding_studies::{
-    Beyond, BeyondSettings, BeyondStudy, Method, Output, Prepared, Strength, StudyFile, digits,
+    Beyond, BeyondSettings, BeyondStudy, Change, Method, Output, Prepared, Strength, StudyFile,
+    digits,
 };
+use sha2::{Digest, Sha256};
 
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 type Row = BTreeMap<String, String>;
@@ -17,7 +19,7 @@ fn studies() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies")
 }
 
-/// The studies, with another list of motions.
+/// The studies, with another list of motions; the paper's scenes alone, unless the list says otherwise.
 fn listing(change: impl FnOnce(&mut BeyondSettings)) -> Vec<StudyFile> {
     let mut files = StudyFile::read_all(&studies()).expect("readable studies");
     let settings = files.iter_mut().find_map(|file| {
@@ -27,7 +29,9 @@ fn listing(change: impl FnOnce(&mut BeyondSettings)) -> Vec<StudyFile> {
             None
         }
     });
-    change(settings.expect("a study that lists motions"));
+    let settings = settings.expect("a study that lists motions");
+    settings.changes.clear();
+    change(settings);
     files
 }
 
@@ -123,7 +127,9 @@ fn weakened(scale: f64) -> Beyond {
 #[test]
 fn limit_claims_about_nothing_do_not_apply() {
     let made = weakened(0.01);
-    let claims = made.claims();
+    let [(None, claims)] = &made.claims()[..] else {
+        panic!("the paper's scenes alone");
+    };
     assert_eq!(claims.len(), 11, "claims that exact runs are asked");
     for (claim, tally) in claims {
         assert_eq!((tally.holds, tally.does_not_apply), (0, 2), "{claim}");
@@ -138,6 +144,56 @@ fn limit_claims_about_nothing_do_not_apply() {
 #[test]
 fn limit_claims_about_something_and_nothing() {
     assert_snapshot!(text(&files(&weakened(0.35)), "verdicts.csv"));
+}
+
+#[test]
+fn limit_weaker_shaking_is_a_weaker_record() {
+    let made = run(&listing(|settings| {
+        settings.motions.truncate(1);
+        settings.changes = vec![Change::Weaker(0.35)];
+    }));
+    let (made, plain) = (files(&made), files(&weakened(0.35)));
+    for table in ["scenes.csv", "verdicts.csv", "direction.csv"] {
+        assert_eq!(
+            text(&made, &format!("weaker/{table}")),
+            text(&plain, table),
+            "{table}"
+        );
+    }
+}
+
+/// A file of results/beyond/storeys.
+fn committed(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../results/beyond/storeys");
+    let path = path.join(name);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// `reproduce` does not make them: they take longer than all else beyond the paper's record. What runs here is their part under
+/// that record.
+#[test]
+fn reference_buildings_of_storeys_are_what_their_command_made() {
+    for table in ["claims.csv", "direction.csv", "scenes.csv", "verdicts.csv"] {
+        let hash = format!("{:x}", Sha256::digest(committed(table).as_bytes()));
+        assert!(committed("made-by.txt").contains(&hash), "{table}: {hash}");
+    }
+    let mut listed = None;
+    let part = listing(|settings| {
+        settings.motions.truncate(1);
+        listed = Some(settings.motions[0].name.clone());
+        settings.changes = vec![Change::Storeys(3)];
+    });
+    let listed = listed.expect("a motion");
+    let made = files(&run(&part));
+    for table in ["scenes.csv", "verdicts.csv"] {
+        let of = |text: &str| -> Vec<String> {
+            let own = text.lines().filter(|line| line.contains(&listed));
+            own.map(String::from).collect()
+        };
+        let fresh = of(text(&made, &format!("storeys/{table}")));
+        assert!(fresh.len() >= 22, "two directions of all that is asked");
+        assert_eq!(fresh, of(&committed(table)), "{table}");
+    }
 }
 
 #[test]
@@ -227,6 +283,9 @@ fn extreme_lists_that_are_refused() {
         refused(|settings| settings.motions[2].record.reversed = true),
         refused(|settings| settings.motions[0].duration_s = Some(0.0)),
         refused(|settings| settings.rest_s = f64::NAN),
+        refused(|settings| settings.changes = vec![Change::Storeys(1)]),
+        refused(|settings| settings.changes = vec![Change::Weaker(1.5)]),
+        refused(|settings| settings.changes = vec![Change::Storeys(3), Change::Storeys(4)]),
         refused(|settings| {
             settings.scaled_by = Some(Strength::Sa {
                 period_s: -1.0,
@@ -262,7 +321,11 @@ fn reference_a_folder_of_records() {
     let folder = folder("beyond-records");
     let peak = |scaled: bool| {
         let study = BeyondStudy::of_records(&studies(), &folder, scaled).expect("a record");
-        assert_eq!(study.n_cases(), 2, "one record, both directions");
+        assert_eq!(
+            study.n_cases(),
+            6,
+            "one record, both directions, three kinds of scene"
+        );
         let made = study.run(&|| ()).expect("runs that do not fail");
         let left_out = made.left_out().iter();
         let names: Vec<_> = left_out.map(|(name, _)| name.split(' ').next()).collect();

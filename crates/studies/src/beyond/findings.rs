@@ -36,9 +36,14 @@ pub(super) fn all<'a>(worlds: &'a [[World; 2]]) -> Vec<Asked<'a>> {
     first.iter().enumerate().map(asked).collect()
 }
 
-/// A row per claim: in how many cases it holds, what it does in the paper's own, and where it fails.
-pub(super) fn table(motions: &[Shaking], worlds: &[[World; 2]], papers: Option<Case>) -> String {
-    let header = [
+/// A row per claim: in how many cases it holds, what it does in the paper's own, and where it fails; of changed scenes also in
+/// how many cases it holds of the `plain` ones.
+pub(super) fn table(
+    motions: &[Shaking],
+    all: &[Asked<'_>],
+    (plain, papers): (Option<Vec<Asked<'_>>>, Option<Case>),
+) -> String {
+    let mut header = [
         "claim",
         "where",
         "cases",
@@ -51,8 +56,10 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[World; 2]], papers: Option<C
         "does_not_hold_under",
         "does_not_apply_under",
     ]
-    .map(String::from);
-    let row = |asked: &Asked<'_>| {
+    .map(String::from)
+    .to_vec();
+    header.extend(plain.is_some().then(|| "holds_of_papers_scenes".into()));
+    let row = |(index, asked): (usize, &Asked<'_>)| {
         let tally = asked.tally();
         let counts = [
             tally.cases,
@@ -72,9 +79,14 @@ pub(super) fn table(motions: &[Shaking], worlds: &[[World; 2]], papers: Option<C
         for finding in [Finding::DoesNotHold, Finding::DoesNotApply] {
             row.push(under(motions, &asked.findings, finding));
         }
+        let plain = plain.as_ref().map(|plain| plain[index].tally());
+        row.extend(plain.map(|tally| tally.holds.to_string()));
         row
     };
-    to_csv(&header, &all(worlds).iter().map(row).collect::<Vec<_>>())
+    to_csv(
+        &header,
+        &all.iter().enumerate().map(row).collect::<Vec<_>>(),
+    )
 }
 
 /// The cases with a finding, in words.

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::{Beyond, Case, findings, short};
+use super::{Beyond, Case, Group, findings, short};
 use crate::claims::{Finding, asked as claims_asked};
+use crate::figures::capital;
 use crate::plot::{Align, Drawing, Fill, Pen, Point, Shade, Shape};
 
 /// Width and height of a cell, and the distance of two motions \[mm\].
@@ -28,8 +29,8 @@ const SMALL: f64 = 7.0;
 const LINE: f64 = 3.3;
 
 /// The cells of some motions; the counts are of all.
-pub(super) fn drawing(beyond: &Beyond, motions: Range<usize>) -> Drawing {
-    let claims = findings::all(&beyond.worlds);
+pub(super) fn drawing(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Drawing {
+    let claims = findings::all(&group.worlds);
     let right = left_of(motions.len()) - APART;
     let names = beyond.motions[motions.clone()]
         .iter()
@@ -71,7 +72,18 @@ pub(super) fn drawing(beyond: &Beyond, motions: Range<usize>) -> Drawing {
         let left = left_of(motion - motions.start) + f64::from(u8::from(reversed)) * CELL.0;
         frame((left, bottom), (CELL.0, top - bottom), &mut shapes);
     }
-    legend(beyond.papers.is_some(), &mut shapes);
+    let changed = group
+        .change
+        .map(|change| format!("{}; ", capital(&change.to_string())));
+    let framed = match beyond.papers {
+        Some(_) => "; framed: the paper's record and direction",
+        None => "",
+    };
+    let words = format!(
+        "{}→ as recorded, ← reversed{framed}",
+        changed.unwrap_or_default()
+    );
+    legend(words, &mut shapes);
     Drawing {
         width,
         height,
@@ -138,7 +150,7 @@ fn frame(corner: Point, size: Point, shapes: &mut Vec<Shape>) {
 }
 
 /// What the cells and arrows mean.
-fn legend(frames_paper: bool, shapes: &mut Vec<Shape>) {
+fn legend(words: String, shapes: &mut Vec<Shape>) {
     let entries = [
         (Finding::Holds, "holds", 20.0),
         (Finding::HoldsOnlyAsStated, "holds only as stated", 42.0),
@@ -153,11 +165,6 @@ fn legend(frames_paper: bool, shapes: &mut Vec<Shape>) {
         shapes.push(Shape::text(at, words, SMALL, Align::Start));
         x += width;
     }
-    let words = if frames_paper {
-        "→ as recorded, ← reversed; framed: the paper's record and direction"
-    } else {
-        "→ as recorded, ← reversed"
-    };
     let at = (MARGIN + 2.0, 1.6);
     shapes.push(Shape::text(at, words, SMALL, Align::Start));
 }

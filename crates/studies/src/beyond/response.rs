@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::world::{Row, World};
-use super::{Beyond, short};
+use super::{Beyond, Group, short};
 use crate::figures::capital;
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
 
@@ -28,8 +28,8 @@ const LOOKS: [(Shade, [Mark; 2]); 3] = [
 ];
 
 /// A panel per layout, behaviour and contact law.
-pub(super) fn figure(beyond: &Beyond, motions: Range<usize>) -> Figure {
-    let worlds = &beyond.worlds[motions.clone()];
+pub(super) fn figure(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Figure {
+    let worlds = &group.worlds[motions.clone()];
     let names: Vec<String> = beyond.motions[motions]
         .iter()
         .map(|motion| short(&motion.name))

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Change;
 use crate::RecordUse;
 
 /// Ground motions, each of which shakes the paper's scenes in both directions.
@@ -13,6 +14,9 @@ pub struct BeyondSettings {
     /// Strength in which all are scaled to the first; without it they are as their records say.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scaled_by: Option<Strength>,
+    /// Changes of the scenes under which all is asked once more, one of a kind.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub changes: Vec<Change>,
     /// How long a run goes on after the end of a record without a duration of its own \[s\], ≥ 0.
     pub rest_s: f64,
 }
@@ -46,9 +50,11 @@ pub enum Strength {
 }
 
 impl BeyondSettings {
-    /// Number of cases: motions in both directions.
-    pub(crate) fn n_cases(&self) -> usize {
-        2 * self.motions.len()
+    /// Number of cases that are usually run: motions in both directions, for the paper's scenes and every change of them that
+    /// does not take long.
+    pub(crate) fn n_usual_cases(&self) -> usize {
+        let usual = self.changes.iter().filter(|change| !change.is_long());
+        2 * self.motions.len() * (1 + usual.count())
     }
 
     /// What is not allowed: field, what was found, and what is allowed.
@@ -73,6 +79,17 @@ impl BeyondSettings {
         }
         if motions.is_empty() {
             return Some(("output.beyond.motions", "none".into(), "one or more"));
+        }
+        for (index, change) in self.changes.iter().enumerate() {
+            let fault = change.fault();
+            if let Some((found, allowed)) = fault {
+                return Some(("output.beyond.changes", found, allowed));
+            }
+            let alike = |other: &Change| other.word() == change.word();
+            if self.changes[..index].iter().any(alike) {
+                let found = format!("{} twice", change.word());
+                return Some(("output.beyond.changes", found, "one change of a kind"));
+            }
         }
         let rest = self.rest_s;
         let sound = rest.is_finite() && rest >= 0.0;

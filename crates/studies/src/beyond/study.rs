@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::settings::{BeyondSettings, ListedMotion};
 use super::shaking::{Shaking, Target};
 use super::world::World;
-use super::{Beyond, Case};
+use super::{Beyond, Case, Change, Group};
 use crate::converged::{OF_CLAIMS, STUDIES, Scenes};
 use crate::suite::Motion;
 use crate::{Method, Prepared, Scene, Structure, StudyError, StudyFile};
@@ -19,6 +19,7 @@ pub struct BeyondStudy {
     path: PathBuf,
     scenes: Scenes,
     motions: Vec<Shaking>,
+    changes: Vec<Change>,
     /// The paper's case, where it is one of them.
     papers: Option<Case>,
     /// Motions that shake nothing, with the reason; nothing where every motion has to.
@@ -117,6 +118,7 @@ impl BeyondStudy {
             path,
             scenes,
             motions,
+            changes: settings.changes.clone(),
             left_out: None,
         };
         Ok((study, target))
@@ -137,37 +139,53 @@ impl BeyondStudy {
         })
     }
 
-    /// Number of times that [`Self::run`] calls `done`.
-    pub fn n_cases(&self) -> usize {
-        2 * self.motions.len()
+    /// Without the changes of the scenes that take long.
+    #[must_use]
+    pub fn usual(mut self) -> Self {
+        self.changes.retain(|change| !change.is_long());
+        self
     }
 
-    /// Runs every scene under every motion in both directions; `done` is called after each case.
+    /// Number of times that [`Self::run`] calls `done`.
+    pub fn n_cases(&self) -> usize {
+        2 * self.motions.len() * (1 + self.changes.len())
+    }
+
+    /// Runs every scene, also changed, under every motion in both directions; `done` is called after each case.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the cases; of a folder of records only where no motion is left.
     pub fn run(mut self, done: &(impl Fn() + Sync)) -> Result<Beyond, StudyError> {
-        let both_ways = |motion: Shaking| {
-            let world = |reversed| {
-                let world = World::new(&self.scenes, &motion, reversed);
-                done();
-                world
-            };
-            let (recorded, reversed) = rayon::join(|| world(false), || world(true));
-            (
-                motion,
-                recorded.and_then(|recorded| Ok([recorded, reversed?])),
-            )
-        };
         let motions = std::mem::take(&mut self.motions);
-        let ran: Vec<_> = motions.into_par_iter().map(both_ways).collect();
+        let changes = self.changes.iter().copied().map(Some);
+        let changes: Vec<_> = std::iter::once(None).chain(changes).collect();
+        let of_motion = |motion: Shaking| {
+            let worlds = changes.par_iter().map(|change| {
+                let world = |reversed| {
+                    let world = World::new(&self.scenes, (&motion, reversed), *change);
+                    done();
+                    world
+                };
+                let (recorded, reversed) = rayon::join(|| world(false), || world(true));
+                recorded.and_then(|recorded| Ok([recorded, reversed?]))
+            });
+            let worlds: Vec<_> = worlds.collect();
+            (motion, worlds.into_iter().collect::<Result<Vec<_>, _>>())
+        };
+        let ran: Vec<_> = motions.into_par_iter().map(of_motion).collect();
+        let group = |change: &Option<Change>| Group {
+            change: *change,
+            worlds: Vec::new(),
+        };
+        let mut groups: Vec<_> = changes.iter().map(group).collect();
         // Collected first: of several errors, the first in order is reported, not the first in time.
-        let mut worlds = Vec::new();
-        for (motion, both) in ran {
-            match (both, &mut self.left_out) {
-                (Ok(both), _) => {
+        for (motion, worlds) in ran {
+            match (worlds, &mut self.left_out) {
+                (Ok(worlds), _) => {
                     self.motions.push(motion);
-                    worlds.push(both);
+                    for (group, both) in groups.iter_mut().zip(worlds) {
+                        group.worlds.push(both);
+                    }
                 }
                 (Err(error), Some(left_out)) => left_out.push((motion.name, error.to_string())),
                 (Err(error), None) => return Err(error),
@@ -178,7 +196,7 @@ impl BeyondStudy {
             periods: periods(&left.scenes),
             path: left.path,
             motions: left.motions,
-            worlds,
+            groups,
             papers: left.papers,
             left_out: left.left_out.unwrap_or_default(),
         })

@@ -2,10 +2,11 @@
 
 use pounding_motion::Record;
 
+use super::Change;
 use super::shaking::Shaking;
-use crate::claims::{Claim, residual, verdicts};
+use crate::claims::{Claim, Run, verdicts};
 use crate::converged::{OF_CLAIMS, Scenes};
-use crate::{Completed, Outcome, Prepared, Scene, Structure, StudyError};
+use crate::{Completed, Prepared, Scene, Structure, StudyError};
 
 /// Numbers and verdicts of one motion in one direction.
 #[derive(Debug)]
@@ -33,11 +34,11 @@ pub(super) struct Row {
 pub(super) struct Numbers {
     /// Transferred momentum \[N·s\].
     pub(super) momentum: f64,
-    /// Peak displacement with its sign \[m\].
+    /// Peak displacement with its sign, of a building that of its roof \[m\].
     pub(super) displacement: f64,
     /// Peak displacement of the structure standing alone, without sign \[m\].
     pub(super) alone: f64,
-    /// Peak shear force with its sign \[N\].
+    /// Peak shear force with its sign, of a building that of its first storey \[N\].
     pub(super) shear: f64,
     /// Displacement that stays at the end, with its sign \[m\]; nothing for one that cannot yield.
     pub(super) residual: Option<f64>,
@@ -56,26 +57,34 @@ impl Numbers {
 
 /// The scene that runs in place of a scene of the paper: the one place where the row, or what it is built of, may become
 /// another one. Its name stays: by it the claims find their scenes.
-fn turned(scene: &Scene, shaking: &Shaking) -> Scene {
-    Scene {
+fn turned(scene: &Scene, shaking: &Shaking, change: Option<Change>) -> Scene {
+    let scene = Scene {
         duration_s: Some(shaking.duration),
         ..scene.clone()
+    };
+    match change {
+        None => scene,
+        Some(change) => change.of_scene(scene),
     }
 }
 
 impl World {
-    /// Runs every scene.
+    /// Runs every scene, as the paper has it or changed.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the scenes.
     pub(super) fn new(
         scenes: &Scenes,
-        shaking: &Shaking,
-        reversed: bool,
+        (shaking, reversed): (&Shaking, bool),
+        change: Option<Change>,
     ) -> Result<Self, StudyError> {
         let record = shaking.directed(reversed);
+        let record = match change {
+            None => record,
+            Some(change) => change.of_record(record),
+        };
         let runs = scenes
-            .shaken(&record, |scene| turned(scene, shaking))?
+            .shaken(&record, |scene| turned(scene, shaking, change))?
             .run(None)?;
         let mut alone = Alone {
             record: &record,
@@ -85,7 +94,7 @@ impl World {
         // The scenes of the claims' own study are those of Tables 6 and 7 once more.
         for study in runs.iter().filter(|study| study.file.id != OF_CLAIMS) {
             for (index, prepared) in study.prepared.iter().enumerate() {
-                rows.extend(of_scene(study, index, prepared, &mut alone)?);
+                rows.extend(of_scene((study, index), prepared, &mut alone)?);
             }
         }
         Ok(Self {
@@ -96,12 +105,11 @@ impl World {
 }
 
 fn of_scene(
-    study: &Completed,
-    index: usize,
+    (study, index): (&Completed, usize),
     prepared: &Prepared,
     alone: &mut Alone<'_>,
 ) -> Result<Vec<Row>, StudyError> {
-    let (scene, outcome) = (&study.file.study.scenes[index], &study.outcomes[index]);
+    let (scene, run) = (&study.file.study.scenes[index], Run::of(study, index));
     let id = &study.file.id;
     let row = |(place, structure): (usize, &Structure)| {
         Ok(Row {
@@ -111,7 +119,7 @@ fn of_scene(
             structure: structure.name().into(),
             numbers: Numbers {
                 alone: alone.displacement(prepared, structure)?,
-                ..numbers((scene, outcome), place, structure)
+                ..numbers(run, place, structure)
             },
         })
     };
@@ -119,24 +127,17 @@ fn of_scene(
 }
 
 /// All but the displacement alone.
-fn numbers((scene, outcome): (&Scene, &Outcome), place: usize, structure: &Structure) -> Numbers {
-    let peaks = outcome.peaks.of(place);
-    let collisions = outcome.collisions.all();
-    // Pair number i joins structure i with its right neighbour.
-    let own = collisions
-        .iter()
-        .filter(|one| one.pair == place || one.pair + 1 == place);
-    let first = own.clone().min_by(|a, b| a.start.total_cmp(&b.start));
-    let yields = matches!(structure, Structure::Sdof(sdof) if sdof.yield_force_n.is_some());
-    let residual = residual((scene, outcome), place).filter(|_| yields);
+fn numbers(run: Run<'_>, place: usize, structure: &Structure) -> Numbers {
+    let (collisions, first) = run.collisions(place);
+    let yields = structure.yield_force().is_some();
     Numbers {
-        momentum: outcome.momentum.of(place),
-        displacement: peaks.displacement.value,
+        momentum: run.momentum(place),
+        displacement: run.peak_displacement(place),
         alone: 0.0,
-        shear: peaks.restoring_force.value,
-        residual,
-        collisions: own.count(),
-        first: first.map(|first| (first.start, first.impulse)),
+        shear: run.peak_shear(place),
+        residual: run.residual(place).filter(|_| yields),
+        collisions,
+        first,
     }
 }
 
@@ -162,8 +163,11 @@ impl Alone<'_> {
             contacts: None,
             ..prepared.scene().clone()
         };
-        let outcome = prepared.variant(&scene, self.record.clone())?.run(None)?;
-        let displacement = outcome.peaks.of(0).displacement.value.abs();
+        let alone = prepared.variant(&scene, self.record.clone())?;
+        let outcome = alone.run(None)?;
+        // Its roof; a wall has the only place of its own.
+        let roof = alone.floors().all().len() - 1;
+        let displacement = outcome.peaks.of(roof).displacement.value.abs();
         self.known.push((structure.clone(), displacement));
         Ok(displacement)
     }

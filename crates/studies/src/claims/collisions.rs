@@ -2,7 +2,6 @@
 
 use super::{
     Claim, Finding, Law, NOTHING, Runs, change, first_collision, is_slight, momentum, peak_force,
-    touches,
 };
 use crate::{StudyError, digits};
 
@@ -29,7 +28,7 @@ fn side_by_side(first: [Option<(f64, f64)>; 2], unit: &str, decimals: usize) -> 
 pub(super) fn same_first_impact(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let pair = runs.two_structures(Law::Stereomechanical)?;
     // The force is an impulse over the time step; without one the impulses are compared.
-    let step = pair[0].0.method.time_step();
+    let step = pair[0].scene.method.time_step();
     let first = |run| {
         let (time, impulse) = first_collision(run)?;
         Some((time, impulse / step.unwrap_or(1.0)))
@@ -91,13 +90,13 @@ pub(super) fn four_models(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let explicit = runs.scene("table-5", "viscoelastic elastic")?;
     let newmark = runs.scene("claims", "Newmark, viscoelastic elastic")?;
-    let counts = [explicit, newmark].map(|run| run.1.collisions.all().len());
+    let counts = [explicit, newmark].map(|run| run.outcome.collisions.all().len());
     let pairs = explicit
-        .1
+        .outcome
         .collisions
         .all()
         .iter()
-        .zip(newmark.1.collisions.all());
+        .zip(newmark.outcome.collisions.all());
     let apart = pairs
         .map(|(a, b)| (a.start - b.start).abs())
         .fold(0.0, f64::max);
@@ -119,7 +118,7 @@ pub(super) fn as_newmark(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 }
 
 pub(super) fn fewer_when_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let count = |run: super::Run<'_>| run.1.collisions.all().len();
+    let count = |run: super::Run<'_>| run.outcome.collisions.all().len();
     let mut stated = true;
     let mut touch = false;
     let mut computed = Vec::new();
@@ -170,17 +169,17 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Claim, Study
     let mut computed = Vec::new();
     for law in Law::BOTH {
         let pair = runs.two_structures(law)?;
-        touch |= pair.into_iter().any(touches);
+        touch |= pair.into_iter().any(super::Run::touches);
         let [elastic, nonlinear] = pair;
-        let peaks = [elastic, nonlinear].map(|run| 1e3 * run.1.peaks.of(0).displacement.value);
-        let plastic = 1e3 * super::layouts::residual(nonlinear, 0).unwrap_or(0.0);
+        let peaks = [elastic, nonlinear].map(|run| 1e3 * run.peak_displacement(0));
+        let plastic = 1e3 * nonlinear.residual(0).unwrap_or(0.0);
         holds &= peaks[1].abs() > peaks[0].abs() && plastic.abs() > 0.5 * peaks[1].abs();
         computed.push(format!(
             "{}: peak {:.0} mm elastic, {:.0} mm nonlinear, of which {plastic:.0} mm stay at {} s",
             law.name(),
             peaks[0],
             peaks[1],
-            digits(nonlinear.0.duration())
+            digits(nonlinear.scene.duration())
         ));
     }
     Ok(Claim {
@@ -223,7 +222,7 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         runs.two_structures(Law::Stereomechanical)?,
         runs.two_structures(Law::Viscoelastic)?,
     );
-    let duration = digits(stereo[0].0.duration());
+    let duration = digits(stereo[0].scene.duration());
     let (mut first, mut total) = (Vec::new(), Vec::new());
     for (index, name) in ["elastic", "nonlinear"].into_iter().enumerate() {
         let pair = [stereo[index], visco[index]];

@@ -1,9 +1,7 @@
 //! Claims about three structures (sections 4 and 5).
 
-use super::{
-    Claim, Finding, Law, NOTHING, Run, Runs, change, is_slight, momentum, peak_force, touches,
-};
-use crate::{Structure, StudyError};
+use super::{Claim, Finding, Law, NOTHING, Run, Runs, change, is_slight, momentum, peak_force};
+use crate::StudyError;
 
 const LAYOUTS: [&str; 3] = ["A", "B", "C"];
 
@@ -64,13 +62,14 @@ pub(super) fn half_step_keeps_the_momentum(runs: &Runs<'_>) -> Result<Claim, Stu
 }
 
 /// Largest deformation of any pair over the history \[m\].
-fn largest_overlap((scene, outcome): Run<'_>) -> f64 {
-    let histories = outcome
+fn largest_overlap(run: Run<'_>) -> f64 {
+    let histories = run
+        .outcome
         .histories
         .as_ref()
         .expect("the studies used here keep histories");
     let mut largest = 0.0_f64;
-    for (left, contact) in scene.contacts.iter().flatten().enumerate() {
+    for (left, contact) in run.scene.contacts.iter().flatten().enumerate() {
         let pairs = histories
             .of(left)
             .states
@@ -109,8 +108,8 @@ fn count(
             );
             counts.at_steps.resize(a.len(), [0; 2]);
             for ((a, b), [stated, of]) in a.into_iter().zip(b).zip(&mut counts.at_steps) {
-                counts.touch |= touches(a) || touches(b);
-                for structure in 0..a.0.structures.len() {
+                counts.touch |= a.touches() || b.touches();
+                for structure in 0..a.scene.structures.len() {
                     let truth = is_true(momentum(a, structure), momentum(b, structure));
                     *stated += usize::from(truth == Some(true));
                     *of += usize::from(truth.is_some());
@@ -185,46 +184,20 @@ pub(super) fn same_momentum_nonlinear(runs: &Runs<'_>) -> Result<Claim, StudyErr
     })
 }
 
-/// Plastic displacement of a structure at every instant of the history \[m\].
-pub(super) fn plastic_displacement((scene, outcome): Run<'_>, index: usize) -> Vec<f64> {
-    let Structure::Sdof(structure) = &scene.structures[index] else {
-        return Vec::new();
-    };
-    let histories = outcome
-        .histories
-        .as_ref()
-        .expect("the studies used here keep histories");
-    let states = histories.of(index).states.iter();
-    states
-        .map(|state| state.displacement - state.restoring_force / structure.stiffness_n_per_m)
-        .collect()
-}
-
-/// Plastic displacement of a structure at the end of the history \[m\].
-pub(crate) fn residual(run: Run<'_>, index: usize) -> Option<f64> {
-    plastic_displacement(run, index).last().copied()
-}
-
 pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     // Rounding of u − f/k is far below this, yielding far above.
     const YIELDS: f64 = 1e-9;
     let travelled = |scene: &str, weak: usize| -> Result<(f64, usize), StudyError> {
-        let history = plastic_displacement(runs.scene("figure-15", scene)?, weak);
-        let steps: Vec<f64> = history
-            .windows(2)
-            .map(|pair| (pair[1] - pair[0]).abs())
-            .collect();
-        let incursions = steps
-            .windows(2)
-            .filter(|pair| pair[0] <= YIELDS && pair[1] > YIELDS)
-            .count();
-        Ok((
-            1e3 * steps
-                .iter()
-                .filter(|step| **step > YIELDS)
-                .fold(0.0, |sum, step| sum + step),
-            incursions,
-        ))
+        let (mut travel, mut incursions) = (0.0, 0);
+        for history in runs.scene("figure-15", scene)?.plastic_drifts(weak) {
+            let steps = history.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+            let steps: Vec<f64> = steps.collect();
+            let begins = |pair: &&[f64]| pair[0] <= YIELDS && pair[1] > YIELDS;
+            incursions += steps.windows(2).filter(begins).count();
+            let yields = steps.iter().filter(|step| **step > YIELDS);
+            travel += yields.fold(0.0, |sum, step| sum + step);
+        }
+        Ok((1e3 * travel, incursions))
     };
     let free = travelled("no pounding", 0)?;
     let stereo = travelled("layout C, stereomechanical", 1)?;
@@ -234,7 +207,7 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     };
     let mut touch = false;
     for scene in ["layout C, stereomechanical", "layout C, viscoelastic"] {
-        touch |= touches(runs.scene("figure-15", scene)?);
+        touch |= runs.scene("figure-15", scene)?.touches();
     }
     Ok(Claim {
         claim: "Between two stiff structures (layout C) the nonlinear incursions of the weak one decrease (read as plastic \
@@ -260,8 +233,8 @@ pub(super) fn fewer_incursions(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 
 pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let peak = |run: Run<'_>| {
-        let displacement = |index| 1e3 * run.1.peaks.of(index).displacement.value.abs();
-        (0..run.0.structures.len())
+        let displacement = |index| 1e3 * run.peak_displacement(index).abs();
+        (0..run.scene.structures.len())
             .map(displacement)
             .fold(0.0, f64::max)
     };
@@ -274,7 +247,7 @@ pub(super) fn least_favourable(runs: &Runs<'_>) -> Result<Claim, StudyError> {
             let [a, b, c] = LAYOUTS.map(of_layout);
             let [a, b, c] = [a?, b?, c?];
             // Layouts in which nothing touches are one layout.
-            if !a.iter().chain(&b).chain(&c).any(|run| touches(*run)) {
+            if !a.iter().chain(&b).chain(&c).any(|run| run.touches()) {
                 continue;
             }
             cases += 1;

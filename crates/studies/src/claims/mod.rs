@@ -5,6 +5,7 @@
 
 mod collisions;
 mod layouts;
+mod run;
 mod settings;
 mod survival;
 mod tally;
@@ -12,9 +13,9 @@ mod tally;
 use std::collections::BTreeMap;
 
 use crate::tables::to_csv;
-use crate::{Completed, Outcome, Scene, StudyError};
+use crate::{Completed, StudyError};
 
-pub(crate) use layouts::residual;
+pub(crate) use run::Run;
 pub use survival::Survival;
 pub(crate) use survival::{asked, survivals, verdicts};
 pub use tally::Tally;
@@ -170,10 +171,28 @@ pub fn claims(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
     TESTS.iter().map(|(test, _)| test(&runs)).collect()
 }
 
-/// The claims as CSV text; `beyond` says of each in how many cases of other ground motions it holds, and is empty where
-/// there are none.
-pub fn claims_csv(claims: &[Claim], survivals: &[Survival], beyond: &[Option<Tally>]) -> String {
-    let header = [
+/// In how many cases of other ground motions, and changed scenes, claims hold: a column of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Tallies {
+    /// Name of the column.
+    pub column: String,
+    /// Of each claim, in their order; nothing, or too few, where it was not asked.
+    pub claims: Vec<Option<Tally>>,
+}
+
+impl Default for Tallies {
+    /// Of no other ground motions.
+    fn default() -> Self {
+        Self {
+            column: "holds_beyond".into(),
+            claims: Vec::new(),
+        }
+    }
+}
+
+/// The claims as CSV text.
+pub fn claims_csv(claims: &[Claim], survivals: &[Survival], beyond: &[Tallies]) -> String {
+    let mut header = [
         "claim",
         "where",
         "computed",
@@ -181,13 +200,13 @@ pub fn claims_csv(claims: &[Claim], survivals: &[Survival], beyond: &[Option<Tal
         "computed_exactly",
         "survives_convergence",
         "survives_perturbation",
-        "holds_beyond",
     ]
-    .map(String::from);
+    .map(String::from)
+    .to_vec();
+    header.extend(beyond.iter().map(|tallies| tallies.column.clone()));
     let row = |(index, (claim, survival)): (usize, (&Claim, &Survival))| {
         let [exactly, convergence, perturbation] = survival.cells();
-        let tally = beyond.get(index).copied().flatten();
-        vec![
+        let mut row = vec![
             claim.claim.into(),
             claim.place.into(),
             claim.computed.clone(),
@@ -195,15 +214,14 @@ pub fn claims_csv(claims: &[Claim], survivals: &[Survival], beyond: &[Option<Tal
             exactly,
             convergence,
             perturbation,
-            survival.beyond(tally),
-        ]
+        ];
+        let tally = |tallies: &Tallies| tallies.claims.get(index).copied().flatten();
+        row.extend(beyond.iter().map(|tallies| survival.beyond(tally(tallies))));
+        row
     };
     let rows = claims.iter().zip(survivals).enumerate().map(row);
     to_csv(&header, &rows.collect::<Vec<_>>())
 }
-
-/// A scene and what it left behind.
-type Run<'a> = (&'a Scene, &'a Outcome);
 
 /// The completed studies by name.
 struct Runs<'a>(BTreeMap<&'a str, &'a Completed>);
@@ -227,7 +245,10 @@ impl<'a> Runs<'a> {
             study: study.into(),
             scene: scene.into(),
         };
-        self.study(study)?.of(scene).ok_or_else(missing)
+        let study = self.study(study)?;
+        let scenes = study.file.study.scenes.iter();
+        let index = scenes.map(|one| &*one.name).position(|name| name == scene);
+        index.map(|index| Run::of(study, index)).ok_or_else(missing)
     }
 
     /// Two structures elastic and nonlinear, of Table 2 (stereomechanical) or 4 (viscoelastic).
@@ -246,7 +267,7 @@ impl<'a> Runs<'a> {
     fn layout(&self, layout: &str, behaviour: &str, law: Law) -> Result<Vec<Run<'a>>, StudyError> {
         let name = format!("layout {layout} {behaviour}");
         let run = self.scene(law.table(), &name)?;
-        if run.0.method.time_step().is_none() {
+        if run.scene.method.time_step().is_none() {
             return Ok(vec![run]);
         }
         let half = format!("{name}, {}, half the time step", law.name());
@@ -282,26 +303,21 @@ impl Law {
 /// What is computed where a claim does not apply.
 const NOTHING: &str = "nothing touches";
 
-/// Whether anything touches.
-fn touches((_, outcome): Run<'_>) -> bool {
-    !outcome.collisions.all().is_empty()
-}
-
 /// Start \[s\] and impulse \[kN·s\] of the first collision; nothing where nothing touches.
-fn first_collision((_, outcome): Run<'_>) -> Option<(f64, f64)> {
-    let first = outcome.collisions.all().first()?;
+fn first_collision(run: Run<'_>) -> Option<(f64, f64)> {
+    let first = run.outcome.collisions.all().first()?;
     Some((first.start, first.impulse / 1e3))
 }
 
 /// Largest pounding force of a run \[kN\]; of an impact the impulse over the time step.
-fn peak_force((scene, outcome): Run<'_>) -> f64 {
+fn peak_force(run: Run<'_>) -> f64 {
     let force = |collision: &pounding_solver::Collision| {
         collision
             .peak_force
-            .unwrap_or(collision.impulse / scene.method.step())
+            .unwrap_or(collision.impulse / run.scene.method.step())
             / 1e3
     };
-    outcome
+    run.outcome
         .collisions
         .all()
         .iter()
@@ -310,8 +326,8 @@ fn peak_force((scene, outcome): Run<'_>) -> f64 {
 }
 
 /// Transferred momentum of a structure \[kN·s\].
-fn momentum((_, outcome): Run<'_>, structure: usize) -> f64 {
-    outcome.momentum.of(structure) / 1e3
+fn momentum(run: Run<'_>, structure: usize) -> f64 {
+    run.momentum(structure) / 1e3
 }
 
 /// Change from `from` to `to` in per cent of `from`.

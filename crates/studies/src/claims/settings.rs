@@ -7,7 +7,7 @@ use super::{Claim, Finding, Runs, change, momentum};
 use crate::{Structure, StudyError};
 
 pub(super) fn stability(runs: &Runs<'_>) -> Result<Claim, StudyError> {
-    let (scene, _) = runs.scene("table-2", "elastic")?;
+    let scene = runs.scene("table-2", "elastic")?.scene;
     let shortest = scene
         .structures
         .iter()
@@ -52,13 +52,13 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let used = runs.scene("table-2", "elastic")?;
     let as_printed = runs.scene("claims", "Table 1 damping")?;
     let ratios: Vec<f64> = used
-        .0
+        .scene
         .structures
         .iter()
         .filter_map(|structure| Some(100.0 * structure.damping_ratio()?))
         .collect();
     let second = |run: super::Run<'_>| {
-        run.1
+        run.outcome
             .collisions
             .all()
             .get(1)
@@ -90,7 +90,7 @@ pub(super) fn damping_ratios(runs: &Runs<'_>) -> Result<Claim, StudyError> {
 
 pub(super) fn restitution(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     let law = |study| -> Result<Option<ContactLaw>, StudyError> {
-        let (scene, _) = runs.scene(study, "elastic")?;
+        let scene = runs.scene(study, "elastic")?.scene;
         Ok(scene
             .contacts
             .iter()
