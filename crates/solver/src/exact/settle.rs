@@ -133,6 +133,9 @@ impl<R: Recorder> Run<'_, R> {
         let chain = &mut self.chain;
         chain.clear();
         chain.velocities.extend_from_slice(&hit.before);
+        for (velocity, carried) in chain.velocities.iter_mut().zip(&hit.carried) {
+            *velocity += carried;
+        }
         chain.rates.extend_from_slice(&hit.rates);
         let contacts = &mut self.contacts[hit.first..=hit.last];
         let members = &mut self.members[hit.left..hit.left + hit.before.len()];
@@ -150,6 +153,9 @@ impl<R: Recorder> Run<'_, R> {
         chain.collide(self.settings.simultaneous_impacts);
         for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
+        }
+        for (member, carried) in members.iter_mut().zip(&hit.carried) {
+            member.state.velocity -= carried;
         }
         for (contact, rate) in contacts.iter_mut().zip(&chain.rates) {
             contact.rate = *rate;
@@ -192,12 +198,19 @@ impl<R: Recorder> Run<'_, R> {
         if approach <= 0.0 || contact.rate >= 0.0 || restitution >= 1.0 {
             return false;
         }
-        let closing = self.members[left].acceleration[0] - self.members[left + 1].acceleration[0];
+        let [a, b] = [left, left + 1].map(|node| &self.members[node]);
+        let mut closing = a.acceleration[0] - b.acceleration[0];
+        if contact.opens {
+            closing += a.ground.value - b.ground.value;
+        }
         closing > 0.0 && -2.0 * contact.rate < CHATTER * closing * (1.0 - restitution)
     }
 
     fn report_impact(&mut self, pair: usize, time: f64, hit: &Hit) {
         let left = self.lefts[pair];
+        let opening_rate = self
+            .opening(pair, time)
+            .map_or(0.0, |opening| opening.velocity);
         let contact = &mut self.contacts[pair];
         contact.burst = if time - contact.hit < CHATTER {
             contact.burst + 1
@@ -220,6 +233,7 @@ impl<R: Recorder> Run<'_, R> {
                 left: self.members[left].state.velocity,
                 right: self.members[left + 1].state.velocity,
             },
+            opening_rate,
         };
         self.recorder.impact(&impact);
     }
@@ -253,7 +267,7 @@ impl<R: Recorder> Run<'_, R> {
             for pair in pairs() {
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
-                    self.join(pair);
+                    self.join(pair, time);
                     grown = true;
                 }
             }
@@ -264,7 +278,7 @@ impl<R: Recorder> Run<'_, R> {
         // Neighbours that move alike without a force stay together.
         for pair in pairs() {
             if self.may_press(pair) && self.press(pair).is_none() {
-                self.join(pair);
+                self.join(pair, time);
             }
         }
         self.regroup();
@@ -276,17 +290,17 @@ impl<R: Recorder> Run<'_, R> {
         contact.link == Link::Apart && contact.rate == 0.0
     }
 
-    fn join(&mut self, pair: usize) {
+    fn join(&mut self, pair: usize, time: f64) {
         self.contacts[pair].link = Link::Resting;
         let left = self.lefts[pair];
+        let opening = self.opening(pair, time);
+        let carried = opening.map_or(0.0, |opening| opening.velocity);
         let (a, b) = (&self.members[left], &self.members[left + 1]);
-        let velocity = if a.mass >= b.mass {
-            a.state.velocity
+        if a.mass >= b.mass {
+            self.members[left + 1].state.velocity = a.state.velocity + carried;
         } else {
-            b.state.velocity
-        };
-        self.members[left].state.velocity = velocity;
-        self.members[left + 1].state.velocity = velocity;
+            self.members[left].state.velocity = b.state.velocity - carried;
+        }
     }
 
     /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
@@ -296,16 +310,17 @@ impl<R: Recorder> Run<'_, R> {
         let powers =
             [left, left + 1].map(|node| self.bodies[self.groups.body_of[node]].power.order());
         let p = powers[0].max(powers[1]);
+        let contact = &self.contacts[pair];
         // A series in t beside one in its fourth root.
         let coefficient = |side: usize, n: usize| {
             let stretched = p / powers[side];
             if n.is_multiple_of(stretched) {
-                self.members[left + side].displacement[n / stretched]
+                let member = &self.members[left + side];
+                contact.displacement_of(member, p / stretched, n / stretched)
             } else {
                 0.0
             }
         };
-        let contact = &self.contacts[pair];
         // What happens on one floor is felt two orders later on the next.
         let tied = (left..=left + 1).any(|node| self.members[node].is_tied());
         let last = if tied {
@@ -337,9 +352,8 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
     pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
-        let ground = self.segment(time);
         let system = (&mut self.members[..], &mut self.contacts[..]);
-        clean(self.groups.of(first), system, (ground, time), power.order());
+        clean(self.groups.of(first), system, time, power.order());
     }
 
     /// Bodies anew, from the links.
