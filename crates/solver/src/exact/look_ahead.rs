@@ -56,7 +56,8 @@ impl<R: Recorder> Run<'_, R> {
         let sides = [left, left + 1].map(|node| self.motion(node, time));
         let (deformation, rate) = self.closing(pair, time, sides);
         let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + self.gaps[pair];
-        let scale = match &self.travel {
+        let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens);
+        let scale = match travel {
             None => scale,
             Some(travel) => {
                 let ground = |node: usize| travel.ground(node, time).displacement.abs();

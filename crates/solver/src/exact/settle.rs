@@ -5,7 +5,7 @@ use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
 use crate::exact::roots::CAPACITY;
 use crate::exact::storey::rate_of_drift;
-use crate::exact::{CHATTER, Run};
+use crate::exact::{CHATTER, ROUNDING, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 
@@ -154,8 +154,15 @@ impl<R: Recorder> Run<'_, R> {
         for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
         }
-        for (member, carried) in members.iter_mut().zip(&hit.carried) {
-            member.state.velocity -= carried;
+        for (index, (member, carried)) in members.iter_mut().zip(&hit.carried).enumerate() {
+            // What was not hit keeps its velocity to the last bit.
+            let before = hit.before[index];
+            let hit = member.state.velocity.total_cmp(&(before + carried)).is_ne();
+            member.state.velocity = if hit {
+                member.state.velocity - carried
+            } else {
+                before
+            };
         }
         for (contact, rate) in contacts.iter_mut().zip(&chain.rates) {
             contact.rate = *rate;
@@ -293,13 +300,26 @@ impl<R: Recorder> Run<'_, R> {
     fn join(&mut self, pair: usize, time: f64) {
         self.contacts[pair].link = Link::Resting;
         let left = self.lefts[pair];
-        let opening = self.opening(pair, time);
-        let carried = opening.map_or(0.0, |opening| opening.velocity);
         let (a, b) = (&self.members[left], &self.members[left + 1]);
-        if a.mass >= b.mass {
-            self.members[left + 1].state.velocity = a.state.velocity + carried;
+        let [v, w] = [a.state.velocity, b.state.velocity];
+        let heavier_left = a.mass >= b.mass;
+        let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens) else {
+            let velocity = if heavier_left { v } else { w };
+            self.members[left].state.velocity = velocity;
+            self.members[left + 1].state.velocity = velocity;
+            return;
+        };
+        let grounds = [left, left + 1].map(|node| travel.ground(node, time).velocity);
+        let carried = grounds[0] - grounds[1];
+        let terms = [v, w, grounds[0], grounds[1]].map(f64::abs);
+        // At rest already: what is known to be zero of either velocity stays so.
+        if (v - w + carried).abs() <= ROUNDING * terms.iter().sum::<f64>() {
+            return;
+        }
+        if heavier_left {
+            self.members[left + 1].state.velocity = v + carried;
         } else {
-            self.members[left].state.velocity = b.state.velocity - carried;
+            self.members[left].state.velocity = w - carried;
         }
     }
 

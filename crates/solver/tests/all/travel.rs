@@ -7,8 +7,8 @@ use pounding_solver::{
 };
 
 use crate::common::{
-    CENTRAL, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground,
-    histories, pairs, yielding,
+    CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic,
+    ground, histories, pairs, yielding,
 };
 use crate::storeys_ledger::{DAMPING, TOWERS};
 use crate::towers::{Tower, row};
@@ -182,7 +182,12 @@ fn reference_grounds_that_move_apart_make_rigid_structures_touch() {
         let first = found.first().expect("they touch");
         // Found within a step of the touch, at the approach of then.
         assert!((first.start - 0.25).abs() < 2e-4, "{name}: {first:?}");
-        let open = if method == CENTRAL { 2e-2 } else { 1e-3 };
+        // Moreau–Jean stepping lets columns and dampers act within the step, ωΔt = 6 %; the published rule looks a step back.
+        let open = match method {
+            MOREAU_JEAN => 0.07,
+            CENTRAL => 2e-2,
+            _ => 1e-3,
+        };
         assert!(
             (first.impulse / impulse - 1.0).abs() < open,
             "{name}: {first:?}"
@@ -209,7 +214,10 @@ fn reference_a_wall_moves_with_its_own_ground() {
     let row = beside(vec![node, wall], vec![0.0, 0.1]);
     let found = collisions(&row, EXACT, &samples, (0.01, 0.9));
     let first = found.first().expect("they touch");
-    assert!((first.start - 0.25).abs() < 1e-12, "{first:?}");
+    // It lags by a_g/ω², and the wall does not.
+    let lag = node.column.stiffness * node.inverse_mass;
+    let touch = 0.25 + 1.0 / (0.1 * lag);
+    assert!((first.start - touch).abs() < 1e-12, "{first:?}");
     assert!(
         (first.impulse / (2e5 * 0.1) - 1.0).abs() < 1e-11,
         "{first:?}"

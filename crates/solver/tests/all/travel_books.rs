@@ -54,8 +54,9 @@ fn reference_energy_of_exact_runs_balances_while_grounds_move_apart() {
         VISCOELASTIC,
     ] {
         for (index, row) in rows(law).iter().enumerate() {
-            let ledger = book(row, EXACT, &samples, clock(0.01, 5.0));
             let what = format!("{law:?}, row {index}");
+            println!("{what}");
+            let ledger = book(row, EXACT, &samples, clock(0.01, 5.0));
             check(&ledger, row.pairs().len(), &what);
             assert!(ledger.residual() < 1e-9, "{what}: {:e}", ledger.residual());
             // Without this term the balance does not close.
