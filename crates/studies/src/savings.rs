@@ -101,6 +101,7 @@ impl Burdened {
                     n - 1
                 ]
             }),
+            arrivals_s: None,
             method,
         };
         let prepared = Prepared::new(&scene, Path::new(""))?;

@@ -160,6 +160,7 @@ impl Alone<'_> {
         let scene = Scene {
             structures: vec![structure.clone()],
             contacts: None,
+            arrivals_s: None,
             ..prepared.scene().clone()
         };
         let outcome = prepared.variant(&scene, self.record.clone())?.run(None)?;

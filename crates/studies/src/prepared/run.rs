@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Closings, Collisions, Excitation, Histories, Integrator, Ledger, LedgerError, Pair,
-    Peaks, Recorder, RunError, Terms, TransferredMomentum, Work,
+    Clock, Closings, Collisions, Excitation, Histories, Integrator, Ledger, LedgerError, Opening,
+    Pair, Peaks, Recorder, RunError, Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Prepared;
@@ -139,7 +139,7 @@ impl Prepared {
         let n = self.floors.all().len();
         (
             Peaks::new(n),
-            Collisions::new(n, self.pairs()),
+            Collisions::new(n, self.pairs()).travelled(self.travel()),
             TransferredMomentum::new(n),
             ledger,
         )
@@ -149,7 +149,28 @@ impl Prepared {
     pub(crate) fn closings(&self) -> Closings {
         let periods = self.scene.structures.iter().filter_map(Structure::period);
         let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
-        Closings::new(self.walls(), look)
+        Closings::new(self.walls(), look).travelled(self.travel())
+    }
+
+    /// How the ground motion travels along the row; nothing where all are shaken at once.
+    fn travel(&self) -> Option<Travel> {
+        let excitation = self.excitation();
+        with_row!(&self.model, row => row.travel(excitation))
+    }
+
+    /// How far the bases of structures that face each other come closest, or apart, during the run, by how the ground
+    /// motion travels: of every structure and its right neighbour; empty where all are shaken at once.
+    pub fn openings(&self) -> Vec<Opening> {
+        let Some(travel) = self.travel() else {
+            return Vec::new();
+        };
+        let base = |structure: usize| self.floors.of_structure(structure)[0];
+        let neighbours = 1..self.scene.structures.len();
+        let opening = |right: usize| {
+            let bases = [base(right - 1), base(right)];
+            travel.largest_opening(bases, self.duration())
+        };
+        neighbours.map(opening).collect()
     }
 
     /// The pairs that can touch, from left to right.
