@@ -283,7 +283,7 @@ impl<R: Recorder> Run<'_, R> {
     /// First of the neighbours that share this one's velocity because they rest against each other on grounds that move
     /// alike.
     pub(super) fn leader(&self, node: usize) -> usize {
-        let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens;
+        let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
         let rests =
             |left: usize| self.pair_right_of[left].is_some_and(|pair| alike(&self.contacts[pair]));
         let mut leader = node;

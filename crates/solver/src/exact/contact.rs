@@ -29,13 +29,20 @@ pub(super) enum Phase {
     Parting,
 }
 
+/// How the grounds of a pair move to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Grounds {
+    Alike,
+    /// The ground motion arrives at one of them later than at the other.
+    Apart,
+}
+
 /// A pair between events.
 #[derive(Debug, Clone)]
 pub(super) struct Contact {
     pub(super) law: ContactLaw,
     pub(super) reduced_mass: f64,
-    /// Whether the ground motion arrives at one side later than at the other.
-    pub(super) opens: bool,
+    pub(super) grounds: Grounds,
     /// Force of the present contact, which may know its approach speed; nothing before the first one.
     pub(super) form: Option<Form>,
     /// Rate of deformation at the touch.
@@ -93,7 +100,7 @@ impl Contact {
         Self {
             law,
             reduced_mass,
-            opens: false,
+            grounds: Grounds::Alike,
             form: None,
             approach_speed: 0.0,
             pieces: 0,
@@ -124,6 +131,11 @@ impl Contact {
             spring: [0.0; CAPACITY],
             damper: [0.0; CAPACITY],
         }
+    }
+
+    /// Whether its grounds move towards each other, and apart.
+    pub(super) fn opens(&self) -> bool {
+        self.grounds == Grounds::Apart
     }
 
     /// Begins compliant contact, at the rate of the touch.
@@ -179,7 +191,7 @@ impl Contact {
     /// The same from the motion of both sides and of their grounds.
     fn between(&self, sides: &[Member], power: Power, n: usize) -> f64 {
         let ahead = sides[0].displacement[n] - sides[1].displacement[n];
-        if self.opens {
+        if self.opens() {
             let ground = |side: &Member| side.ground_displacement(power.order(), n);
             ahead + (ground(&sides[0]) - ground(&sides[1]))
         } else {
@@ -195,7 +207,7 @@ impl Contact {
             0.0
         } else {
             let faster = sides[0].velocity[n] - sides[1].velocity[n];
-            if self.opens {
+            if self.opens() {
                 let ground = |side: &Member| side.ground_velocity(power.order(), n);
                 faster + (ground(&sides[0]) - ground(&sides[1]))
             } else {
@@ -265,7 +277,7 @@ impl Contact {
 
     /// Coefficient `n` of the displacement of a side, with that of its ground where it moves on its own.
     pub(super) fn displacement_of(&self, side: &Member, p: usize, n: usize) -> f64 {
-        if self.opens {
+        if self.opens() {
             side.displacement[n] + side.ground_displacement(p, n)
         } else {
             side.displacement[n]

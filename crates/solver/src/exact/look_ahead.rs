@@ -56,7 +56,7 @@ impl<R: Recorder> Run<'_, R> {
         let sides = [left, left + 1].map(|node| self.motion(node, time));
         let (deformation, rate) = self.closing(pair, time, sides);
         let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + self.gaps[pair];
-        let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens);
+        let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens());
         let scale = match travel {
             None => scale,
             Some(travel) => {
@@ -122,7 +122,7 @@ impl<R: Recorder> Run<'_, R> {
             sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
         };
         let mut closest = most(left, 1.0) + most(left + 1, -1.0) - self.gaps[pair];
-        if let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens) {
+        if let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) {
             let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
             let start = bodies[0].start.max(bodies[1].start);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
@@ -155,6 +155,23 @@ impl<R: Recorder> Run<'_, R> {
             Power::Four if offset > 0.0 => compose(series, body.len, offset),
             Power::Four => spread(series, body.len),
         }
+    }
+
+    /// The same of both sides of a pair, with their grounds where those move on their own.
+    fn sides_from(
+        &self,
+        pair: usize,
+        begin: (f64, f64),
+        power: Power,
+    ) -> ([[f64; CAPACITY]; 2], usize) {
+        let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
+        for (node, side) in (self.lefts[pair]..).zip(&mut sides) {
+            len = len.max(self.displacement_from(node, begin, power, side));
+            if self.contacts[pair].opens() {
+                len = len.max(self.add_ground(node, begin, power, side));
+            }
+        }
+        (sides, len)
     }
 
     /// Adds the displacement of the ground of a node to its series; returns its length.
@@ -204,21 +221,12 @@ impl<R: Recorder> Run<'_, R> {
         // Before its own start a series may be far beyond its reach: then both are taken from now on.
         let late = |body: &&Body| body.power == Power::One && body.start > origin;
         let from_now = power == Power::Four && bodies.iter().any(late);
-        let mut sides = [[0.0; CAPACITY]; 2];
-        let mut len = 0;
         let begin = if from_now {
             (time, offset)
         } else {
             (origin, 0.0)
         };
-        for (index, side) in sides.iter_mut().enumerate() {
-            len = len.max(self.displacement_from(left + index, begin, power, side));
-        }
-        if self.contacts[pair].opens {
-            for (index, side) in sides.iter_mut().enumerate() {
-                len = len.max(self.add_ground(left + index, begin, power, side));
-            }
-        }
+        let (sides, len) = self.sides_from(pair, begin, power);
         let mut coefficients = [0.0; CAPACITY];
         for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {
             *coefficient = sides[0][n] - sides[1][n];

@@ -34,7 +34,7 @@ use crate::ground::Ground;
 use crate::{Clock, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
 
 use body::Body;
-use contact::Contact;
+use contact::{Contact, Grounds};
 use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
@@ -134,7 +134,9 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
             left.initial_velocity - right.initial_velocity,
         );
         let [first, last] = [pair.left, pair.right].map(|index| row.arrival(index));
-        contact.opens = first.total_cmp(&last).is_ne();
+        if first.total_cmp(&last).is_ne() {
+            contact.grounds = Grounds::Apart;
+        }
         contact
     };
     let (initial, _) = row.initial(Ground::Common(0.0));
@@ -232,7 +234,10 @@ impl<R: Recorder> Run<'_, R> {
 
     /// How far the grounds of a pair have moved towards each other, and at which rate; nothing where they move alike.
     fn opening(&self, pair: usize, time: f64) -> Option<Motion> {
-        let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens)?;
+        let travel = self
+            .travel
+            .as_ref()
+            .filter(|_| self.contacts[pair].opens())?;
         let left = self.lefts[pair];
         Some(travel.opening([left, left + 1], time))
     }
@@ -291,7 +296,7 @@ impl<R: Recorder> Run<'_, R> {
         let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
         let accelerations = [left, left + 1].map(|node| self.members[node].state.acceleration);
         let mut closing = accelerations[0] - accelerations[1];
-        if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens) {
+        if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
             closing += 2.0 * travel.cubic_opening([left, left + 1], time)[2];
         }
         let motion = (contact.rate, closing);

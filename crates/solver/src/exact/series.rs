@@ -71,14 +71,15 @@ fn accelerate(members: &mut [Member], block: &Block, force: f64, (p, n): (usize,
             let own = own_force(members, block.first, n);
             alone.inverse_mass * (force - own)
         }
-        several => match several.iter().find(|member| member.is_wall()) {
-            Some(wall) => wall.ground.coefficient(n, p),
-            None => {
+        several => {
+            if let Some(wall) = several.iter().find(|member| member.is_wall()) {
+                wall.ground.coefficient(n, p)
+            } else {
                 let sum: f64 = nodes.clone().map(|node| own_force(members, node, n)).sum();
                 let mass: f64 = several.iter().map(|member| member.mass).sum();
                 (force - sum) / mass
             }
-        },
+        }
     };
     for member in &mut members[nodes] {
         member.acceleration[n] = shared - member.ground.coefficient(n, p);

@@ -207,7 +207,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let [a, b] = [left, left + 1].map(|node| &self.members[node]);
         let mut closing = a.acceleration[0] - b.acceleration[0];
-        if contact.opens {
+        if contact.opens() {
             closing += a.ground.value - b.ground.value;
         }
         closing > 0.0 && -2.0 * contact.rate < CHATTER * closing * (1.0 - restitution)
@@ -303,7 +303,7 @@ impl<R: Recorder> Run<'_, R> {
         let (a, b) = (&self.members[left], &self.members[left + 1]);
         let [v, w] = [a.state.velocity, b.state.velocity];
         let heavier_left = a.mass >= b.mass;
-        let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens) else {
+        let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) else {
             let velocity = if heavier_left { v } else { w };
             self.members[left].state.velocity = velocity;
             self.members[left + 1].state.velocity = velocity;

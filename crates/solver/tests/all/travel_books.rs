@@ -12,15 +12,15 @@ use crate::travel::{EXACT, all, towers};
 /// The paper's structures and a wall, each with its arrival.
 fn rows(law: ContactLaw) -> [Row<Elastic>; 3] {
     let nodes = vec![elastic(WEAK), elastic(STIFF), elastic(WEAK)];
-    let three = Row::new(nodes, pairs(3, 0.01, law)).unwrap();
+    let three = Row::new(nodes, pairs(3, 0.01, law)).expect("it is valid");
     let walled = vec![elastic(WEAK), Node::wall(Elastic { stiffness: 1.0 })];
-    let walled = Row::new(walled, pairs(2, 0.01, law)).unwrap();
+    let walled = Row::new(walled, pairs(2, 0.01, law)).expect("it is valid");
     let (towers, of) = towers(law);
     let arrivals = of.iter().map(|of| [0.0, 0.06, 0.15][*of]).collect();
     [
-        three.delayed(vec![0.0, 0.06, 0.15]).unwrap(),
-        walled.delayed(vec![0.0, 0.1]).unwrap(),
-        towers.delayed(arrivals).unwrap(),
+        three.delayed(vec![0.0, 0.06, 0.15]).expect("it is valid"),
+        walled.delayed(vec![0.0, 0.1]).expect("it is valid"),
+        towers.delayed(arrivals).expect("it is valid"),
     ]
 }
 
@@ -55,7 +55,6 @@ fn reference_energy_of_exact_runs_balances_while_grounds_move_apart() {
     ] {
         for (index, row) in rows(law).iter().enumerate() {
             let what = format!("{law:?}, row {index}");
-            println!("{what}");
             let ledger = book(row, EXACT, &samples, clock(0.01, 5.0));
             check(&ledger, row.pairs().len(), &what);
             assert!(ledger.residual() < 1e-9, "{what}: {:e}", ledger.residual());
@@ -73,7 +72,8 @@ fn reference_every_method_reports_what_it_did_while_grounds_move_apart() {
         for (name, method) in METHODS {
             for (index, row) in rows(law).iter().enumerate() {
                 let what = format!("{name}, {law:?}, row {index}");
-                let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
+                let excitation =
+                    pounding_solver::Excitation::new(0.01, &samples).expect("it is valid");
                 let laws = if method == CENTRAL {
                     Laws::ImpactsMayCreateEnergy
                 } else {
@@ -81,7 +81,9 @@ fn reference_every_method_reports_what_it_did_while_grounds_move_apart() {
                 };
                 let mut ledger = Ledger::new(row, excitation).held_to(laws);
                 let clock = clock(2e-4, 3.0);
-                method.run(row, excitation, clock, &mut ledger).unwrap();
+                method
+                    .run(row, excitation, clock, &mut ledger)
+                    .expect("the run ends");
                 if method == CENTRAL && law == STEREOMECHANICAL {
                     // The published rule creates energy.
                     assert!(ledger.identity() < 1e-11, "{what}: {:e}", ledger.identity());
@@ -97,8 +99,8 @@ fn reference_every_method_reports_what_it_did_while_grounds_move_apart() {
 fn limit_grounds_that_move_alike_open_nothing() {
     let samples = ground();
     let nodes = vec![yielding(WEAK), yielding(STIFF)];
-    let row = Row::new(nodes, pairs(2, 0.02, VISCOELASTIC)).unwrap();
-    let late = row.clone().delayed(vec![0.3; 2]).unwrap();
+    let row = Row::new(nodes, pairs(2, 0.02, VISCOELASTIC)).expect("it is valid");
+    let late = row.clone().delayed(vec![0.3; 2]).expect("it is valid");
     for (name, method) in all() {
         let [at_once, late] = [&row, &late].map(|row| opening(row, method, &samples));
         assert_eq!((at_once, late), (0.0, 0.0), "{name}");

@@ -21,14 +21,14 @@ fn soft() -> ContactLaw {
 
 fn row(law: ContactLaw) -> Row<Elastic> {
     let nodes = vec![elastic(WEAK), elastic(STIFF), elastic(WEAK)];
-    let row = Row::new(nodes, pairs(3, 0.01, law)).unwrap();
-    row.delayed(vec![0.0, 0.06, 0.15]).unwrap()
+    let row = Row::new(nodes, pairs(3, 0.01, law)).expect("it is valid");
+    row.delayed(vec![0.0, 0.06, 0.15]).expect("it is valid")
 }
 
 fn towers_in_turn(law: ContactLaw) -> Row<Elastic> {
     let (row, of) = towers(law);
     let arrivals = of.iter().map(|of| [0.0, 0.06, 0.15][*of]).collect();
-    row.delayed(arrivals).unwrap()
+    row.delayed(arrivals).expect("it is valid")
 }
 
 /// The largest distance of displacements at samples of the record, relative to the largest of them.
@@ -57,8 +57,8 @@ fn errors(row: &Row<Elastic>, method: Integrator, steps: &[usize]) -> Vec<f64> {
 
 #[test]
 fn order_of_runge_kutta_under_a_travelling_motion_is_4() {
-    let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], vec![]).unwrap();
-    let row = row.delayed(vec![0.0, 0.06]).unwrap();
+    let row = Row::new(vec![elastic(WEAK), elastic(STIFF)], vec![]).expect("it is valid");
+    let row = row.delayed(vec![0.0, 0.06]).expect("it is valid");
     let every = [2, 4, 8, 16];
     let found = errors(&row, RK4, &every);
     let steps = every.map(|every| 0.01 / every as f64);

@@ -43,8 +43,7 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
 /// null where all are shaken at once.
 fn openings(plan: &Plan<'_>) -> Option<Vec<Value>> {
     let openings = plan.prepared.openings();
-    let opening =
-        |one: &Opening| json!({"largest_opening_m": one.distance, "time_s": one.time});
+    let opening = |one: &Opening| json!({"largest_opening_m": one.distance, "time_s": one.time});
     (!openings.is_empty()).then(|| openings.iter().map(opening).collect())
 }
 
