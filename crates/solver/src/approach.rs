@@ -1,5 +1,6 @@
 //! The approach speed of pairs in compliant contact: what laws with δ̇/v₀ remember of the first touch.
 
+use crate::ground::Ground;
 use crate::{Pair, State};
 
 /// Approach speed of every pair of a run \[m/s\]; nothing while it stands apart.
@@ -26,9 +27,9 @@ impl Approaches {
     }
 
     /// Ends the contacts of all pairs that do not overlap at the end of a step.
-    pub(crate) fn forget_parted(&mut self, pairs: &[Pair], states: &[State]) {
+    pub(crate) fn forget_parted(&mut self, pairs: &[Pair], states: &[State], ground: Ground<'_>) {
         for (speed, pair) in self.0.iter_mut().zip(pairs) {
-            if speed.is_some() && pair.deformation(states) <= 0.0 {
+            if speed.is_some() && ground.deformation_of(pair, states) <= 0.0 {
                 *speed = None;
             }
         }

@@ -24,6 +24,7 @@ use storeys::Storeys;
 
 use crate::approach::Approaches;
 use crate::error::require;
+use crate::ground::{Ground, Shaking};
 use crate::impacts::Impacts;
 use crate::span::Load;
 use crate::{Clock, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
@@ -132,8 +133,8 @@ impl<Memory> Body<Memory> {
 
 /// A node of the run, or of the sub-steps of those that touch.
 #[derive(Clone, Copy)]
-struct Instant {
-    ground: f64,
+struct Instant<'a> {
+    ground: Ground<'a>,
     time: f64,
     /// Time of the next node, for messages \[s\].
     next: f64,
@@ -170,28 +171,28 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Work, RunError> {
     settings.check()?;
-    let ground = excitation.sampled(clock);
-    let mut run = Run::new(settings, row, ground[0], clock.time_step);
+    let shaking = Shaking::new(row, excitation, clock);
+    let mut run = Run::new(settings, row, shaking.at(0), clock.time_step);
     let first = match settings.start {
         Start::Consistent | Start::FirstLoadUsed => 0,
         Start::FirstLoadSkipped => 1,
     };
     // Node n is reached by the step before the last; the last one gives it a velocity.
-    for (step, &at) in ground.iter().enumerate().skip(first) {
+    for step in first..=clock.n_steps {
         let node = Instant {
-            ground: at,
+            ground: shaking.at(step),
             time: clock.time(step),
             next: clock.time(step + 1),
             fine: false,
         };
         run.node(node, recorder)?;
         run.work.steps += 1;
-        if settings.contact_substeps > 1 && step < clock.n_steps && run.refine() {
-            let rise = ground[step + 1] - at;
+        let substeps = settings.contact_substeps > 1 && step < clock.n_steps;
+        if substeps && run.refine([node.ground, shaking.at(step + 1)]) {
             for part in 1..settings.contact_substeps {
                 let fraction = f64::from(part) / f64::from(settings.contact_substeps);
                 let between = Instant {
-                    ground: at + fraction * rise,
+                    ground: shaking.within(step, fraction),
                     time: node.time + fraction * clock.time_step,
                     fine: true,
                     ..node
@@ -234,7 +235,7 @@ fn begin<Memory>(
 }
 
 impl<'a, Column: RestoringForce> Run<'a, Column> {
-    fn new(settings: CentralDifference, row: &'a Row<Column>, ground: f64, dt: f64) -> Self {
+    fn new(settings: CentralDifference, row: &'a Row<Column>, ground: Ground<'_>, dt: f64) -> Self {
         let steps = [dt, dt / f64::from(settings.contact_substeps)];
         let constants = |dt: f64| {
             let nodes = row.nodes().iter();
@@ -244,7 +245,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         let bodies: Vec<_> = states
             .into_iter()
             .zip(memories)
-            .map(|initial| begin(initial, settings.start, ground, dt))
+            .enumerate()
+            .map(|(node, initial)| begin(initial, settings.start, ground.under(node), dt))
             .collect();
         Self {
             row,
@@ -262,8 +264,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 
     /// One node: contact, the equation of every structure that has a node here, its span, impacts.
-    fn node<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
-        let hit = self.touch(node.fine);
+    fn node<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) -> Result<(), RunError> {
+        let hit = self.touch(node);
         if self.storeys.is_some() {
             self.advance_storeys((node, hit), recorder)?;
         } else {
@@ -271,7 +273,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
         }
         if hit {
             match self.impacts {
-                ImpactRule::AsPublished => self.report(node.time, recorder),
+                ImpactRule::AsPublished => self.report(node, recorder),
                 ImpactRule::VelocityJump => self.jump(node, recorder),
             }
         }
@@ -279,7 +281,11 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     }
 
     /// Solves the equations of a node, each for itself, and reports the spans that end there.
-    fn advance<R: Recorder>(&mut self, node: Instant, recorder: &mut R) -> Result<(), RunError> {
+    fn advance<R: Recorder>(
+        &mut self,
+        node: Instant<'_>,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
         let structures = self.bodies.iter_mut().zip(self.row.nodes());
         for (index, (body, structure)) in structures.enumerate() {
             if node.fine && !body.fine {
@@ -290,7 +296,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                 column, damping, ..
             } = structure;
             let central = body.velocity;
-            let mut end = advance(body, constants, column, node.ground);
+            let ground = node.ground.under(index);
+            let mut end = advance(body, constants, column, ground);
             if body.excess != (0.0, 0.0) {
                 body.give_back(&mut end, constants);
             }
@@ -313,7 +320,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                     Load::at(
                         &ends[1],
                         (ends[1].restoring_force, damping * body.velocity),
-                        node.ground,
+                        ground,
                     ),
                 ];
                 let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
@@ -326,7 +333,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             let jump = constants.inverse_mass * body.impulse;
             body.start = end;
             body.start_time = node.time;
-            body.start_ground = node.ground;
+            body.start_ground = ground;
             body.solved = true;
             body.start.velocity += jump;
             body.start.acceleration -= constants.damping * jump;

@@ -2,6 +2,7 @@
 
 use pounding_contact::Overlap;
 
+use crate::ground::Ground;
 use crate::newton::{Cluster, Slopes};
 use crate::trial::Trial;
 use crate::{Floor, Node, Pair, RestoringForce, Row, Support, Work};
@@ -17,7 +18,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     row: &Row<Column>,
     trials: &mut [Trial<Column::Memory>],
     cluster: &C,
-    (slopes, ground): (Slopes, f64),
+    (slopes, ground): (Slopes, Ground<'_>),
     work: &mut Work,
 ) -> f64 {
     let mut n_nodes = 0;
@@ -32,7 +33,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
                     trial.displacement - below.displacement,
                     trial.velocity - below.velocity,
                 );
-                evaluate(node, trial, drift, (slopes, ground));
+                evaluate(node, trial, drift, (slopes, ground.under(index)));
                 let carrying = &row.nodes()[floor.below];
                 stand((node, trial), (carrying, below), &floor, slopes);
             }
@@ -40,14 +41,14 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
                 let trial = &mut trials[index];
                 follow(trial, slopes);
                 let drift = (trial.displacement, trial.velocity);
-                evaluate(node, trial, drift, (slopes, ground));
+                evaluate(node, trial, drift, (slopes, ground.under(index)));
             }
         }
         n_nodes += 1;
     }
     work.force_evaluations += n_nodes;
     for pair in cluster.pairs() {
-        couple(row, &row.pairs()[pair], trials, slopes);
+        couple(row, &row.pairs()[pair], trials, (slopes, ground));
     }
     let mut sum = 0.0;
     for index in cluster.nodes() {
@@ -140,14 +141,14 @@ fn couple<Column: RestoringForce>(
     row: &Row<Column>,
     pair: &Pair,
     trials: &mut [Trial<Column::Memory>],
-    slopes: Slopes,
+    (slopes, ground): (Slopes, Ground<'_>),
 ) {
     let (left, right) = (&trials[pair.left], &trials[pair.right]);
-    let deformation = left.displacement - right.displacement - pair.gap;
+    let deformation = ground.deformation(pair, left.displacement - right.displacement);
     // Impulsive contact acts between steps; a compliant pair that this step brings together may touch a little earlier.
     let near = deformation > 0.0 || left.approach_speed.is_some();
     if near && pair.law.is_compliant() {
-        let rate = left.velocity - right.velocity;
+        let rate = ground.rate(pair, left.velocity - right.velocity);
         let overlap = Overlap {
             deformation,
             rate,
@@ -163,9 +164,14 @@ fn couple<Column: RestoringForce>(
         let Some(contact) = contact else {
             return;
         };
+        let (displaced, fast, grounds) = (
+            left.displacement.abs() + right.displacement.abs() + pair.gap,
+            left.velocity.abs() + right.velocity.abs(),
+            ground.extent(pair),
+        );
         let rounding = ROUNDING
-            * (contact.stiffness * (left.displacement.abs() + right.displacement.abs() + pair.gap)
-                + contact.damping * (left.velocity.abs() + right.velocity.abs()));
+            * (contact.stiffness * (displaced + grounds.displacement)
+                + contact.damping * (fast + grounds.velocity));
         let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
         let node = |index: usize| row.nodes()[index].inverse_mass;
         let left = &mut trials[pair.left];

@@ -39,6 +39,14 @@ pub enum ModelError {
         /// What it stands on.
         below: usize,
     },
+    /// Another number of arrivals of the ground motion than of nodes.
+    #[error("arrivals: found {found}, allowed one for each of {n_nodes} nodes")]
+    Arrivals {
+        /// Number of arrivals.
+        found: usize,
+        /// Number of nodes in the row.
+        n_nodes: usize,
+    },
     /// Structures that already overlap at t = 0.
     #[error(
         "pairs[{pair}]: the initial displacements overlap by {overlap} m; allowed 0 or less: widen the gap or change \

@@ -1,3 +1,4 @@
+use crate::travel::last_sample;
 use crate::{Clock, ModelError};
 
 /// Ground acceleration at equally spaced instants, linear between them, zero outside; first sample at t = 0.
@@ -10,7 +11,7 @@ pub struct Excitation<'a> {
 }
 
 /// A linear piece of the ground acceleration, from a given time on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Segment {
     /// Ground acceleration at that time \[m/s²\].
     pub(crate) value: f64,
@@ -18,6 +19,20 @@ pub(crate) struct Segment {
     pub(crate) slope: f64,
     /// Where the piece ends \[s\].
     pub(crate) end: f64,
+}
+
+impl Segment {
+    /// Coefficient `n` of the acceleration as a series in x, with t = now + x^p.
+    #[inline]
+    pub(crate) fn coefficient(&self, n: usize, p: usize) -> f64 {
+        if n == 0 {
+            self.value
+        } else if n == p {
+            self.slope
+        } else {
+            0.0
+        }
+    }
 }
 
 /// Instants closer to a sample than this fraction of a segment take the sample itself.
@@ -59,22 +74,18 @@ impl<'a> Excitation<'a> {
         self.samples
     }
 
-    /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it.
-    pub(crate) fn segment(&self, time: f64) -> Segment {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "time >= 0; beyond the last sample nothing follows"
-        )]
-        // Not beyond the last sample: a count that no number of samples reaches could not be raised.
-        let mut index = ((time / self.time_step) as usize).min(self.samples.len());
-        let start = |index: usize| index as f64 * self.time_step;
-        while index < self.samples.len() && start(index + 1) <= time {
-            index += 1;
-        }
-        while index > 0 && start(index) > time {
-            index -= 1;
-        }
+    /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it, where the motion arrives at some
+    /// time \[s\], ≥ 0; the ground rests before.
+    pub(crate) fn segment(&self, time: f64, arrival: f64) -> Segment {
+        let n = self.samples.len();
+        let Some(index) = last_sample(time, (self.time_step, arrival), n) else {
+            return Segment {
+                value: 0.0,
+                slope: 0.0,
+                end: arrival,
+            };
+        };
+        let start = |index: usize| index as f64 * self.time_step + arrival;
         let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1))
         else {
             return Segment {
@@ -99,13 +110,14 @@ impl<'a> Excitation<'a> {
             .collect()
     }
 
-    /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\].
-    pub(crate) fn at(&self, time: f64) -> f64 {
-        self.at_position(time / self.time_step)
+    /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\], where the motion arrives at some
+    /// time \[s\].
+    pub(crate) fn at(&self, time: f64, arrival: f64) -> f64 {
+        self.at_position(time / self.time_step - arrival / self.time_step)
     }
 
-    /// Ground acceleration at a `position` counted in samples.
-    fn at_position(&self, position: f64) -> f64 {
+    /// Ground acceleration at a `position` counted in samples; nothing before the first one.
+    pub(crate) fn at_position(&self, position: f64) -> f64 {
         let sample = |index: f64| {
             // Precondition of the cast: index is a whole number ≥ 0; beyond the last sample `get` says so.
             #[expect(
@@ -116,6 +128,9 @@ impl<'a> Excitation<'a> {
             let index = index as usize;
             self.samples.get(index).copied().unwrap_or(0.0)
         };
+        if position <= -SNAP {
+            return 0.0;
+        }
         let nearest = position.round();
         if (position - nearest).abs() < SNAP {
             return sample(nearest);

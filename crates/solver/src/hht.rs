@@ -10,6 +10,7 @@
 //! give the two structures of a compliant pair different impulses when one of them is hit by its other neighbour.
 
 use crate::error::require;
+use crate::ground::Shaking;
 use crate::newmark::{arrive, balance, begin, commit, load};
 use crate::newton::Slopes;
 use crate::span::Load;
@@ -43,7 +44,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let (dt, alpha) = (clock.time_step, settings.alpha);
     let beta = 0.25 * (1.0 - alpha) * (1.0 - alpha);
     let gamma = 0.5 - alpha;
-    let ground = excitation.sampled(clock);
+    let shaking = Shaking::new(row, excitation, clock);
     // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.
     let slopes = Slopes {
         displacement: beta * dt * dt,
@@ -51,24 +52,27 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         inertia: 1.0 / (1.0 + alpha),
         time_step: dt,
     };
-    let mut scratch = begin(row, ground[0]);
+    let mut scratch = begin(row, shaking.at(0));
     // What acted a step ago: the acceleration carries it.
     let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
     let mut work = Work::default();
-    for (step, at_ends) in (1..).zip(ground.windows(2)) {
+    for step in 1..=clock.n_steps {
+        let at_ends = [step - 1, step].map(|node| shaking.at(node));
         let states = &scratch.states;
         for ((node, state), trial) in states.iter().enumerate().zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement + dt * (state.velocity + dt * (0.5 - beta) * state.acceleration),
                 state.velocity + dt * (1.0 - gamma) * state.acceleration,
             );
-            trial.carried = alpha * slopes.inertia * row.acceleration(node, states, at_ends[0]);
+            trial.carried =
+                alpha * slopes.inertia * row.acceleration(node, states, at_ends[0].under(node));
         }
         let time = clock.time(step);
-        balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
+        balance(row, &mut scratch, (slopes, at_ends), time, &mut work)?;
         arrive(&mut scratch, (clock, step))?;
         commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
-            let load = |index: usize| load::<_, R>(row, node, ends[index], at_ends[index]);
+            let load =
+                |index: usize| load::<_, R>(row, node, ends[index], at_ends[index].under(node));
             let (start, end) = (load(0), load(1));
             // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.
             let before = earlier[node].replace(start);
@@ -80,7 +84,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             ];
             ((dt, weights), [before.unwrap_or(start), start, end])
         });
-        work.touching_steps += row.n_overlaps(&scratch.states);
+        work.touching_steps += row.n_overlaps(&scratch.states, at_ends[1]);
         let (states, instant) = (&mut scratch.states, (at_ends[1], time));
         if scratch.impacts.after_step(row, states, instant, recorder) {
             let trials = &scratch.trials;

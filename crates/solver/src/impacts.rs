@@ -12,6 +12,7 @@
 
 use pounding_contact::Stereomechanical;
 
+use crate::ground::Ground;
 use crate::together::Together;
 use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
 
@@ -60,12 +61,12 @@ impl Impacts {
         &mut self,
         row: &Row<Column>,
         states: &mut [State],
-        instant: (f64, f64),
+        instant: (Ground<'_>, f64),
         recorder: &mut R,
     ) -> bool {
         let mut touches = false;
         for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
-            *touching = pair.deformation(states) >= 0.0 && impulsive(pair).is_some();
+            *touching = instant.0.deformation_of(pair, states) >= 0.0 && impulsive(pair).is_some();
             touches |= *touching;
         }
         touches && self.jump(row, states, instant, recorder)
@@ -78,13 +79,13 @@ impl Impacts {
         &mut self,
         row: &Row<Column>,
         states: &mut [State],
-        instant: (f64, f64),
+        instant: (Ground<'_>, f64),
         recorder: &mut R,
     ) -> bool {
         self.impulses.fill(0.0);
         self.remember(states);
         let mut round = 0;
-        while round <= MAX_ROUNDS && self.demand(row.pairs(), states, round) {
+        while round <= MAX_ROUNDS && self.demand(row.pairs(), states, (round, instant.0)) {
             let found = self
                 .together
                 .solve(row.pairs(), &self.inverse_masses, &self.demand);
@@ -105,7 +106,7 @@ impl Impacts {
         &mut self,
         row: &Row<Column>,
         (states, impulses): (&mut [State], &[f64]),
-        instant: (f64, f64),
+        instant: (Ground<'_>, f64),
         recorder: &mut R,
     ) {
         self.impulses.copy_from_slice(impulses);
@@ -121,19 +122,25 @@ impl Impacts {
     }
 
     /// What each pair has to lose in this round; true when a touching pair approaches.
-    fn demand(&mut self, pairs: &[Pair], states: &[State], round: u32) -> bool {
+    fn demand(
+        &mut self,
+        pairs: &[Pair],
+        states: &[State],
+        (round, ground): (u32, Ground<'_>),
+    ) -> bool {
         let mut approaches = false;
         for (index, (pair, demand)) in pairs.iter().zip(&mut self.demand).enumerate() {
             *demand = f64::NEG_INFINITY;
             let Some(law) = impulsive(pair).filter(|_| self.touching[index]) else {
                 continue;
             };
-            let rate = pair.rate(states);
+            let rate = ground.rate_of(pair, states);
             // The first round meets real approaches; later ones also meet what rounding made of those.
             let left_over = if round == 0 {
                 0.0
             } else {
-                ROUNDING * (self.before[pair.left].abs() + self.before[pair.right].abs())
+                let speeds = self.before[pair.left].abs() + self.before[pair.right].abs();
+                ROUNDING * (speeds + ground.extent(pair).velocity)
             };
             approaches |= rate > left_over;
             if round == MAX_ROUNDS {
@@ -150,13 +157,13 @@ impl Impacts {
         &self,
         row: &Row<Column>,
         states: &mut [State],
-        (ground, time): (f64, f64),
+        (ground, time): (Ground<'_>, f64),
         recorder: &mut R,
     ) {
-        self.report(row.pairs(), states, time, recorder);
+        self.report(row.pairs(), states, (ground, time), recorder);
         for node in 0..states.len() {
             if self.feels_jump(row, node, states) {
-                states[node].acceleration = row.acceleration(node, states, ground);
+                states[node].acceleration = row.acceleration(node, states, ground.under(node));
             }
         }
     }
@@ -173,7 +180,13 @@ impl Impacts {
         jumped(node) || below.is_some_and(jumped) || row.above(node).is_some_and(jumped)
     }
 
-    fn report<R: Recorder>(&self, pairs: &[Pair], states: &[State], time: f64, recorder: &mut R) {
+    fn report<R: Recorder>(
+        &self,
+        pairs: &[Pair],
+        states: &[State],
+        (ground, time): (Ground<'_>, f64),
+        recorder: &mut R,
+    ) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
             if impulse > 0.0 {
                 let (left, right) = (pair.left, pair.right);
@@ -191,6 +204,7 @@ impl Impacts {
                         left: states[left].velocity,
                         right: states[right].velocity,
                     },
+                    opening_rate: ground.opening(pair).velocity,
                 });
             }
         }

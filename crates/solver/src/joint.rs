@@ -130,8 +130,7 @@ impl Joint {
     ) {
         for (place, &index) in self.pairs.iter().enumerate() {
             let pair = &row.pairs()[index];
-            let trials = &scratch.trials;
-            let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+            let rate = contacts.rate(index, pair, &scratch.trials);
             // Without the impulses found so far, which are to be replaced.
             let earlier = self.pairs.iter().map(|index| contacts.impulses[*index]);
             let taken = self.problem.taken(place, earlier);

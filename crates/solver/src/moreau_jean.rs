@@ -20,11 +20,13 @@
 //! was turned round by what storeys passed on from other levels.
 
 use crate::error::require;
+use crate::ground::{Ground, Shaking};
 use crate::impacts::impulsive;
 use crate::joint::Joint;
 use crate::newmark::{Scratch, arrive, balance, begin, commit, load, load_at};
 use crate::newton::{self, Slopes};
 use crate::together::Together;
+use crate::trial::Trial;
 use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
 
 /// Settings of Moreau–Jean time stepping. No critical time step.
@@ -60,6 +62,8 @@ pub(crate) struct Contacts {
     pub(crate) mobilities: Vec<f64>,
     /// Relative velocity at which each pair is to separate at least \[m/s\].
     pub(crate) bounce: Vec<f64>,
+    /// Rate at which the grounds of each pair move towards each other at the end of the step \[m/s\]; 0 where they move alike.
+    opening_rates: Vec<f64>,
     /// Pairs that do not yet meet the law of impact.
     lacking: Vec<bool>,
     /// Relative velocity each pair has to lose \[m/s\].
@@ -81,20 +85,21 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 ) -> Result<Work, RunError> {
     settings.check()?;
     let (dt, theta) = (clock.time_step, settings.theta);
-    let ground = excitation.sampled(clock);
+    let shaking = Shaking::new(row, excitation, clock);
     let slopes = Slopes {
         displacement: theta * theta * dt * dt,
         velocity: theta * dt,
         inertia: 1.0,
         time_step: dt,
     };
-    let mut scratch = begin(row, ground[0]);
+    let mut scratch = begin(row, shaking.at(0));
     let size = (row.nodes().len(), row.pairs().len());
     let mut contacts = Contacts::new(size, scratch.clusters.is_some());
     let mut work = Work::default();
-    for (step, at_ends) in (1..).zip(ground.windows(2)) {
+    for step in 1..=clock.n_steps {
+        let at_ends = [step - 1, step].map(|node| shaking.at(node));
         let instant = (at_ends[1], clock.time(step));
-        contacts.solve(row, &mut scratch, (slopes, instant), &mut work)?;
+        contacts.solve(row, &mut scratch, (slopes, (at_ends, instant.1)), &mut work)?;
         arrive(&mut scratch, (clock, step))?;
         let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
         if hit {
@@ -105,11 +110,11 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             let after = |node: usize| {
                 ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
             };
-            let start = load::<_, R>(row, node, ends[0], at_ends[0]);
-            let end = load_at::<_, R>(row, node, ends[1], (at_ends[1], after));
+            let start = load::<_, R>(row, node, ends[0], at_ends[0].under(node));
+            let end = load_at::<_, R>(row, node, ends[1], (at_ends[1].under(node), after));
             ((dt, [1.0 - theta, theta]), [start, end])
         });
-        work.touching_steps += contacts.n_touching(row, &scratch);
+        work.touching_steps += contacts.n_touching(row, &scratch, at_ends[1]);
         if hit {
             let Scratch {
                 states, impacts, ..
@@ -129,6 +134,7 @@ impl Contacts {
             net: vec![0.0; n_structures],
             mobilities: vec![0.0; n_structures],
             bounce: vec![0.0; n_pairs],
+            opening_rates: vec![0.0; n_pairs],
             lacking: vec![false; n_pairs],
             demand: vec![0.0; n_pairs],
             solution: 0,
@@ -137,17 +143,22 @@ impl Contacts {
         }
     }
 
+    /// Rate of deformation of a pair at the end of the step \[m/s\].
+    pub(crate) fn rate<Memory>(&self, index: usize, pair: &Pair, trials: &[Trial<Memory>]) -> f64 {
+        trials[pair.left].velocity - trials[pair.right].velocity + self.opening_rates[index]
+    }
+
     /// Chooses the pairs that take part in the step ahead.
     fn choose<Column: RestoringForce>(
         &mut self,
         row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
-        dt: f64,
+        (dt, ground): (f64, Ground<'_>),
     ) {
         self.impulses.fill(0.0);
         for (pair, closed) in row.pairs().iter().zip(&mut self.closed) {
-            let rate = pair.rate(&scratch.states);
-            let ahead = pair.deformation(&scratch.states) + 0.5 * dt * rate;
+            let rate = ground.rate_of(pair, &scratch.states);
+            let ahead = ground.deformation_of(pair, &scratch.states) + 0.5 * dt * rate;
             *closed = impulsive(pair).is_some() && rate >= 0.0 && ahead >= 0.0;
         }
     }
@@ -157,16 +168,19 @@ impl Contacts {
         &mut self,
         row: &Row<Column>,
         scratch: &mut Scratch<Column::Memory>,
-        (slopes, (ground, time)): (Slopes, (f64, f64)),
+        (slopes, (ground, time)): (Slopes, ([Ground<'_>; 2], f64)),
         work: &mut Work,
     ) -> Result<(), RunError> {
-        self.choose(row, scratch, slopes.time_step);
+        self.choose(row, scratch, (slopes.time_step, ground[0]));
+        for (rate, pair) in self.opening_rates.iter_mut().zip(row.pairs()) {
+            *rate = ground[1].opening(pair).velocity;
+        }
         for iterations in 0..=MAX_ITERATIONS {
             self.solution = iterations;
             self.predict(row, scratch, slopes);
             balance(row, scratch, (slopes, ground), time, work)?;
             if iterations == 0 {
-                self.approach(row, scratch);
+                self.approach(row, scratch, ground[0]);
             }
             if !self.correct(row, scratch, slopes) {
                 return Ok(());
@@ -180,12 +194,14 @@ impl Contacts {
         &mut self,
         row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
+        start: Ground<'_>,
     ) {
         for (index, pair) in row.pairs().iter().enumerate() {
             if let Some(law) = impulsive(pair).filter(|_| self.closed[index]) {
-                let left = scratch.trials[pair.left].velocity - scratch.trials[pair.right].velocity;
+                let left = self.rate(index, pair, &scratch.trials);
                 self.closed[index] = left >= 0.0;
-                self.bounce[index] = law.restitution * left.min(pair.rate(&scratch.states));
+                self.bounce[index] =
+                    law.restitution * left.min(start.rate_of(pair, &scratch.states));
             }
         }
     }
@@ -253,7 +269,7 @@ impl Contacts {
         let taken = |index: usize| self.mobilities[index] * self.net[index];
         for (index, pair) in row.pairs().iter().enumerate() {
             self.demand[index] = if self.is_in_line(index) {
-                let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+                let rate = self.rate(index, pair, trials);
                 // Without the impulses found so far, which are to be replaced.
                 rate + self.bounce[index] + (taken(pair.right) - taken(pair.left))
             } else {
@@ -287,9 +303,10 @@ impl Contacts {
             let (trial, mobility) = (&trials[node], self.mobilities[node]);
             let pushed = mobility * (self.net[node].abs() + impulse);
             let terms = states[node].velocity.abs() + trial.velocity.abs() + pushed;
+            let terms = terms + self.opening_rates[index].abs();
             uncertain(node) + ROUNDING * terms
         });
-        let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+        let rate = self.rate(index, pair, trials);
         let lacking = rate + self.bounce[index];
         let allowed = TOLERANCE * (rate.abs() + self.bounce[index]) + (left + right);
         lacking > allowed || (impulse > 0.0 && lacking < -allowed)
@@ -318,7 +335,12 @@ impl Contacts {
     /// Takes the impulses out of the velocities again: they are added when the spans have been reported.
     ///
     /// Accelerations follow, also of the floors that a damper joins to one that was hit.
-    fn release<Column: RestoringForce>(&self, row: &Row<Column>, ends: &mut [State], ground: f64) {
+    fn release<Column: RestoringForce>(
+        &self,
+        row: &Row<Column>,
+        ends: &mut [State],
+        ground: Ground<'_>,
+    ) {
         let is_hit = |node: usize| self.net[node].abs() > 0.0;
         for (index, (node, end)) in row.nodes().iter().zip(&mut *ends).enumerate() {
             if is_hit(index) {
@@ -328,7 +350,7 @@ impl Contacts {
         for (index, node) in row.nodes().iter().enumerate() {
             let (below, above) = (node.support.below(), row.above(index));
             if is_hit(index) || below.is_some_and(is_hit) || above.is_some_and(is_hit) {
-                ends[index].acceleration = row.acceleration(index, ends, ground);
+                ends[index].acceleration = row.acceleration(index, ends, ground.under(index));
             }
         }
     }
@@ -338,10 +360,11 @@ impl Contacts {
         &self,
         row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
+        ground: Ground<'_>,
     ) -> u64 {
         let pairs = row.pairs().iter().zip(&self.closed);
-        let touches =
-            |(pair, closed): (&Pair, &bool)| *closed || pair.deformation(&scratch.states) > 0.0;
+        let overlaps = |pair: &Pair| ground.deformation_of(pair, &scratch.states) > 0.0;
+        let touches = |(pair, closed): (&Pair, &bool)| *closed || overlaps(pair);
         pairs.filter(|pair| touches(*pair)).count() as u64
     }
 

@@ -6,6 +6,7 @@
 use crate::approach::speed;
 use crate::cluster::{Alone, Clusters, Line};
 use crate::error::require;
+use crate::ground::{Ground, Shaking};
 use crate::impacts::Impacts;
 use crate::newton::{self, Cluster, Failure, Slopes};
 use crate::span::Load;
@@ -80,18 +81,19 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 ) -> Result<Work, RunError> {
     settings.check()?;
     let dt = clock.time_step;
-    let ground = excitation.sampled(clock);
+    let shaking = Shaking::new(row, excitation, clock);
     let slopes = Slopes {
         displacement: settings.beta * dt * dt,
         velocity: settings.gamma * dt,
         inertia: 1.0,
         time_step: dt,
     };
-    let mut scratch = begin(row, ground[0]);
+    let mut scratch = begin(row, shaking.at(0));
     let mut work = Work::default();
     // The trapezoidal rule where γ = 1/2.
     let weights = (0.5 * dt, [2.0 - 2.0 * settings.gamma, 2.0 * settings.gamma]);
-    for (step, at_ends) in (1..).zip(ground.windows(2)) {
+    for step in 1..=clock.n_steps {
+        let at_ends = [step - 1, step].map(|node| shaking.at(node));
         for (state, trial) in scratch.states.iter().zip(&mut scratch.trials) {
             trial.predicted = (
                 state.displacement
@@ -100,13 +102,14 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             );
         }
         let time = clock.time(step);
-        balance(row, &mut scratch, (slopes, at_ends[1]), time, &mut work)?;
+        balance(row, &mut scratch, (slopes, at_ends), time, &mut work)?;
         arrive(&mut scratch, (clock, step))?;
         commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
-            let load = |index: usize| load::<_, R>(row, node, ends[index], at_ends[index]);
+            let load =
+                |index: usize| load::<_, R>(row, node, ends[index], at_ends[index].under(node));
             (weights, [load(0), load(1)])
         });
-        work.touching_steps += row.n_overlaps(&scratch.states);
+        work.touching_steps += row.n_overlaps(&scratch.states, at_ends[1]);
         let instant = (at_ends[1], time);
         scratch
             .impacts
@@ -119,7 +122,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 /// State of every structure at t = 0, accelerations from equilibrium.
 pub(crate) fn begin<Column: RestoringForce>(
     row: &Row<Column>,
-    ground: f64,
+    ground: Ground<'_>,
 ) -> Scratch<Column::Memory> {
     let mut trials = vec![Trial::new(); row.nodes().len()];
     let (states, memories) = row.initial(ground);
@@ -137,11 +140,12 @@ pub(crate) fn begin<Column: RestoringForce>(
     }
 }
 
-/// Equilibrium at the end of a step: every building alone first, then the clusters that touch.
+/// Equilibrium at the end of a step, of which the ground is known at both ends: every building alone first, then the
+/// clusters that touch.
 pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-    step: (Slopes, f64),
+    (slopes, ground): (Slopes, [Ground<'_>; 2]),
     time: f64,
     work: &mut Work,
 ) -> Result<(), RunError> {
@@ -155,7 +159,7 @@ pub(crate) fn balance<Column: RestoringForce>(
     let mut equation = Equation {
         row,
         trials,
-        step,
+        step: (slopes, ground[1]),
         time,
         work,
     };
@@ -176,12 +180,12 @@ pub(crate) fn balance<Column: RestoringForce>(
         }
     }
     for pair in row.pairs() {
-        if pair.deformation(states) <= 0.0 {
+        if ground[0].deformation_of(pair, states) <= 0.0 {
             equation.trials[pair.left].approach_speed = None;
         }
     }
     touching.fill(false);
-    while mark_overlaps(row, equation.trials, touching) {
+    while mark_overlaps(row, equation.trials, (touching, ground[1])) {
         match clusters {
             None => equation.solve_lines(touching)?,
             Some(clusters) => equation.solve_clusters(clusters, touching)?,
@@ -194,8 +198,8 @@ pub(crate) fn balance<Column: RestoringForce>(
 struct Equation<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
     trials: &'a mut [Trial<Column::Memory>],
-    /// The step and the ground acceleration at its end.
-    step: (Slopes, f64),
+    /// The step and the ground at its end.
+    step: (Slopes, Ground<'a>),
     time: f64,
     work: &'a mut Work,
 }
@@ -286,14 +290,15 @@ pub(crate) fn marked<Column: RestoringForce>(
 fn mark_overlaps<Column: RestoringForce>(
     row: &Row<Column>,
     trials: &mut [Trial<Column::Memory>],
-    touching: &mut [bool],
+    (touching, ground): (&mut [bool], Ground<'_>),
 ) -> bool {
     let mut grown = false;
     for (pair, touching) in row.pairs().iter().zip(touching) {
-        let deformation =
-            trials[pair.left].displacement - trials[pair.right].displacement - pair.gap;
+        let ahead = trials[pair.left].displacement - trials[pair.right].displacement;
+        let deformation = ground.deformation(pair, ahead);
         if pair.law.is_compliant() && !*touching && deformation > 0.0 {
-            let rate = trials[pair.left].velocity - trials[pair.right].velocity;
+            let faster = trials[pair.left].velocity - trials[pair.right].velocity;
+            let rate = ground.rate(pair, faster);
             speed(&mut trials[pair.left].approach_speed, rate);
             *touching = true;
             grown = true;

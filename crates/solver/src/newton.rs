@@ -7,6 +7,7 @@
 //! full correction can jump out of contact and back for ever.
 
 use crate::equilibrium::residual;
+use crate::ground::Ground;
 use crate::trial::Trial;
 use crate::{Node, RestoringForce, Row, Work};
 
@@ -56,14 +57,14 @@ pub(crate) trait Cluster {
     );
 }
 
-/// Finds the accelerations of a cluster that are in equilibrium under a ground acceleration.
+/// Finds the accelerations of a cluster that are in equilibrium over the ground at the end of a step.
 ///
 /// Nothing outside the cluster is read or written.
 pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
     row: &Row<Column>,
     trials: &mut [Trial<Column::Memory>],
     cluster: &mut C,
-    step: (Slopes, f64),
+    step: (Slopes, Ground<'_>),
     work: &mut Work,
 ) -> Result<(), Failure> {
     let mut merit = residual(row, trials, cluster, step, work);

@@ -26,6 +26,16 @@ pub struct Impact {
     pub before: Velocities,
     /// Velocities after everything that happens at this instant.
     pub after: Velocities,
+    /// Rate at which the grounds of both move towards each other \[m/s\]: with the difference of the velocities, which are
+    /// relative to them, it is the rate of deformation. 0 where the ground motion arrives at both at once.
+    pub opening_rate: f64,
+}
+
+impl Impact {
+    /// Rates of deformation of the pair before and after \[m/s\], positive while approaching.
+    pub fn rates(&self) -> [f64; 2] {
+        [self.before, self.after].map(|at| at.left - at.right + self.opening_rate)
+    }
 }
 
 /// A gap that closes, of a method that finds the instant; stepping methods report none.

@@ -8,6 +8,7 @@
 //! order. The ground acceleration half way through a step is the record's own.
 
 use crate::approach::Approaches;
+use crate::ground::{Ground, Shaking};
 use crate::impacts::Impacts;
 use crate::span::Load;
 use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
@@ -86,15 +87,16 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         time_step: 0.5 * clock.time_step,
         n_steps: 2 * clock.n_steps,
     };
-    let ground = excitation.sampled(halves);
-    let mut scratch = Scratch::new(row, ground[0]);
+    let shaking = Shaking::new(row, excitation, halves);
+    let mut scratch = Scratch::new(row, shaking.at(0));
     let mut impacts = Impacts::new(row);
     let mut work = Work::default();
     for step in 1..=clock.n_steps {
-        scratch.advance(row, &ground[2 * step - 2..=2 * step], clock.time_step);
-        let instant = (ground[2 * step], clock.time(step));
+        let ground = [2 * step - 2, 2 * step - 1, 2 * step].map(|half| shaking.at(half));
+        scratch.advance(row, ground, clock.time_step);
+        let instant = (ground[2], clock.time(step));
         scratch.finish(row, instant.0, (clock, step), recorder)?;
-        work.touching_steps += row.n_overlaps(&scratch.states);
+        work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
         impacts.after_step(row, &mut scratch.states, instant, recorder);
         work.steps += 1;
         work.force_evaluations += 4 * row.nodes().len() as u64;
@@ -103,7 +105,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 }
 
 impl<Memory: Copy> Scratch<Memory> {
-    fn new<Column: RestoringForce<Memory = Memory>>(row: &Row<Column>, ground: f64) -> Self {
+    fn new<Column: RestoringForce<Memory = Memory>>(row: &Row<Column>, ground: Ground<'_>) -> Self {
         let (states, memories) = row.initial(ground);
         let nothing = Load::at(&State::default(), (0.0, 0.0), 0.0);
         Self {
@@ -121,7 +123,7 @@ impl<Memory: Copy> Scratch<Memory> {
     fn advance<Column: RestoringForce<Memory = Memory>>(
         &mut self,
         row: &Row<Column>,
-        ground: &[f64],
+        ground: [Ground<'_>; 3],
         dt: f64,
     ) {
         self.stages.copy_from_slice(&self.states);
@@ -136,7 +138,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 stage.displacement = state.displacement + ahead * stage.velocity;
                 stage.velocity = state.velocity + ahead * stage.acceleration;
             }
-            row.push(&mut self.stages, &mut self.approaches);
+            row.push(&mut self.stages, &mut self.approaches, ground);
             for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
                 // What the columns would remember of a stage is forgotten.
                 let drift = row.drift(index, &self.stages);
@@ -148,19 +150,20 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Gives the stage its accelerations, from equilibrium.
-    fn accelerate<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: f64) {
+    fn accelerate<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: Ground<'_>) {
         for node in 0..self.stages.len() {
-            self.stages[node].acceleration = row.acceleration(node, &self.stages, ground);
+            self.stages[node].acceleration =
+                row.acceleration(node, &self.stages, ground.under(node));
         }
     }
 
     /// Adds the slopes of a stage and keeps its loads.
-    fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: f64) {
+    fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
             let stage = &self.stages[node];
             slopes.0 += WEIGHTS[index] * stage.velocity;
             slopes.1 += WEIGHTS[index] * stage.acceleration;
-            loads[index] = row.load(node, &self.stages, ground);
+            loads[index] = row.load(node, &self.stages, ground.under(node));
         }
     }
 
@@ -168,7 +171,7 @@ impl<Memory: Copy> Scratch<Memory> {
     fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        ground: f64,
+        ground: Ground<'_>,
         (clock, step): (Clock, usize),
         recorder: &mut R,
     ) -> Result<(), RunError> {
@@ -179,8 +182,9 @@ impl<Memory: Copy> Scratch<Memory> {
             end.displacement = start.displacement + sixth * slopes.0;
             end.velocity = start.velocity + sixth * slopes.1;
         }
-        row.push(&mut self.stages, &mut self.approaches);
-        self.approaches.forget_parted(row.pairs(), &self.stages);
+        row.push(&mut self.stages, &mut self.approaches, ground);
+        self.approaches
+            .forget_parted(row.pairs(), &self.stages, ground);
         for (structure, node) in row.nodes().iter().enumerate() {
             if !self.stages[structure].displacement.is_finite() {
                 return Err(RunError::Diverged {

@@ -1,8 +1,9 @@
 use pounding_contact::{ContactForce, ContactLaw, Overlap, reduced_mass};
 
 use crate::approach::Approaches;
+use crate::ground::Ground;
 use crate::support::{self, Floor, Support};
-use crate::{ModelError, RestoringForce, State};
+use crate::{Excitation, ModelError, RestoringForce, State, Travel};
 
 /// One floor of a building, or a fixed wall. The only floor of a building of one storey is a structure (SDOF).
 ///
@@ -96,18 +97,8 @@ pub struct Row<Column> {
     /// For every node the floor that stands on it.
     above: Vec<Option<usize>>,
     pairs: Vec<Pair>,
-}
-
-impl Pair {
-    /// Deformation δ \[m\] of the pair in these states of all structures; positive where it overlaps.
-    pub(crate) fn deformation(&self, states: &[State]) -> f64 {
-        states[self.left].displacement - states[self.right].displacement - self.gap
-    }
-
-    /// Its rate \[m/s\], positive while approaching.
-    pub(crate) fn rate(&self, states: &[State]) -> f64 {
-        states[self.left].velocity - states[self.right].velocity
-    }
+    /// When the ground motion arrives at every node \[s\]; nothing where it does so everywhere at t = 0.
+    arrivals: Option<Vec<f64>>,
 }
 
 impl<Column: RestoringForce> Row<Column> {
@@ -151,6 +142,49 @@ impl<Column: RestoringForce> Row<Column> {
             nodes,
             above,
             pairs,
+            arrivals: None,
+        })
+    }
+
+    /// The same row, at whose nodes the ground motion arrives one after the other: after these times \[s\], ≥ 0, one for
+    /// each node, which all floors of a building share.
+    ///
+    /// A wave of apparent velocity v reaches a base that is a distance x further along its way after x/v. Every building,
+    /// and every wall, then stands on a ground of its own, which moves as the excitation says, that much later, and rests
+    /// before. Displacements, velocities and accelerations stay relative to it, so that nothing of a building alone changes
+    /// but its time. What changes is the deformation of a pair, δ = (u + `u_g`)\_left − (u + `u_g`)\_right − g, with `u_g` the exact
+    /// double integral of the record ([`Travel`]). Where all arrive at once and at t = 0, this is the row as it was.
+    ///
+    /// # Errors
+    /// [`ModelError`] for another number of times than nodes, a time that is not a finite number ≥ 0, and a floor whose
+    /// time is not that of the floor below.
+    pub fn delayed(self, arrivals: Vec<f64>) -> Result<Self, ModelError> {
+        if arrivals.len() != self.nodes.len() {
+            return Err(ModelError::Arrivals {
+                found: arrivals.len(),
+                n_nodes: self.nodes.len(),
+            });
+        }
+        for (index, (node, &found)) in self.nodes.iter().zip(&arrivals).enumerate() {
+            let refused = |allowed| ModelError::OutOfRange {
+                place: format!("arrivals[{index}]"),
+                found,
+                allowed,
+            };
+            if !(found >= 0.0 && found.is_finite()) {
+                return Err(refused("a finite number >= 0"));
+            }
+            let below = node.support.below().map_or(found, |below| arrivals[below]);
+            if found.total_cmp(&below).is_ne() {
+                return Err(refused(
+                    "that of the floor below: a building stands on one ground",
+                ));
+            }
+        }
+        let at_once = arrivals.iter().all(|arrival| *arrival == 0.0);
+        Ok(Self {
+            arrivals: (!at_once).then_some(arrivals),
+            ..self
         })
     }
 
@@ -170,21 +204,26 @@ impl<Column: RestoringForce> Row<Column> {
     }
 
     /// Number of pairs that overlap.
-    pub(crate) fn n_overlaps(&self, states: &[State]) -> u64 {
-        let overlaps = |pair: &&Pair| pair.deformation(states) > 0.0;
+    pub(crate) fn n_overlaps(&self, states: &[State], ground: Ground<'_>) -> u64 {
+        let overlaps = |pair: &&Pair| ground.deformation_of(pair, states) > 0.0;
         self.pairs.iter().filter(overlaps).count() as u64
     }
 
     /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
-    pub(crate) fn push(&self, states: &mut [State], approaches: &mut Approaches) {
+    pub(crate) fn push(
+        &self,
+        states: &mut [State],
+        approaches: &mut Approaches,
+        ground: Ground<'_>,
+    ) {
         for state in states.iter_mut() {
             (state.force_from_left, state.force_from_right) = (0.0, 0.0);
         }
         for (index, pair) in self.pairs.iter().enumerate() {
-            let deformation = pair.deformation(states);
+            let deformation = ground.deformation_of(pair, states);
             // Impulsive contact acts between steps.
             if deformation > 0.0 && pair.law.is_compliant() {
-                let rate = pair.rate(states);
+                let rate = ground.rate_of(pair, states);
                 let overlap = Overlap {
                     deformation,
                     rate,
@@ -205,6 +244,21 @@ impl<Column: RestoringForce> Row<Column> {
             self.nodes[pair.left].inverse_mass,
             self.nodes[pair.right].inverse_mass,
         )
+    }
+}
+
+impl<Column> Row<Column> {
+    /// How an excitation travels along the row; nothing where it arrives at all nodes at t = 0.
+    pub fn travel(&self, excitation: Excitation<'_>) -> Option<Travel> {
+        let arrivals = self.arrivals.as_ref()?;
+        Some(Travel::new(excitation, arrivals.clone()))
+    }
+
+    /// When the ground motion arrives at a node \[s\].
+    pub fn arrival(&self, node: usize) -> f64 {
+        self.arrivals
+            .as_ref()
+            .map_or(0.0, |arrivals| arrivals[node])
     }
 }
 

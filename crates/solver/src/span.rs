@@ -61,7 +61,15 @@ pub struct Motion {
 }
 
 impl Motion {
-    fn since(self, below: Self) -> Self {
+    /// The motion of what moves like this over a ground that moves.
+    pub(crate) fn over(self, ground: Self) -> Self {
+        Self {
+            displacement: self.displacement + ground.displacement,
+            velocity: self.velocity + ground.velocity,
+        }
+    }
+
+    pub(crate) fn since(self, below: Self) -> Self {
         Self {
             displacement: self.displacement - below.displacement,
             velocity: self.velocity - below.velocity,

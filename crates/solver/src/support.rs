@@ -1,5 +1,6 @@
 //! What the columns of a floor stand on, and what that means for drifts and forces.
 
+use crate::ground::Ground;
 use crate::span::Load;
 use crate::{ModelError, Motion, Node, RestoringForce, Row, State};
 
@@ -153,7 +154,7 @@ impl<Column: RestoringForce> Row<Column> {
     }
 
     /// States at t = 0, in equilibrium, and what the columns then remember.
-    pub(crate) fn initial(&self, ground: f64) -> (Vec<State>, Vec<Column::Memory>) {
+    pub(crate) fn initial(&self, ground: Ground<'_>) -> (Vec<State>, Vec<Column::Memory>) {
         let state = |node: &Node<Column>| State {
             displacement: node.initial_displacement,
             velocity: node.initial_velocity,
@@ -168,7 +169,7 @@ impl<Column: RestoringForce> Row<Column> {
             memories.push(response.memory);
         }
         for index in 0..states.len() {
-            states[index].acceleration = self.acceleration(index, &states, ground);
+            states[index].acceleration = self.acceleration(index, &states, ground.under(index));
         }
         (states, memories)
     }

@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use storeys::Storeys;
 
 use crate::approach::Approaches;
+use crate::ground::{Ground, Shaking};
 use crate::impacts::{Impacts, impulsive};
 use crate::span::Load;
 use crate::{
@@ -60,23 +61,24 @@ struct Body<Memory> {
 
 /// One time step.
 #[derive(Clone, Copy)]
-struct Step {
+struct Step<'a> {
+    shaking: &'a Shaking<'a>,
+    /// Its number, from 1 on.
+    number: usize,
     /// Times of both ends \[s\].
     times: (f64, f64),
     duration: f64,
-    /// Ground acceleration at both ends \[m/s²\].
-    ground: (f64, f64),
 }
 
-impl Step {
-    /// Ground acceleration and time at an instant counted from the start of the step.
-    fn at(&self, instant: f64) -> (f64, f64) {
+impl<'a> Step<'a> {
+    /// Ground and time at an instant counted from the start of the step.
+    fn at(&self, instant: f64) -> (Ground<'a>, f64) {
         if instant < self.duration {
-            let (start, end) = self.ground;
-            let ground = start + instant / self.duration * (end - start);
+            let part = instant / self.duration;
+            let ground = self.shaking.within(self.number - 1, part);
             (ground, self.times.0 + instant)
         } else {
-            (self.ground.1, self.times.1)
+            (self.shaking.at(self.number), self.times.1)
         }
     }
 }
@@ -104,14 +106,15 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     clock: Clock,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let ground = excitation.sampled(clock);
-    let mut scratch = begin(row, ground[0]);
+    let shaking = Shaking::new(row, excitation, clock);
+    let mut scratch = begin(row, shaking.at(0));
     let mut work = Work::default();
-    for (step, ends) in (1..).zip(ground.windows(2)) {
+    for number in 1..=clock.n_steps {
         let step = Step {
-            times: (clock.time(step - 1), clock.time(step)),
+            shaking: &shaking,
+            number,
+            times: (clock.time(number - 1), clock.time(number)),
             duration: clock.time_step,
-            ground: (ends[0], ends[1]),
         };
         if settings.impacts == VerletImpacts::Located {
             scratch.locate(row, step, &mut work, recorder)?;
@@ -124,20 +127,21 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         for body in &mut scratch.bodies {
             body.since = 0.0;
         }
+        let instant = step.at(step.duration);
         scratch
             .approaches
-            .forget_parted(row.pairs(), &scratch.states);
-        work.touching_steps += row.n_overlaps(&scratch.states);
+            .forget_parted(row.pairs(), &scratch.states, instant.0);
+        work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
         let Scratch {
             impacts, states, ..
         } = &mut scratch;
-        impacts.after_step(row, states, step.at(step.duration), recorder);
+        impacts.after_step(row, states, instant, recorder);
         work.steps += 1;
     }
     Ok(work)
 }
 
-fn begin<Column: RestoringForce>(row: &Row<Column>, ground: f64) -> Scratch<Column::Memory> {
+fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_>) -> Scratch<Column::Memory> {
     let (states, memories) = row.initial(ground);
     let body = |memory| Body {
         memory,
@@ -161,7 +165,7 @@ impl<Memory: Copy> Scratch<Memory> {
     fn locate<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        step: Step,
+        step: Step<'_>,
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
@@ -172,7 +176,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 if impulsive(pair).is_none() {
                     *closing = f64::INFINITY;
                 } else if !closing.is_nan() {
-                    *closing = closes(pair, &self.states, &self.bodies, step.duration);
+                    *closing = closes(pair, &self.states, &self.bodies, step);
                 }
             }
             let instant = self.closings.iter().copied().fold(f64::INFINITY, f64::min);
@@ -180,7 +184,7 @@ impl<Memory: Copy> Scratch<Memory> {
                 return Ok(());
             }
             self.predict(instant);
-            self.gather(row.pairs(), instant);
+            self.gather(row.pairs(), (instant, step.at(instant).0));
             self.finish(row, (step, instant), work, recorder)?;
             for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
                 if *touching {
@@ -204,7 +208,7 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
-    fn gather(&mut self, pairs: &[Pair], instant: f64) {
+    fn gather(&mut self, pairs: &[Pair], (instant, ground): (f64, Ground<'_>)) {
         for body in &mut self.bodies {
             body.due = false;
         }
@@ -222,7 +226,7 @@ impl<Memory: Copy> Scratch<Memory> {
         while std::mem::take(&mut grown) {
             for (pair, touching) in pairs.iter().zip(&mut self.impacts.touching) {
                 let (left, right) = (self.bodies[pair.left].due, self.bodies[pair.right].due);
-                let deformation = pair.deformation(&self.ends);
+                let deformation = ground.deformation_of(pair, &self.ends);
                 let closed = if impulsive(pair).is_some() {
                     deformation >= 0.0
                 } else {
@@ -245,16 +249,16 @@ impl<Memory: Copy> Scratch<Memory> {
     fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        (step, instant): (Step, f64),
+        (step, instant): (Step<'_>, f64),
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        row.push(&mut self.ends, &mut self.approaches);
+        let (ground, time) = step.at(instant);
+        row.push(&mut self.ends, &mut self.approaches, ground);
         self.share(row.pairs(), instant);
         if self.storeys.is_some() {
             return self.finish_storeys(row, (step, instant), work, recorder);
         }
-        let (ground, time) = step.at(instant);
         for (structure, node) in row.nodes().iter().enumerate() {
             let body = &mut self.bodies[structure];
             if !(body.due && instant > body.since) {
@@ -269,9 +273,11 @@ impl<Memory: Copy> Scratch<Memory> {
                 });
             }
             let h = instant - body.since;
+            let ground = ground.under(structure);
             body.memory = close(node, body, (start, end), (ground, h));
             work.force_evaluations += 1;
             let (start_ground, start_time) = step.at(body.since);
+            let start_ground = start_ground.under(structure);
             let loads = [(start, start_ground), (&*end, ground)].map(|(state, ground)| {
                 let forces = (state.restoring_force, node.damping * state.velocity);
                 Load::at(state, forces, ground)
@@ -309,7 +315,7 @@ impl<Memory: Copy> Scratch<Memory> {
 
 /// When the gap of a pair closes, counted from the start of the step; infinite where it does not close before its end,
 /// or is closed from the start.
-fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], duration: f64) -> f64 {
+fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: Step<'_>) -> f64 {
     let since = bodies[pair.left].since.max(bodies[pair.right].since);
     let at = |index: usize| {
         let (state, h) = (&states[index], since - bodies[index].since);
@@ -320,10 +326,17 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], durati
         )
     };
     let (left, right) = (at(pair.left), at(pair.right));
-    let gap = pair.gap - (left.0 - right.0);
-    let (rate, curvature) = (left.1 - right.1, left.2 - right.2);
+    let (mut gap, mut rate) = (pair.gap - (left.0 - right.0), left.1 - right.1);
+    let mut curvature = left.2 - right.2;
+    if let Shaking::Delayed(_) = step.shaking {
+        let ground = step.at(since).0;
+        let opening = ground.opening(pair);
+        gap -= opening.displacement;
+        rate += opening.velocity;
+        curvature += 0.5 * (ground.under(pair.left) - ground.under(pair.right));
+    }
     let root = rising_root(gap, rate, curvature);
-    if gap >= 0.0 && since + root < duration {
+    if gap >= 0.0 && since + root < step.duration {
         since + root
     } else {
         f64::INFINITY

@@ -38,7 +38,26 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
         structure::check(index, structure)?;
     }
     check_method(scene)?;
-    check_contacts(scene)
+    check_contacts(scene)?;
+    check_arrivals(scene)
+}
+
+fn check_arrivals(scene: &Scene) -> Result<(), SceneError> {
+    let Some(arrivals) = &scene.arrivals_s else {
+        return Ok(());
+    };
+    let n_structures = scene.structures.len();
+    if arrivals.len() != n_structures {
+        return Err(SceneError::ArrivalCount {
+            found: arrivals.len(),
+            n_structures,
+        });
+    }
+    for (index, &arrival) in arrivals.iter().enumerate() {
+        let place = format!("arrivals_s[{index}]");
+        require(arrival >= 0.0, place, arrival, NOT_NEGATIVE)?;
+    }
+    Ok(())
 }
 
 /// Refuses a name without a letter.

@@ -167,6 +167,17 @@ pub enum SceneError {
         /// Number of structures.
         n_structures: usize,
     },
+    /// Another number of arrivals of the ground motion than of structures.
+    #[error(
+        "arrivals_s: found {found}, allowed {n_structures} (one for each of {n_structures} structures and walls), or no field \
+         `arrivals_s` when all are shaken at once"
+    )]
+    ArrivalCount {
+        /// Number of arrivals.
+        found: usize,
+        /// Number of structures.
+        n_structures: usize,
+    },
     /// A time step with which the method is unstable even without contact.
     #[error(
         "method.{method}.time_step_s: found {time_step}, allowed less than {} (structures[{structure}], \"{name}\", grows \

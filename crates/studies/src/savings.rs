@@ -102,6 +102,7 @@ impl Burdened {
                     n - 1
                 ]
             }),
+            arrivals_s: None,
             method,
         };
         let prepared = Prepared::new(&scene, Path::new(""))?;

@@ -109,6 +109,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             duration_s: Some(1.5),
             structures,
             contacts,
+            arrivals_s: None,
             method,
         };
         (scene, ground)

@@ -191,3 +191,64 @@ fn reference_correlation_of_the_double_difference_combination() {
     let mirrored = Rule::Ddc.width(&pair);
     assert!((mirrored - width).abs() < 1e-14, "{mirrored} {width}");
 }
+
+/// Bases that move apart need wider gaps; a wall moves with its own.
+#[test]
+fn limit_the_width_where_the_motion_travels() {
+    let mut scene = scene();
+    scene.arrivals_s = Some(vec![0.0, 0.11, 0.2, 0.33]);
+    let separations = prepared(&scene).separations().expect("it runs");
+    assert_eq!(separations.len(), 3, "a gap between all neighbours");
+    for one in &separations {
+        assert!(one.required > 0.0, "{one:?}");
+        let narrow = touches(&scene, one.left, one.required * (1.0 - 1e-6));
+        let wide = touches(&scene, one.left, one.required * (1.0 + 1e-6));
+        assert!(narrow && !wide, "{one:?}: {narrow} {wide}");
+    }
+}
+
+/// How far 0.1 s of delay moves bases apart under the records of the paper, against the ground's displacement integrated
+/// once more, sample by sample.
+#[test]
+fn reference_openings_of_a_tenth_of_a_second() {
+    let file = "../../studies/examples/two-structures.json";
+    let text = std::fs::read(file).expect("the example");
+    let mut found = Vec::new();
+    for record in ["peer-pacific-engineering", "chopra"] {
+        let text = String::from_utf8_lossy(&text).replace("peer-pacific-engineering", record);
+        let mut scene: Scene = parse(text.as_bytes(), Path::new("scene.json")).expect("a scene");
+        scene.arrivals_s = Some(vec![0.0, 0.1]);
+        let folder = Path::new("../../studies/examples");
+        let prepared = Prepared::new(&scene, folder).expect("a good scene");
+        let [opening] = prepared.openings()[..] else {
+            panic!("one pair of neighbours");
+        };
+        let record = prepared.record();
+        let h = record.time_step();
+        let delay = (0.1 / h).round();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small whole number"
+        )]
+        let behind = delay as usize;
+        assert!((delay * h - 0.1).abs() < 1e-12, "whole samples");
+        let (mut ground, mut velocity) = (vec![0.0], 0.0);
+        for pair in record.samples().windows(2) {
+            let last = ground[ground.len() - 1];
+            ground.push(last + h * velocity + h * h * (2.0 * pair[0] + pair[1]) / 6.0);
+            velocity += 0.5 * h * (pair[0] + pair[1]);
+        }
+        let apart = (behind..ground.len()).map(|index| ground[index] - ground[index - behind]);
+        let largest = apart.fold(0.0_f64, |most, one| most.max(one.abs()));
+        // Between samples it may be a little more.
+        let excess = opening.distance.abs() / largest - 1.0;
+        assert!((-1e-12..1e-3).contains(&excess), "{opening:?} {largest}");
+        found.push(format!(
+            "{:.2} mm at {:.2} s",
+            1e3 * opening.distance,
+            opening.time
+        ));
+    }
+    insta::assert_snapshot!(found.join("; "), @"27.43 mm at 4.45 s; 35.13 mm at 1.64 s");
+}

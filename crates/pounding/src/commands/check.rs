@@ -4,6 +4,7 @@ mod json;
 
 use std::path::PathBuf;
 
+use pounding::solver::Opening;
 use pounding::studies::{
     Columns, ContactLimit, Limits, Outcome, Prepared, STEPS_PER_CONTACT, Structure, digits,
 };
@@ -169,7 +170,30 @@ fn model_lines(plan: &Plan<'_>) -> String {
     // What is asked for is modelled, so that a run can tell; what the exact run needs of it is said.
     let unneeded = plan.expected.iter().flat_map(|expected| &expected.unneeded);
     lines.extend(unneeded.map(|what| format!("not needed: {what}")));
+    lines.extend(travel_line(prepared));
     lines.join("\n")
+}
+
+/// How far bases of neighbours move apart, or closer, where the ground motion travels along the row.
+fn travel_line(prepared: &Prepared) -> Option<String> {
+    let openings = prepared.openings();
+    let by_size = |one: &(usize, &Opening), other: &(usize, &Opening)| {
+        one.1.distance.abs().total_cmp(&other.1.distance.abs())
+    };
+    let (left, largest) = openings.iter().enumerate().max_by(by_size)?;
+    let structures = &prepared.scene().structures;
+    let way = if largest.distance < 0.0 {
+        "apart"
+    } else {
+        "towards each other"
+    };
+    Some(format!(
+        "ground: the motion travels along the row; of neighbours, the bases of {} and {} move farthest: {} mm {way}, at {} s",
+        structures[left].name(),
+        structures[left + 1].name(),
+        short(largest.distance.abs() * 1e3),
+        short(largest.time)
+    ))
 }
 
 /// What the run will cost, and the exact one.

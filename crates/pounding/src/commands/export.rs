@@ -85,6 +85,13 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 
 /// Refuses what the script does not model.
 fn one_storey(scene: &Scene) -> Result<(), String> {
+    if scene.arrivals_s.is_some() {
+        return Err(
+            "arrivals_s: found a ground motion that travels along the row, which the script does not model; allowed is one \
+             that shakes all structures at once: leave the field out"
+                .into(),
+        );
+    }
     for (index, structure) in scene.structures.iter().enumerate() {
         let found = match structure {
             Structure::Building(_) => "a building of several storeys",

@@ -4,6 +4,7 @@ use pounding_contact::Overlap;
 
 use super::{Body, ImpactRule, Instant, Run};
 use crate::buildings::Buildings;
+use crate::ground::Ground;
 use crate::{Impact, Pair, Recorder, RestoringForce, Velocities};
 
 impl<Column: RestoringForce> Run<'_, Column> {
@@ -12,7 +13,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
     /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
     /// earlier was negative. The published rule for impulsive laws: an overlap found now, the velocities of the node
     /// before, one impulse per step, no correction of the displacements. It does not converge as Δt → 0.
-    pub(super) fn touch(&mut self, fine: bool) -> bool {
+    pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>) -> bool {
         let bodies = &mut self.bodies;
         for body in bodies.iter_mut().filter(|body| body.fine || !fine) {
             (body.force_from_left, body.force_from_right, body.impulse) = (0.0, 0.0, 0.0);
@@ -23,7 +24,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
             self.impulses[index] = 0.0;
             self.jumps.touching[index] = false;
             let (left, right) = (&bodies[pair.left], &bodies[pair.right]);
-            let deformation = left.displacement - right.displacement - pair.gap;
+            let deformation = ground.deformation(pair, left.displacement - right.displacement);
             // Structures of which one does not sub-step meet at whole nodes only.
             if fine && !(left.fine && right.fine) {
                 continue;
@@ -40,7 +41,11 @@ impl<Column: RestoringForce> Run<'_, Column> {
             match (pair.law.impulsive(), self.impacts) {
                 (None, _) if overlaps => {
                     let steps = [left, right].map(|body| self.steps[usize::from(body.fine)]);
-                    let rate = rate(left, right, steps);
+                    // The grounds' own is that half way back.
+                    let half_back = 0.5 * steps[0].min(steps[1]) / self.steps[0];
+                    let rate = ground
+                        .earlier(half_back)
+                        .rate(pair, rate(left, right, steps));
                     let overlap = Overlap {
                         deformation,
                         rate,
@@ -53,7 +58,8 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 }
                 (None, _) => {}
                 (Some(law), ImpactRule::AsPublished) => {
-                    let rate = left.velocity - right.velocity;
+                    let before = ground.earlier(1.0);
+                    let rate = before.rate(pair, left.velocity - right.velocity);
                     if overlaps && rate > 0.0 {
                         let impulse = law.impulse(rate, reduced_mass);
                         self.impulses[index] = impulse;
@@ -72,7 +78,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
     }
 
     /// Lets the velocities of a node jump; the increments of those that do are restarted.
-    pub(super) fn jump<R: Recorder>(&mut self, node: Instant, recorder: &mut R) {
+    pub(super) fn jump<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) {
         for (state, body) in self.states.iter_mut().zip(&self.bodies) {
             *state = body.start;
         }
@@ -91,8 +97,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
         }
     }
 
-    /// Chooses the structures that sub-step from this node on; true when there are any.
-    pub(super) fn refine(&mut self) -> bool {
+    /// Chooses the structures that sub-step from this node on, with the grounds here and at the next one; true when there
+    /// are any.
+    pub(super) fn refine(&mut self, grounds: [Ground<'_>; 2]) -> bool {
         for body in &mut self.bodies {
             if std::mem::take(&mut body.fine) {
                 body.restart(self.steps[0]);
@@ -101,9 +108,10 @@ impl<Column: RestoringForce> Run<'_, Column> {
         let mut any = false;
         for pair in self.row.pairs() {
             let (left, right) = (&self.bodies[pair.left], &self.bodies[pair.right]);
-            let now = left.start.displacement - right.start.displacement - pair.gap;
-            let next = left.displacement - right.displacement - pair.gap;
-            if now > 0.0 || next > 0.0 {
+            let now = left.start.displacement - right.start.displacement;
+            let next = left.displacement - right.displacement;
+            let overlaps = |ground: Ground<'_>, ahead: f64| ground.deformation(pair, ahead) > 0.0;
+            if overlaps(grounds[0], now) || overlaps(grounds[1], next) {
                 self.bodies[pair.left].fine = true;
                 self.bodies[pair.right].fine = true;
                 any = true;
@@ -119,7 +127,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
     }
 
     /// Reports the impacts of the published rule at a node, after its spans.
-    pub(super) fn report<R: Recorder>(&self, time: f64, recorder: &mut R) {
+    pub(super) fn report<R: Recorder>(&self, node: Instant<'_>, recorder: &mut R) {
         let bodies = &self.bodies;
         let before = |index: usize| {
             bodies[index].start.velocity
@@ -132,7 +140,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                     pair: index,
                     left: pair.left,
                     right: pair.right,
-                    time,
+                    time: node.time,
                     impulse,
                     before: Velocities {
                         left: before(pair.left),
@@ -142,6 +150,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                         left: bodies[pair.left].start.velocity,
                         right: bodies[pair.right].start.velocity,
                     },
+                    opening_rate: node.ground.opening(pair).velocity,
                 });
             }
         }

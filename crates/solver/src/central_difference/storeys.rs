@@ -62,7 +62,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
     #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
     pub(super) fn advance_storeys<R: Recorder>(
         &mut self,
-        (node, hit): (Instant, bool),
+        (node, hit): (Instant<'_>, bool),
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let published = hit && self.impacts == ImpactRule::AsPublished;
@@ -83,7 +83,9 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 coefficients: &storeys.coefficients[usize::from(fine)][range.clone()],
                 solutions: &mut storeys.solutions[range.clone()],
             };
-            building.eliminate(node.ground);
+            // All floors of a building stand on one ground.
+            let ground = node.ground.under(floors[0]);
+            building.eliminate(ground);
             if let Some(structure) = building.substitute() {
                 return Err(RunError::Diverged {
                     structure,
@@ -96,7 +98,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 building.excess(&mut storeys.dashpots.values[range.clone()]);
                 building.give_back(storeys.dashpots.solve(range, self.steps[0]));
             }
-            building.go_on(node, (met_late, published), recorder);
+            building.go_on((node.time, ground), (met_late, published), recorder);
             self.work.force_evaluations += floors.len() as u64;
         }
         Ok(())
@@ -223,7 +225,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
     /// Accelerations may be `settled` already; velocities jump after the span by the `published` rule alone.
     fn go_on<R: Recorder>(
         &mut self,
-        node: Instant,
+        (time, ground): (f64, f64),
         (settled, published): (bool, bool),
         recorder: &mut R,
     ) {
@@ -252,8 +254,14 @@ impl<Column: RestoringForce> Building<'_, Column> {
                 force_from_left: body.force_from_left,
                 force_from_right: body.force_from_right,
             };
-            if node.time > body.start_time {
-                self.report(level, (end, below_velocity), (node, &mut above), recorder);
+            if time > body.start_time {
+                let instant = (time, ground);
+                self.report(
+                    level,
+                    (end, below_velocity),
+                    (instant, &mut above),
+                    recorder,
+                );
             }
             if published {
                 end.velocity += found.jump;
@@ -265,8 +273,8 @@ impl<Column: RestoringForce> Building<'_, Column> {
             body.increment = found.increment;
             body.velocity = found.velocity;
             body.start = end;
-            body.start_time = node.time;
-            body.start_ground = node.ground;
+            body.start_time = time;
+            body.start_ground = ground;
             body.solved = true;
         }
     }
@@ -276,7 +284,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
         &self,
         level: usize,
         (end, below_velocity): (State, f64),
-        (node, above): (Instant, &mut Above),
+        ((time, ground), above): ((f64, f64), &mut Above),
         recorder: &mut R,
     ) {
         let index = self.floors[level];
@@ -296,11 +304,11 @@ impl<Column: RestoringForce> Building<'_, Column> {
         };
         let loads = [
             Load::at(&body.start, forces[0], body.start_ground),
-            Load::at(&end, forces[1], node.ground),
+            Load::at(&end, forces[1], ground),
         ];
         let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
         let weights = (0.5 * self.coefficients[level].own.time_step, weights);
-        let times = (body.start_time, node.time);
+        let times = (body.start_time, time);
         let span = Span::step::<R, _>(index, times, [body.start, end], weights, loads);
         let (from_left, from_right) = body.excess;
         recorder.span(&Span {

@@ -59,7 +59,7 @@ impl Body {
 impl<R: Recorder> Run<'_, R> {
     /// Expands the motion of a body from now on; returns the number of coefficients.
     pub(super) fn expand(&mut self, first: usize, time: f64) -> (Power, usize) {
-        let segment = self.segment(time);
+        let stop = self.shake(first, time).min(self.end);
         let group = self.groups.of(first);
         let any = |asked: fn(&Contact) -> bool| {
             let contact = |pair: usize| &self.contacts[pair];
@@ -75,12 +75,12 @@ impl<R: Recorder> Run<'_, R> {
             (Power::One, IN_CONTACT)
         } else {
             let radius = series::radius(&self.members, group.nodes());
-            let part = (segment.end.min(self.end) - time) / radius;
+            let part = (stop - time) / radius;
             let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
             (Power::One, enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len))
         };
         let system = (&mut self.members[..], &mut self.contacts[..]);
-        series::expand(group, system, segment, power, len);
+        series::expand(group, system, power, len);
         let tame = |n: &usize| {
             let moves = |node: &usize| {
                 let Member {
@@ -114,10 +114,15 @@ impl<R: Recorder> Run<'_, R> {
         for place in self.groups.nodes_of(first) {
             self.fill_start(self.groups.node(place), time, (power, len))?;
         }
-        let stop = self.segment(time).end.min(self.end);
         let nodes = self.groups.of(first).nodes();
         let wall = nodes.iter().all(|node| self.members[*node].is_wall());
-        let stop = if wall { self.end } else { stop };
+        // A wall that is carried on its own meets others with a cubic of its ground.
+        let stop = if wall && self.travel.is_none() {
+            self.end
+        } else {
+            let samples = nodes.iter().map(|node| self.members[*node].ground.end);
+            samples.fold(self.end, f64::min)
+        };
         let mut length = power
             .root(series::radius(&self.members, nodes))
             .min(power.root(stop - time));
@@ -275,11 +280,12 @@ impl<R: Recorder> Run<'_, R> {
         })
     }
 
-    /// First of the neighbours that share this one's velocity because they rest against each other.
+    /// First of the neighbours that share this one's velocity because they rest against each other on grounds that move
+    /// alike.
     pub(super) fn leader(&self, node: usize) -> usize {
-        let rests = |left: usize| {
-            self.pair_right_of[left].is_some_and(|pair| self.contacts[pair].link == Link::Resting)
-        };
+        let alike = |contact: &Contact| contact.link == Link::Resting && !contact.opens();
+        let rests =
+            |left: usize| self.pair_right_of[left].is_some_and(|pair| alike(&self.contacts[pair]));
         let mut leader = node;
         while leader > 0 && rests(leader - 1) {
             leader -= 1;

@@ -29,11 +29,20 @@ pub(super) enum Phase {
     Parting,
 }
 
+/// How the grounds of a pair move to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Grounds {
+    Alike,
+    /// The ground motion arrives at one of them later than at the other.
+    Apart,
+}
+
 /// A pair between events.
 #[derive(Debug, Clone)]
 pub(super) struct Contact {
     pub(super) law: ContactLaw,
     pub(super) reduced_mass: f64,
+    pub(super) grounds: Grounds,
     /// Force of the present contact, which may know its approach speed; nothing before the first one.
     pub(super) form: Option<Form>,
     /// Rate of deformation at the touch.
@@ -91,6 +100,7 @@ impl Contact {
         Self {
             law,
             reduced_mass,
+            grounds: Grounds::Alike,
             form: None,
             approach_speed: 0.0,
             pieces: 0,
@@ -121,6 +131,11 @@ impl Contact {
             spring: [0.0; CAPACITY],
             damper: [0.0; CAPACITY],
         }
+    }
+
+    /// Whether its grounds move towards each other, and apart.
+    pub(super) fn opens(&self) -> bool {
+        self.grounds == Grounds::Apart
     }
 
     /// Begins compliant contact, at the rate of the touch.
@@ -169,7 +184,18 @@ impl Contact {
         } else if n < (2 + self.alike) * power.order() {
             0.0
         } else {
-            sides[0].displacement[n] - sides[1].displacement[n]
+            self.between(sides, power, n)
+        }
+    }
+
+    /// The same from the motion of both sides and of their grounds.
+    fn between(&self, sides: &[Member], power: Power, n: usize) -> f64 {
+        let ahead = sides[0].displacement[n] - sides[1].displacement[n];
+        if self.opens() {
+            let ground = |side: &Member| side.ground_displacement(power.order(), n);
+            ahead + (ground(&sides[0]) - ground(&sides[1]))
+        } else {
+            ahead
         }
     }
 
@@ -180,7 +206,13 @@ impl Contact {
         } else if n < (1 + self.alike) * power.order() {
             0.0
         } else {
-            sides[0].velocity[n] - sides[1].velocity[n]
+            let faster = sides[0].velocity[n] - sides[1].velocity[n];
+            if self.opens() {
+                let ground = |side: &Member| side.ground_velocity(power.order(), n);
+                faster + (ground(&sides[0]) - ground(&sides[1]))
+            } else {
+                faster
+            }
         }
     }
 
@@ -243,6 +275,15 @@ impl Contact {
         }
     }
 
+    /// Coefficient `n` of the displacement of a side, with that of its ground where it moves on its own.
+    pub(super) fn displacement_of(&self, side: &Member, p: usize, n: usize) -> f64 {
+        if self.opens() {
+            side.displacement[n] + side.ground_displacement(p, n)
+        } else {
+            side.displacement[n]
+        }
+    }
+
     /// Finds in how many orders neighbours that begin to touch without a rate move alike but for rounding; true when in
     /// any: rounding would part them, or press them, at once.
     pub(super) fn find_alike(&mut self, sides: &[Member], power: Power, len: usize) -> bool {
@@ -252,7 +293,7 @@ impl Contact {
         }
         let p = power.order();
         let differ = |n: &usize| {
-            let values = [sides[0].displacement[*n], sides[1].displacement[*n]];
+            let values = [0, 1].map(|side| self.displacement_of(&sides[side], p, *n));
             (values[0] - values[1]).abs() > noise(sides, values, p, *n)
         };
         let first = (2 * p..len).find(differ).unwrap_or(len);

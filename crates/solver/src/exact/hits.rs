@@ -1,5 +1,7 @@
 //! Chains of impulsive pairs that touch at one instant.
 
+use std::ops::Range;
+
 use crate::Recorder;
 use crate::exact::contact::Contact;
 use crate::exact::{CHATTER, Run};
@@ -14,6 +16,9 @@ pub(super) struct Hit {
     pub(super) last: usize,
     /// The leftmost node.
     pub(super) left: usize,
+    /// Velocities of the grounds of the nodes where they move at different times, relative to that of a wall or else to
+    /// the mean of the first and the last; empty where they move alike.
+    pub(super) carried: Vec<f64>,
     /// Velocities of the nodes and rates of the pairs before.
     pub(super) before: Vec<f64>,
     pub(super) rates: Vec<f64>,
@@ -71,11 +76,24 @@ impl<R: Recorder> Run<'_, R> {
             first,
             last,
             left,
+            carried: self.carried(left..self.lefts[last] + 2, time),
             before: members.iter().map(|member| member.state.velocity).collect(),
             rates: contacts.iter().map(|contact| contact.rate).collect(),
             plastic: contacts.iter().map(again).collect(),
             impulses: vec![0.0; contacts.len()],
         }
+    }
+
+    /// Velocities of the grounds of a chain, relative to one of them.
+    fn carried(&self, nodes: Range<usize>, time: f64) -> Vec<f64> {
+        let Some(travel) = &self.travel else {
+            return Vec::new();
+        };
+        let velocity = |node: usize| travel.ground(node, time).velocity;
+        let wall = nodes.clone().find(|node| self.members[*node].is_wall());
+        let middle = 0.5 * (velocity(nodes.start) + velocity(nodes.end - 1));
+        let reference = wall.map_or(middle, velocity);
+        nodes.map(|node| velocity(node) - reference).collect()
     }
 
     fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {

@@ -5,13 +5,13 @@
 
 use std::cmp::Ordering;
 
-use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::body::Body;
 use crate::exact::contact::{Contact, Link};
 use crate::exact::noise::noise;
 use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
 use crate::span::{Power, value};
+use crate::{Motion, Recorder};
 
 /// A deformation below this part of the displacements is carried; above, their difference is as good.
 const CARRIED: f64 = 1e-6;
@@ -28,9 +28,8 @@ impl<R: Recorder> Run<'_, R> {
         let (deformation, rate) = match contact.link {
             Link::Resting => (0.0, 0.0),
             Link::Apart if contact.series.len == 0 => {
-                let [(u_left, v_left), (u_right, v_right)] =
-                    [left, left + 1].map(|node| self.motion(node, time));
-                (u_left - u_right - self.gaps[pair], v_left - v_right)
+                let sides = [left, left + 1].map(|node| self.motion(node, time));
+                self.closing(pair, time, sides)
             }
             Link::Apart => contact.at(time),
             Link::Touching(_) => {
@@ -54,12 +53,19 @@ impl<R: Recorder> Run<'_, R> {
     /// Takes a deformation that is not small from the displacements.
     pub(super) fn refresh_deformation(&mut self, pair: usize, time: f64) {
         let left = self.lefts[pair];
-        let ((u_left, v_left), (u_right, v_right)) =
-            (self.motion(left, time), self.motion(left + 1, time));
-        let gap = self.gaps[pair];
+        let sides = [left, left + 1].map(|node| self.motion(node, time));
+        let (deformation, rate) = self.closing(pair, time, sides);
+        let scale = sides[0].displacement.abs() + sides[1].displacement.abs() + self.gaps[pair];
+        let travel = self.travel.as_ref().filter(|_| self.contacts[pair].opens());
+        let scale = match travel {
+            None => scale,
+            Some(travel) => {
+                let ground = |node: usize| travel.ground(node, time).displacement.abs();
+                scale + (ground(left) + ground(left + 1))
+            }
+        };
         let contact = &mut self.contacts[pair];
-        let deformation = u_left - u_right - gap;
-        contact.scale = contact.scale.max(u_left.abs() + u_right.abs() + gap);
+        contact.scale = contact.scale.max(scale);
         // At a touch the series knows both better than the rounded time does.
         let touches = contact.meets <= time;
         let coarse = !touches && deformation.abs() > CARRIED * contact.scale;
@@ -67,23 +73,23 @@ impl<R: Recorder> Run<'_, R> {
             contact.deformation = deformation;
             // A rate that is zero by an event stays so.
             if contact.rate != 0.0 {
-                contact.rate = v_left - v_right;
+                contact.rate = rate;
             }
         }
     }
 
     /// Displacement and velocity of a node now, landed or not.
-    fn motion(&self, node: usize, time: f64) -> (f64, f64) {
+    fn motion(&self, node: usize, time: f64) -> Motion {
         let member = &self.members[node];
         if self.landed[node] {
-            return (member.state.displacement, member.state.velocity);
+            return (&member.state).into();
         }
         let body = &self.bodies[self.groups.body_of[node]];
         let x = body.position(time);
-        (
-            value(&member.displacement[..body.len], x),
-            value(&member.velocity[..body.len], x),
-        )
+        Motion {
+            displacement: value(&member.displacement[..body.len], x),
+            velocity: value(&member.velocity[..body.len], x),
+        }
     }
 
     /// Bodies on both sides of a pair whose pieces run in roots of time from different instants: the earlier of them.
@@ -115,7 +121,15 @@ impl<R: Recorder> Run<'_, R> {
             let bound = |sum: f64, c: &f64| sum * body.length + c.abs();
             sign * member.displacement[0] + body.length * series.iter().rev().fold(0.0, bound)
         };
-        let closest = most(left, 1.0) + most(left + 1, -1.0) - self.gaps[pair];
+        let mut closest = most(left, 1.0) + most(left + 1, -1.0) - self.gaps[pair];
+        if let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) {
+            let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
+            let start = bodies[0].start.max(bodies[1].start);
+            let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
+            let [opening, others @ ..] = travel.cubic_opening([left, left + 1], start);
+            let bound = |sum: f64, c: &f64| sum * length + c.abs();
+            closest += opening + length * others.iter().rev().fold(0.0, bound);
+        }
         closest < -2.0 * CARRIED * self.contacts[pair].scale
     }
 
@@ -143,6 +157,48 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
+    /// The same of both sides of a pair, with their grounds where those move on their own.
+    fn sides_from(
+        &self,
+        pair: usize,
+        begin: (f64, f64),
+        power: Power,
+    ) -> ([[f64; CAPACITY]; 2], usize) {
+        let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
+        for (node, side) in (self.lefts[pair]..).zip(&mut sides) {
+            len = len.max(self.displacement_from(node, begin, power, side));
+            if self.contacts[pair].opens() {
+                len = len.max(self.add_ground(node, begin, power, side));
+            }
+        }
+        (sides, len)
+    }
+
+    /// Adds the displacement of the ground of a node to its series; returns its length.
+    fn add_ground(
+        &self,
+        node: usize,
+        (begin, offset): (f64, f64),
+        power: Power,
+        series: &mut [f64; CAPACITY],
+    ) -> usize {
+        let Some(travel) = &self.travel else {
+            return 0;
+        };
+        let cubic = travel.cubic_ground(node, begin);
+        let mut ground = [0.0; CAPACITY];
+        ground[..cubic.len()].copy_from_slice(&cubic);
+        let len = match power {
+            Power::One => cubic.len(),
+            Power::Four if offset > 0.0 => compose(&mut ground, cubic.len(), offset),
+            Power::Four => spread(&mut ground, cubic.len()),
+        };
+        for (place, coefficient) in series.iter_mut().zip(&ground[..len]) {
+            *place += coefficient;
+        }
+        len
+    }
+
     /// Finds the next touch of a pair within the pieces on both sides of it.
     pub(super) fn look_ahead(&mut self, pair: usize, time: f64) {
         let left = self.lefts[pair];
@@ -165,17 +221,12 @@ impl<R: Recorder> Run<'_, R> {
         // Before its own start a series may be far beyond its reach: then both are taken from now on.
         let late = |body: &&Body| body.power == Power::One && body.start > origin;
         let from_now = power == Power::Four && bodies.iter().any(late);
-        let mut sides = [[0.0; CAPACITY]; 2];
-        let mut len = 0;
-        for (index, side) in sides.iter_mut().enumerate() {
-            let node = left + index;
-            let begin = if from_now {
-                (time, offset)
-            } else {
-                (origin, 0.0)
-            };
-            len = len.max(self.displacement_from(node, begin, power, side));
-        }
+        let begin = if from_now {
+            (time, offset)
+        } else {
+            (origin, 0.0)
+        };
+        let (sides, len) = self.sides_from(pair, begin, power);
         let mut coefficients = [0.0; CAPACITY];
         for (n, coefficient) in coefficients[..len].iter_mut().enumerate() {
             *coefficient = sides[0][n] - sides[1][n];

@@ -3,6 +3,7 @@
 use crate::exact::bend::Bend;
 use crate::exact::noise::Terms;
 use crate::exact::roots::CAPACITY;
+use crate::excitation::Segment;
 use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
 
 /// The branch of a piecewise-linear restoring force.
@@ -23,6 +24,10 @@ pub(super) struct Member {
     pub(super) inverse_mass: f64,
     /// Infinite for a wall.
     pub(super) mass: f64,
+    /// When the ground motion arrives \[s\].
+    pub(super) arrival: f64,
+    /// The piece of it that the present expansion is under.
+    pub(super) ground: Segment,
     /// Damping of the storey; of a floor on the ground all its damping.
     pub(super) damping: f64,
     /// Damping against the ground of a floor that stands on another one.
@@ -107,6 +112,8 @@ impl Member {
         let mut member = Self {
             inverse_mass: floor.inverse_mass,
             mass: 1.0 / floor.inverse_mass,
+            arrival: row.arrival(node),
+            ground: Segment::default(),
             damping: floor.damping,
             ground_damping,
             above: row.above(node),
@@ -133,6 +140,28 @@ impl Member {
             member.hysteretic_force = force - hardened_stiffness * row.drift(node, initial);
         }
         member
+    }
+
+    /// Coefficient `n` of the displacement of its ground, of those that are not left to the state: from the acceleration on.
+    pub(super) fn ground_displacement(&self, p: usize, n: usize) -> f64 {
+        if n == 2 * p {
+            0.5 * self.ground.value
+        } else if n == 3 * p {
+            self.ground.slope / 6.0
+        } else {
+            0.0
+        }
+    }
+
+    /// The same of its velocity.
+    pub(super) fn ground_velocity(&self, p: usize, n: usize) -> f64 {
+        if n == p {
+            self.ground.value
+        } else if n == 2 * p {
+            0.5 * self.ground.slope
+        } else {
+            0.0
+        }
     }
 
     pub(super) fn is_wall(&self) -> bool {

@@ -30,10 +30,11 @@ mod watch;
 
 use crate::error::require;
 use crate::excitation::Segment;
-use crate::{Clock, Excitation, Hysteretic, Recorder, Row, RunError, Touch, Work};
+use crate::ground::Ground;
+use crate::{Clock, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
 
 use body::Body;
-use contact::Contact;
+use contact::{Contact, Grounds};
 use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
@@ -83,8 +84,10 @@ const MOST_PIECES: f64 = 1e6;
 struct Run<'a, R> {
     settings: Exact,
     excitation: Excitation<'a>,
-    /// The piece of the ground motion that was last asked for, and when.
-    ground: (f64, Segment),
+    /// How it travels along the row; nothing where it arrives everywhere at t = 0.
+    travel: Option<Travel>,
+    /// The piece of the ground motion that was last asked for, when, and of which arrival.
+    ground: ([f64; 2], Segment),
     end: f64,
     members: Vec<Member>,
     contacts: Vec<Contact>,
@@ -124,14 +127,19 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     }
     let contact = |pair: &crate::Pair| {
         let [left, right] = [pair.left, pair.right].map(|index| &row.nodes()[index]);
-        Contact::new(
+        let mut contact = Contact::new(
             pair.law,
             row.reduced_mass(pair),
             left.initial_displacement - right.initial_displacement - pair.gap,
             left.initial_velocity - right.initial_velocity,
-        )
+        );
+        let [first, last] = [pair.left, pair.right].map(|index| row.arrival(index));
+        if first.total_cmp(&last).is_ne() {
+            contact.grounds = Grounds::Apart;
+        }
+        contact
     };
-    let (initial, _) = row.initial(0.0);
+    let (initial, _) = row.initial(Ground::Common(0.0));
     let members: Vec<_> = (0..n)
         .map(|node| Member::new(row, node, &initial))
         .collect();
@@ -140,7 +148,8 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     let mut run = Run {
         settings,
         excitation,
-        ground: (0.0, excitation.segment(0.0)),
+        travel: row.travel(excitation),
+        ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),
         settled: vec![false; contacts.len()],
@@ -206,12 +215,48 @@ impl<R: Recorder> Run<'_, R> {
         }
     }
 
-    /// The ground motion from an instant on.
-    fn segment(&mut self, time: f64) -> Segment {
-        if self.ground.0.to_bits() != time.to_bits() {
-            self.ground = (time, self.excitation.segment(time));
+    /// The ground motion from an instant on, of some arrival.
+    fn segment(&mut self, time: f64, arrival: f64) -> Segment {
+        let at = [time, arrival];
+        if self.ground.0.map(f64::to_bits) != at.map(f64::to_bits) {
+            self.ground = (at, self.excitation.segment(time, arrival));
         }
         self.ground.1
+    }
+
+    /// Gives a body the ground motion from an instant on; returns when the next sample arrives at one of its nodes.
+    fn shake(&mut self, first: usize, time: f64) -> f64 {
+        let mut end = f64::INFINITY;
+        for place in self.groups.nodes_of(first) {
+            let node = self.groups.node(place);
+            let segment = self.segment(time, self.members[node].arrival);
+            self.members[node].ground = segment;
+            end = end.min(segment.end);
+        }
+        end
+    }
+
+    /// How far the grounds of a pair have moved towards each other, and at which rate; nothing where they move alike.
+    fn opening(&self, pair: usize, time: f64) -> Option<Motion> {
+        let travel = self
+            .travel
+            .as_ref()
+            .filter(|_| self.contacts[pair].opens())?;
+        let left = self.lefts[pair];
+        Some(travel.opening([left, left + 1], time))
+    }
+
+    /// Deformation and rate of a pair whose sides move like this over their grounds.
+    fn closing(&self, pair: usize, time: f64, [left, right]: [Motion; 2]) -> (f64, f64) {
+        let ahead = left.since(right);
+        let Motion {
+            displacement,
+            velocity,
+        } = match self.opening(pair, time) {
+            None => ahead,
+            Some(opening) => ahead.over(opening),
+        };
+        (displacement - self.gaps[pair], velocity)
     }
 
     /// The next instant at which a piece ends or a pair touches.
@@ -253,8 +298,12 @@ impl<R: Recorder> Run<'_, R> {
 
     fn report_touch(&mut self, pair: usize, time: f64) {
         let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
-        let [left, right] = [left, left + 1].map(|node| self.members[node].state.acceleration);
-        let motion = (contact.rate, left - right);
+        let accelerations = [left, left + 1].map(|node| self.members[node].state.acceleration);
+        let mut closing = accelerations[0] - accelerations[1];
+        if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
+            closing += 2.0 * travel.cubic_opening([left, left + 1], time)[2];
+        }
+        let motion = (contact.rate, closing);
         let uncertainty = Touch::uncertainty(time, ROUNDING * contact.scale, motion);
         self.recorder.touch(&Touch {
             pair,

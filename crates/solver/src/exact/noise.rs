@@ -4,7 +4,6 @@ use crate::exact::contact::Contact;
 use crate::exact::groups::Group;
 use crate::exact::member::Member;
 use crate::exact::storey::magnitude;
-use crate::excitation::Segment;
 
 /// Orders in time of a force at rest that are looked at for rounding.
 const ORDERS: usize = 8;
@@ -30,7 +29,7 @@ pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f
 pub(super) fn clean(
     group: Group<'_>,
     (members, contacts): (&mut [Member], &mut [Contact]),
-    (ground, time): (Segment, f64),
+    time: f64,
     p: usize,
 ) {
     for block in group.blocks() {
@@ -44,8 +43,16 @@ pub(super) fn clean(
         let mass: f64 = nodes.iter().map(|member| member.mass).sum();
         let fastest = |rate: f64, member: &Member| rate.max(member.fastest_rate);
         let rate = nodes.iter().fold(0.0, fastest);
+        let first = nodes[0].arrival;
+        let grounds = nodes.iter().map(|member| member.ground.value.abs());
         let acceleration = if mass.is_finite() {
-            (own + pushed) / mass + ground.value.abs()
+            (own + pushed) / mass + grounds.fold(0.0, f64::max)
+        } else if nodes
+            .iter()
+            .any(|member| member.arrival.total_cmp(&first).is_ne())
+        {
+            // The wall's ground carries them, and their own is taken off.
+            grounds.sum()
         } else {
             0.0
         };
@@ -54,7 +61,7 @@ pub(super) fn clean(
                 own: member.terms.own,
                 acceleration,
                 around: acceleration,
-                ground: (ground.value.abs(), ground.slope.abs()),
+                ground: (member.ground.value.abs(), member.ground.slope.abs()),
                 rate,
                 time,
             };

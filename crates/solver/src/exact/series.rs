@@ -11,14 +11,12 @@ use crate::exact::contact::{Contact, Link};
 use crate::exact::groups::{Block, Group};
 use crate::exact::member::Member;
 use crate::exact::storey::{self, own_force};
-use crate::excitation::Segment;
 use crate::span::Power;
 
 /// Expands the motion of a body, and the forces between its members, to `len` coefficients.
 pub(super) fn expand(
     group: Group<'_>,
     (members, contacts): (&mut [Member], &mut [Contact]),
-    ground: Segment,
     power: Power,
     len: usize,
 ) {
@@ -48,46 +46,43 @@ pub(super) fn expand(
                 contact.find_force(&members[joined.left..joined.left + 2], power, n);
             }
         }
-        let ground = if n == 0 {
-            ground.value
-        } else if n == p {
-            ground.slope
-        } else {
-            0.0
-        };
         // Off the chain of dependent operations, where a division would be the longest.
         let [once, twice] = [n + p, n + 2 * p].map(|order| p as f64 / order as f64);
         for block in blocks {
             let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
             let outside = (force(block.left), force(block.right));
-            accelerate(members, block, outside.0 - outside.1, (ground, n));
+            accelerate(members, block, outside.0 - outside.1, (p, n));
             for member in &mut members[block.first..=block.last] {
                 member.velocity[n + p] = member.acceleration[n] * once;
                 member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
             }
-            resting_forces(members, (block, contacts), outside, (ground, n));
+            resting_forces(members, (block, contacts), outside, (p, n));
         }
     }
 }
 
-/// Coefficient `n` of the acceleration that members at rest against each other share under a net force from outside.
-fn accelerate(members: &mut [Member], block: &Block, force: f64, (ground, n): (f64, usize)) {
+/// Coefficient `n` of the acceleration that members at rest against each other share under a net force from outside: each
+/// has it over its own ground.
+fn accelerate(members: &mut [Member], block: &Block, force: f64, (p, n): (usize, usize)) {
     let nodes = block.first..=block.last;
-    let acceleration = match &members[nodes.clone()] {
-        [alone] if alone.is_wall() => 0.0,
+    let shared = match &members[nodes.clone()] {
+        [alone] if alone.is_wall() => alone.ground.coefficient(n, p),
         [alone] => {
             let own = own_force(members, block.first, n);
-            alone.inverse_mass * (force - own) - ground
+            alone.inverse_mass * (force - own)
         }
-        several if several.iter().any(Member::is_wall) => 0.0,
         several => {
-            let sum: f64 = nodes.clone().map(|node| own_force(members, node, n)).sum();
-            let mass: f64 = several.iter().map(|member| member.mass).sum();
-            (force - sum) / mass - ground
+            if let Some(wall) = several.iter().find(|member| member.is_wall()) {
+                wall.ground.coefficient(n, p)
+            } else {
+                let sum: f64 = nodes.clone().map(|node| own_force(members, node, n)).sum();
+                let mass: f64 = several.iter().map(|member| member.mass).sum();
+                (force - sum) / mass
+            }
         }
     };
     for member in &mut members[nodes] {
-        member.acceleration[n] = acceleration;
+        member.acceleration[n] = shared - member.ground.coefficient(n, p);
     }
 }
 
@@ -96,7 +91,7 @@ fn resting_forces(
     members: &[Member],
     (block, contacts): (&Block, &mut [Contact]),
     (left, right): (f64, f64),
-    (ground, n): (f64, usize),
+    (p, n): (usize, usize),
 ) {
     for index in 0..block.last - block.first {
         let (before, after) = block.split(index);
@@ -105,7 +100,7 @@ fn resting_forces(
         };
         let needs = |nodes: RangeInclusive<usize>| {
             nodes
-                .map(|node| storey::need(members, node, (ground, n)))
+                .map(|node| storey::need(members, node, (p, n)))
                 .sum::<f64>()
         };
         contacts[block.within + index].force[n] = if mass(before.clone()) <= mass(after.clone()) {

@@ -5,7 +5,7 @@ use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
 use crate::exact::roots::CAPACITY;
 use crate::exact::storey::rate_of_drift;
-use crate::exact::{CHATTER, Run};
+use crate::exact::{CHATTER, ROUNDING, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 
@@ -133,6 +133,9 @@ impl<R: Recorder> Run<'_, R> {
         let chain = &mut self.chain;
         chain.clear();
         chain.velocities.extend_from_slice(&hit.before);
+        for (velocity, carried) in chain.velocities.iter_mut().zip(&hit.carried) {
+            *velocity += carried;
+        }
         chain.rates.extend_from_slice(&hit.rates);
         let contacts = &mut self.contacts[hit.first..=hit.last];
         let members = &mut self.members[hit.left..hit.left + hit.before.len()];
@@ -150,6 +153,16 @@ impl<R: Recorder> Run<'_, R> {
         chain.collide(self.settings.simultaneous_impacts);
         for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
+        }
+        for (index, (member, carried)) in members.iter_mut().zip(&hit.carried).enumerate() {
+            // What was not hit keeps its velocity to the last bit.
+            let before = hit.before[index];
+            let hit = member.state.velocity.total_cmp(&(before + carried)).is_ne();
+            member.state.velocity = if hit {
+                member.state.velocity - carried
+            } else {
+                before
+            };
         }
         for (contact, rate) in contacts.iter_mut().zip(&chain.rates) {
             contact.rate = *rate;
@@ -192,12 +205,19 @@ impl<R: Recorder> Run<'_, R> {
         if approach <= 0.0 || contact.rate >= 0.0 || restitution >= 1.0 {
             return false;
         }
-        let closing = self.members[left].acceleration[0] - self.members[left + 1].acceleration[0];
+        let [a, b] = [left, left + 1].map(|node| &self.members[node]);
+        let mut closing = a.acceleration[0] - b.acceleration[0];
+        if contact.opens() {
+            closing += a.ground.value - b.ground.value;
+        }
         closing > 0.0 && -2.0 * contact.rate < CHATTER * closing * (1.0 - restitution)
     }
 
     fn report_impact(&mut self, pair: usize, time: f64, hit: &Hit) {
         let left = self.lefts[pair];
+        let opening_rate = self
+            .opening(pair, time)
+            .map_or(0.0, |opening| opening.velocity);
         let contact = &mut self.contacts[pair];
         contact.burst = if time - contact.hit < CHATTER {
             contact.burst + 1
@@ -220,6 +240,7 @@ impl<R: Recorder> Run<'_, R> {
                 left: self.members[left].state.velocity,
                 right: self.members[left + 1].state.velocity,
             },
+            opening_rate,
         };
         self.recorder.impact(&impact);
     }
@@ -253,7 +274,7 @@ impl<R: Recorder> Run<'_, R> {
             for pair in pairs() {
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
-                    self.join(pair);
+                    self.join(pair, time);
                     grown = true;
                 }
             }
@@ -264,7 +285,7 @@ impl<R: Recorder> Run<'_, R> {
         // Neighbours that move alike without a force stay together.
         for pair in pairs() {
             if self.may_press(pair) && self.press(pair).is_none() {
-                self.join(pair);
+                self.join(pair, time);
             }
         }
         self.regroup();
@@ -276,17 +297,30 @@ impl<R: Recorder> Run<'_, R> {
         contact.link == Link::Apart && contact.rate == 0.0
     }
 
-    fn join(&mut self, pair: usize) {
+    fn join(&mut self, pair: usize, time: f64) {
         self.contacts[pair].link = Link::Resting;
         let left = self.lefts[pair];
         let (a, b) = (&self.members[left], &self.members[left + 1]);
-        let velocity = if a.mass >= b.mass {
-            a.state.velocity
-        } else {
-            b.state.velocity
+        let [v, w] = [a.state.velocity, b.state.velocity];
+        let heavier_left = a.mass >= b.mass;
+        let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) else {
+            let velocity = if heavier_left { v } else { w };
+            self.members[left].state.velocity = velocity;
+            self.members[left + 1].state.velocity = velocity;
+            return;
         };
-        self.members[left].state.velocity = velocity;
-        self.members[left + 1].state.velocity = velocity;
+        let grounds = [left, left + 1].map(|node| travel.ground(node, time).velocity);
+        let carried = grounds[0] - grounds[1];
+        let terms = [v, w, grounds[0], grounds[1]].map(f64::abs);
+        // At rest already: what is known to be zero of either velocity stays so.
+        if (v - w + carried).abs() <= ROUNDING * terms.iter().sum::<f64>() {
+            return;
+        }
+        if heavier_left {
+            self.members[left + 1].state.velocity = v + carried;
+        } else {
+            self.members[left].state.velocity = w - carried;
+        }
     }
 
     /// Whether the free motion of a pair overlaps, and by which power of the fourth root of time; nothing where rounding
@@ -296,16 +330,17 @@ impl<R: Recorder> Run<'_, R> {
         let powers =
             [left, left + 1].map(|node| self.bodies[self.groups.body_of[node]].power.order());
         let p = powers[0].max(powers[1]);
+        let contact = &self.contacts[pair];
         // A series in t beside one in its fourth root.
         let coefficient = |side: usize, n: usize| {
             let stretched = p / powers[side];
             if n.is_multiple_of(stretched) {
-                self.members[left + side].displacement[n / stretched]
+                let member = &self.members[left + side];
+                contact.displacement_of(member, p / stretched, n / stretched)
             } else {
                 0.0
             }
         };
-        let contact = &self.contacts[pair];
         // What happens on one floor is felt two orders later on the next.
         let tied = (left..=left + 1).any(|node| self.members[node].is_tied());
         let last = if tied {
@@ -337,9 +372,8 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
     pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
-        let ground = self.segment(time);
         let system = (&mut self.members[..], &mut self.contacts[..]);
-        clean(self.groups.of(first), system, (ground, time), power.order());
+        clean(self.groups.of(first), system, time, power.order());
     }
 
     /// Bodies anew, from the links.

@@ -64,8 +64,9 @@ pub(super) fn own_force(members: &[Member], node: usize, n: usize) -> f64 {
 }
 
 /// Coefficient `n` of the force that a node needs to move as it does.
-pub(super) fn need(members: &[Member], node: usize, (ground, n): (f64, usize)) -> f64 {
+pub(super) fn need(members: &[Member], node: usize, (p, n): (usize, usize)) -> f64 {
     let member = &members[node];
+    let ground = member.ground.coefficient(n, p);
     let inertia = member.mass * (member.acceleration[n] + ground);
     if member.plain {
         return inertia

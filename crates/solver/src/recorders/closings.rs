@@ -1,6 +1,6 @@
 use std::collections::VecDeque;
 
-use crate::{Impact, Path, Recorder, Span};
+use crate::{Impact, Motion, Path, Recorder, Span, State, Travel};
 
 /// How far two neighbours came towards each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,11 +16,13 @@ pub struct Closing {
 /// The motion of a stepping method is the cubic of its spans, and the largest closing that of these cubics. A series is taken
 /// as a cubic between looks: with 200 of them in the shortest natural period it is off by (2π/200)⁴/384 of the
 /// amplitude, 3e-9. What waits for a neighbour to come as far is kept, and nothing else: a record's step of it in the exact
-/// method, a time step in others.
+/// method, a time step in others. Where grounds move apart, how far they do is part of the closing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closings {
     look: f64,
     walls: Vec<bool>,
+    /// How the ground motion travels; nothing where all are shaken at once.
+    travel: Option<Travel>,
     /// Between each structure and its right neighbour.
     gaps: Vec<Gap>,
 }
@@ -53,7 +55,21 @@ impl Closings {
     /// \[s\], > 0.
     pub fn new(walls: Vec<bool>, look: f64) -> Self {
         let gaps = vec![Gap::default(); walls.len().saturating_sub(1)];
-        Self { look, walls, gaps }
+        Self {
+            look,
+            walls,
+            travel: None,
+            gaps,
+        }
+    }
+
+    /// The same on ground to which the excitation [travels](crate::Row::travel).
+    ///
+    /// A stepping method then has to take steps that are short beside the time between two samples: in a step the ground
+    /// is a cubic, too. A wall moves with its own ground.
+    #[must_use]
+    pub fn travelled(self, travel: Option<Travel>) -> Self {
+        Self { travel, ..self }
     }
 
     /// Of a structure and its right neighbour; nothing between two walls.
@@ -62,12 +78,14 @@ impl Closings {
     }
 
     /// A piece of the motion of a structure, for the gaps on both sides.
-    fn follow(&mut self, structure: usize, piece: Cubic) {
+    fn follow(&mut self, (structure, travel): (usize, Option<&Travel>), piece: Cubic) {
+        let wall = |node: usize| self.walls[node].then(|| piece.of_ground((node, travel)));
         if let Some(left) = structure.checked_sub(1) {
-            self.gaps[left].follow(1, piece, self.walls[left]);
+            self.gaps[left].follow(1, piece, wall(left));
         }
-        if let Some(right) = self.gaps.get_mut(structure) {
-            right.follow(0, piece, self.walls[structure + 1]);
+        if structure < self.gaps.len() {
+            let wall = wall(structure + 1);
+            self.gaps[structure].follow(0, piece, wall);
         }
     }
 
@@ -92,10 +110,13 @@ impl Recorder for Closings {
         if self.walls[span.structure] {
             return;
         }
-        let node = |time: f64, state: crate::State| Node {
-            time,
-            displacement: state.displacement,
-            velocity: state.velocity,
+        let travel = self.travel.take();
+        let node = |time: f64, state: State| match &travel {
+            None => Node::new(time, (&state).into()),
+            Some(travel) => {
+                let ground = travel.ground(span.structure, time);
+                Node::new(time, Motion::from(&state).over(ground))
+            }
         };
         let looks = self.looks(span);
         let mut start = node(span.start_time, span.start);
@@ -103,22 +124,23 @@ impl Recorder for Closings {
             let share = f64::from(look) / f64::from(looks);
             let time = span.start_time + share * span.duration();
             let end = node(time, span.at(time));
-            self.follow(span.structure, Cubic { start, end });
+            self.follow((span.structure, travel.as_ref()), Cubic { start, end });
             start = end;
         }
         let end = node(span.end_time, span.end);
-        self.follow(span.structure, Cubic { start, end });
+        self.follow((span.structure, travel.as_ref()), Cubic { start, end });
+        self.travel = travel;
     }
 
     fn impact(&mut self, _: &Impact) {}
 }
 
 impl Gap {
-    /// A piece of the motion of the left neighbour (side 0) or of the right one; `beside_wall`: the other is a wall.
-    fn follow(&mut self, side: usize, piece: Cubic, beside_wall: bool) {
+    /// A piece of the motion of the left neighbour (side 0) or of the right one; and of the other where that is a wall.
+    fn follow(&mut self, side: usize, piece: Cubic, wall: Option<Cubic>) {
         let signed = |piece: Cubic| if side == 0 { piece } else { piece.mirrored() };
-        if beside_wall {
-            return self.take(signed(piece));
+        if let Some(wall) = wall {
+            return self.take(signed(piece.less(wall)));
         }
         self.ahead[side].push_back(piece);
         while let [Some(left), Some(right)] =
@@ -149,7 +171,29 @@ impl Gap {
     }
 }
 
+impl Node {
+    fn new(time: f64, motion: Motion) -> Self {
+        Self {
+            time,
+            displacement: motion.displacement,
+            velocity: motion.velocity,
+        }
+    }
+}
+
 impl Cubic {
+    /// The ground of a node over the same interval.
+    fn of_ground(self, (node, travel): (usize, Option<&Travel>)) -> Self {
+        let at = |time: f64| {
+            let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
+            Node::new(time, ground)
+        };
+        Self {
+            start: at(self.start.time),
+            end: at(self.end.time),
+        }
+    }
+
     fn duration(&self) -> f64 {
         self.end.time - self.start.time
     }
@@ -260,7 +304,7 @@ impl Cubic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{State, Weighed};
+    use crate::Weighed;
 
     /// A cubic path between two instants, as a step of a stepping method.
     fn step(structure: usize, times: [f64; 2], path: fn(f64) -> (f64, f64)) -> Span<'static> {

@@ -1,4 +1,4 @@
-use crate::{Impact, Pair, Path, Recorder, Span, Touch};
+use crate::{Impact, Pair, Path, Recorder, Span, Touch, Travel};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact.
 ///
@@ -35,6 +35,8 @@ pub struct Collisions {
     seen: Vec<(f64, f64)>,
     /// Gap of every pair.
     gaps: Vec<f64>,
+    /// How the ground motion travels; nothing where all are shaken at once.
+    travel: Option<Travel>,
     /// For each pair, the index of its collision that goes on.
     open: Vec<Option<usize>>,
     /// The last touch of every pair.
@@ -53,10 +55,17 @@ impl Collisions {
             pair_of_left,
             seen: vec![(0.0, 0.0); n_structures],
             gaps: pairs.iter().map(|pair| pair.gap).collect(),
+            travel: None,
             open: vec![None; pairs.len()],
             touches: vec![None; pairs.len()],
             found: Vec::new(),
         }
+    }
+
+    /// The same on ground to which the excitation [travels](crate::Row::travel).
+    #[must_use]
+    pub fn travelled(self, travel: Option<Travel>) -> Self {
+        Self { travel, ..self }
     }
 
     /// The collisions of all pairs.
@@ -70,7 +79,15 @@ impl Collisions {
     fn overlaps(&self, pair: usize, span: &Span<'_>) -> bool {
         let (time, displacement) = self.seen[span.structure + 1];
         let together = time.total_cmp(&span.start_time).is_eq();
-        together && span.start.displacement - displacement - self.gaps[pair] > 0.0
+        let ahead = span.start.displacement - displacement;
+        let ahead = match &self.travel {
+            None => ahead,
+            Some(travel) => {
+                let nodes = [span.structure, span.structure + 1];
+                ahead + travel.opening(nodes, time).displacement
+            }
+        };
+        together && ahead - self.gaps[pair] > 0.0
     }
 
     /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
@@ -143,7 +160,7 @@ impl Recorder for Collisions {
             pair: impact.pair,
             start: impact.time,
             uncertainty: self.uncertainty(impact.time),
-            approach_speed: Some((impact.before.left - impact.before.right).max(0.0)),
+            approach_speed: Some(impact.rates()[0].max(0.0)),
             end: impact.time,
             peak_force: None,
             peak_force_time: None,

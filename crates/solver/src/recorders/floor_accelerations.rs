@@ -1,5 +1,5 @@
 use super::Peak;
-use crate::{Excitation, Impact, Path, Recorder, Span};
+use crate::{Excitation, Impact, Path, Recorder, Span, Travel};
 
 /// Part of a span after which its acceleration has begun to rise or fall.
 const BEGUN: f64 = 1e-6;
@@ -13,6 +13,8 @@ const BEGUN: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorAccelerations<'a> {
     excitation: Excitation<'a>,
+    /// When it arrives at every node \[s\].
+    arrivals: Vec<f64>,
     peaks: Vec<Peak>,
 }
 
@@ -21,7 +23,18 @@ impl<'a> FloorAccelerations<'a> {
     pub fn new(n_nodes: usize, excitation: Excitation<'a>) -> Self {
         Self {
             excitation,
+            arrivals: vec![0.0; n_nodes],
             peaks: vec![Peak::default(); n_nodes],
+        }
+    }
+
+    /// The same on ground to which the excitation [travels](crate::Row::travel).
+    #[must_use]
+    pub fn travelled(self, travel: Option<&Travel>) -> Self {
+        let arrival = |node: usize| travel.map_or(0.0, |travel| travel.arrival(node));
+        Self {
+            arrivals: (0..self.peaks.len()).map(arrival).collect(),
+            ..self
         }
     }
 
@@ -41,15 +54,16 @@ impl Recorder for FloorAccelerations<'_> {
     fn span(&mut self, span: &Span<'_>) {
         let (from, to) = (span.start_time, span.end_time);
         let peak = &mut self.peaks[span.structure];
+        let arrival = self.arrivals[span.structure];
         match span.path {
             Path::Cubic(_) => {
                 for (state, time) in [(&span.start, from), (&span.end, to)] {
-                    peak.take(state.acceleration + self.excitation.at(time), time);
+                    peak.take(state.acceleration + self.excitation.at(time, arrival), time);
                 }
             }
             // Such a span lies between two samples.
             Path::Series(_) => {
-                let segment = self.excitation.segment(from);
+                let segment = self.excitation.segment(from, arrival);
                 let ground = |time: f64| segment.value + segment.slope * (time - from);
                 peak.take(span.start.acceleration + ground(from), from);
                 let jerk = |time| span.jerk(time, segment.slope);

@@ -102,6 +102,7 @@ mod tests {
             impulse,
             before: velocities,
             after: velocities,
+            opening_rate: 0.0,
         }
     }
 

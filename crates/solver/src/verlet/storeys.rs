@@ -45,7 +45,7 @@ impl<Memory: Copy> Scratch<Memory> {
     pub(super) fn finish_storeys<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        (step, instant): (Step, f64),
+        (step, instant): (Step<'_>, f64),
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
@@ -58,7 +58,12 @@ impl<Memory: Copy> Scratch<Memory> {
             if !(self.bodies[floors[0]].due && instant > since) {
                 continue;
             }
-            let (start, end) = (step.at(since), step.at(instant));
+            // All floors of a building stand on one ground.
+            let at = |instant: f64| {
+                let (ground, time) = step.at(instant);
+                (ground.under(floors[0]), time)
+            };
+            let (start, end) = (at(since), at(instant));
             let mut building = Building {
                 row,
                 floors,

@@ -35,4 +35,7 @@ mod storeys_ledger;
 mod storeys_yielding;
 mod touches;
 mod towers;
+mod travel;
+mod travel_books;
+mod travel_orders;
 mod very_start;

@@ -129,7 +129,7 @@ fn of_scene(
 /// All but the displacement alone.
 fn numbers(run: Run<'_>, place: usize, structure: &Structure) -> Numbers {
     let (collisions, first) = run.collisions(place);
-    let yields = structure.yield_force().is_some();
+    let yields = structure.yield_forces().iter().any(Option::is_some);
     Numbers {
         momentum: run.momentum(place),
         displacement: run.peak_displacement(place),
@@ -161,6 +161,7 @@ impl Alone<'_> {
         let scene = Scene {
             structures: vec![structure.clone()],
             contacts: None,
+            arrivals_s: None,
             ..prepared.scene().clone()
         };
         let alone = prepared.variant(&scene, self.record.clone())?;

@@ -137,6 +137,7 @@ impl TimedRow {
             contacts: condition
                 .touching
                 .then(|| vec![contact; size.buildings - 1]),
+            arrivals_s: None,
             method,
         };
         let prepared = Prepared::new(&scene, Path::new(""))?;
@@ -151,7 +152,7 @@ impl TimedRow {
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
     pub fn run(&self) -> Result<Option<f64>, StudyError> {
-        let work = self.prepared.run_unjudged(None)?.work;
+        let work = self.prepared.integrate(&mut self.prepared.recorders(()))?;
         let steps = work.steps * self.prepared.floors().facing().len() as u64;
         Ok((steps > 0).then(|| work.touching_steps as f64 / steps as f64))
     }

@@ -193,7 +193,14 @@ fn row<Column: Hysteretic>(
             ..floors.levels().floor(index, storey)
         }
     };
-    Row::new(floors.all().iter().enumerate().map(node).collect(), pairs)
+    let row = Row::new(floors.all().iter().enumerate().map(node).collect(), pairs)?;
+    match &scene.arrivals_s {
+        None => Ok(row),
+        Some(arrivals) => {
+            let arrival = |floor: &Floor| arrivals[floor.structure];
+            row.delayed(floors.all().iter().map(arrival).collect())
+        }
+    }
 }
 
 impl Method {

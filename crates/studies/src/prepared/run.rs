@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use pounding_solver::{
     Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
-    LastDisplacements, Ledger, LedgerError, Pair, Peak, Peaks, Recorder, RunError, Terms,
-    TransferredMomentum, Work,
+    LastDisplacements, Ledger, LedgerError, Opening, Pair, Peak, Peaks, Recorder, RunError, Terms,
+    TransferredMomentum, Travel, Work,
 };
 
 use super::Prepared;
@@ -140,9 +140,7 @@ impl Prepared {
         ledger: L,
     ) -> Result<(Outcome, L, Option<Closings>), StudyError> {
         let mut recorders = self.all_recorders(asked, ledger);
-        let work = self
-            .run_by(&self.integrator, self.clock, &mut recorders)
-            .map_err(|error| self.ended(error))?;
+        let work = self.integrate(&mut recorders)?;
         let (usual, accelerations, last, (closings, histories)) = recorders;
         let (peaks, collisions, momentum, ledger) = usual;
         let outcome = Outcome {
@@ -166,7 +164,7 @@ impl Prepared {
         let histories = |interval| Histories::new(n, interval, duration);
         (
             self.recorders(ledger),
-            FloorAccelerations::new(n, self.excitation()),
+            FloorAccelerations::new(n, self.excitation()).travelled(self.travel().as_ref()),
             LastDisplacements::new(n),
             (
                 asked.closings.then(|| self.closings()),
@@ -180,7 +178,7 @@ impl Prepared {
         let n = self.floors.all().len();
         (
             Peaks::new(n),
-            Collisions::new(n, self.pairs()),
+            Collisions::new(n, self.pairs()).travelled(self.travel()),
             TransferredMomentum::new(n),
             ledger,
         )
@@ -190,7 +188,28 @@ impl Prepared {
     fn closings(&self) -> Closings {
         let periods = self.scene.structures.iter().filter_map(Structure::period);
         let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
-        Closings::new(self.walls(), look)
+        Closings::new(self.walls(), look).travelled(self.travel())
+    }
+
+    /// How the ground motion travels along the row; nothing where all are shaken at once.
+    pub(crate) fn travel(&self) -> Option<Travel> {
+        let excitation = self.excitation();
+        with_row!(&self.model, row => row.travel(excitation))
+    }
+
+    /// How far the bases of structures that face each other come closest, or apart, during the run, by how the ground
+    /// motion travels: of every structure and its right neighbour; empty where all are shaken at once.
+    pub fn openings(&self) -> Vec<Opening> {
+        let Some(travel) = self.travel() else {
+            return Vec::new();
+        };
+        let base = |structure: usize| self.floors.of_structure(structure)[0];
+        let neighbours = 1..self.scene.structures.len();
+        let opening = |right: usize| {
+            let bases = [base(right - 1), base(right)];
+            travel.largest_opening(bases, self.duration())
+        };
+        neighbours.map(opening).collect()
     }
 
     /// The pairs that can touch, from left to right.
@@ -223,6 +242,15 @@ impl Prepared {
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
         with_row!(&self.model, row => integrator.run(row, excitation, clock, recorder))
+    }
+
+    /// Runs the scene with recorders of a type that others use too.
+    ///
+    /// # Errors
+    /// [`StudyError::Run`] when the run ends early.
+    pub(crate) fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, StudyError> {
+        self.run_by(&self.integrator, self.clock, recorder)
+            .map_err(|error| self.ended(error))
     }
 
     fn excitation(&self) -> Excitation<'_> {

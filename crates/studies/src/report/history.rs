@@ -1,6 +1,6 @@
 //! `history.csv`: the motion of every structure and what is between neighbours, row by row in time.
 
-use pounding_solver::{Histories, State};
+use pounding_solver::{Histories, State, Travel};
 
 use super::names::Names;
 use crate::tables::to_csv;
@@ -11,15 +11,21 @@ use crate::{Floors, Outcome, Prepared, digits};
 pub(super) struct Motion<'a> {
     pub(super) prepared: &'a Prepared,
     histories: &'a Histories,
+    /// How the ground motion travels; nothing where all are shaken at once.
+    travel: Option<&'a Travel>,
 }
 
 impl<'a> Motion<'a> {
     /// Of a run that kept its histories.
-    pub(super) fn of(prepared: &'a Prepared, outcome: &'a Outcome) -> Self {
+    pub(super) fn of(
+        (prepared, travel): (&'a Prepared, Option<&'a Travel>),
+        outcome: &'a Outcome,
+    ) -> Self {
         let kept = outcome.histories.as_ref();
         Self {
             prepared,
             histories: kept.expect("a report keeps histories"),
+            travel,
         }
     }
 
@@ -58,7 +64,15 @@ impl<'a> Motion<'a> {
         let pounding_solver::Pair {
             left, right, gap, ..
         } = self.prepared.pairs()[pair];
-        gap + self.states(right)[row].displacement - self.states(left)[row].displacement
+        let own = gap + self.states(right)[row].displacement - self.states(left)[row].displacement;
+        let bases = |travel: &Travel| travel.opening([left, right], self.time(row)).displacement;
+        own - self.travel.map_or(0.0, bases)
+    }
+
+    /// Acceleration of the ground under a floor at an instant \[m/s²\].
+    fn ground(&self, floor: usize, time: f64) -> f64 {
+        let arrival = self.travel.map_or(0.0, |travel| travel.arrival(floor));
+        self.prepared.record().at(time - arrival)
     }
 
     /// Pounding force of a compliant pair \[N\], ≥ 0.
@@ -96,7 +110,7 @@ pub(super) fn csv(prepared: &Prepared, motion: &Motion<'_>) -> String {
             values.extend([
                 state.displacement,
                 state.velocity,
-                state.acceleration + ground,
+                state.acceleration + motion.ground(structure, time),
                 state.restoring_force,
             ]);
             if let Some(drifts) = &drifts[structure] {

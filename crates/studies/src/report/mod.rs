@@ -75,10 +75,11 @@ impl<'a> Report<'a> {
     /// | `*.svg`, `*.png` | the figures of the report |
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);
-        let motion = Motion::of(prepared, outcome);
+        let travel = prepared.travel();
+        let motion = Motion::of((prepared, travel.as_ref()), outcome);
         let summary = self.summary();
         let illustrations =
-            figures::illustrations((prepared, outcome), &summary.pairs, self.effects.as_ref());
+            figures::illustrations((motion, outcome), &summary.pairs, self.effects.as_ref());
         let page = page::html(self, &summary, &illustrations);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),

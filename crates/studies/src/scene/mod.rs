@@ -33,8 +33,8 @@ pub struct Scene {
     pub name: String,
     /// The record and how it is used.
     pub record: RecordUse,
-    /// Duration of the run \[s\], a whole number of time steps; without it that of the record and two of the longest
-    /// natural periods after it, made a whole number of steps.
+    /// Duration of the run \[s\], a whole number of time steps; without it that of the record, from its last arrival on, and
+    /// two of the longest natural periods after it, made a whole number of steps.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub duration_s: Option<f64>,
     /// The structures and walls, from left to right.
@@ -42,6 +42,10 @@ pub struct Scene {
     /// One contact between each structure and its right neighbour; absent when the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
+    /// When the ground motion arrives at each structure and wall \[s\], ≥ 0, from left to right; absent where all are shaken at
+    /// once. A wave of apparent velocity v arrives at a base a distance x further along its way x/v later.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arrivals_s: Option<Vec<f64>>,
     /// The method of time integration; without it the exact one.
     #[serde(default = "exact", deserialize_with = "choice::one")]
     pub method: Method,
@@ -68,7 +72,9 @@ impl Scene {
     pub(crate) fn duration_under(&self, record: f64) -> f64 {
         self.duration_s.unwrap_or_else(|| {
             let longest = self.structures.iter().filter_map(Structure::period);
-            let least = record + PERIODS_AFTER_RECORD * longest.fold(0.0, f64::max);
+            let arrivals = self.arrivals_s.iter().flatten();
+            let last = arrivals.copied().fold(0.0, f64::max);
+            let least = record + last + PERIODS_AFTER_RECORD * longest.fold(0.0, f64::max);
             match self.method.time_step() {
                 Some(step) => (least / step - 1e-6).ceil() * step,
                 None => least,

@@ -171,7 +171,10 @@ mod tests {
         Motion {
             model,
             phases,
-            segment: Segment::default(),
+            segment: Segment {
+                grounds: vec![(0.0, 0.0); 2],
+                ..Segment::default()
+            },
         }
     }
 

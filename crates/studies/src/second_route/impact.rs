@@ -49,7 +49,9 @@ pub(super) fn collide(model: &Model, state: &mut State, scales: &Scales) -> Resu
         return Err(pair);
     }
     let speeds = (0..model.structures.len()).map(|index| state.high[velocity(index)].abs());
-    let noise = NOISE * speeds.fold(0.0, f64::max);
+    let openings = model.pairs.iter().filter_map(|pair| pair.opening);
+    let openings = openings.map(|index| state.high[index + 1].abs());
+    let noise = NOISE * speeds.chain(openings).fold(0.0, f64::max);
     let mut total = vec![0.0; model.pairs.len()];
     for round in 0..=MOST_ROUNDS {
         let approaches = |&pair: &usize| model.rate(pair, &state.high) > noise;
@@ -80,6 +82,7 @@ fn touching(model: &Model, y: &[f64]) -> Vec<usize> {
     let touches = |&index: &usize| {
         let pair = model.pairs[index];
         let size = pair.gap + y[displacement(pair.left)].abs() + y[displacement(pair.right)].abs();
+        let size = pair.opening.map_or(size, |index| size + y[index].abs());
         matches!(pair.law, Law::Impulsive { .. }) && model.deformation(index, y) >= -TOGETHER * size
     };
     (0..model.pairs.len()).filter(touches).collect()

@@ -15,9 +15,13 @@
 //! The row may be one of buildings: the force of a storey, spring and damper, acts on the floor above it and on the one
 //! below, and yielding and unloading are events of its drift.
 //!
+//! Where the ground motion arrives at one structure after the other, how far the grounds of a pair have moved towards each
+//! other is integrated with the rest: two unknowns more, and the record's double integral is not asked.
+//!
 //! Left out: stereomechanical pairs that bounce down to rest on each other; the run then ends with
 //! [`SecondRouteError::ComesToRest`].
 
+mod arrivals;
 mod dormand_prince;
 mod error;
 mod events;
@@ -39,8 +43,8 @@ use pounding_solver::{Excitation, Hysteretic, Row};
 pub use error::SecondRouteError;
 pub use record::{Collision, Peak, Response, StructureResponse};
 
+use arrivals::Segments;
 use model::Model;
-use motion::Segment;
 use runner::Runner;
 
 /// How finely the second route works.
@@ -105,24 +109,11 @@ pub fn run<Column: Hysteretic>(
         });
     }
     let interval = excitation.time_step();
-    let mut runner = Runner::new(Model::new(row), fineness, interval);
-    let mut samples = excitation.samples().windows(2);
-    let mut segment = 0_u32;
-    loop {
-        let start = f64::from(segment) * interval;
-        let length = interval.min(duration - start);
-        // The quotient of two decimal numbers misses a whole number by a rounding: no segment for that.
-        if length <= 1e-9 * interval {
-            break;
-        }
-        let ends = samples.next().map_or([0.0; 2], |pair| [pair[0], pair[1]]);
-        runner.segment(Segment {
-            start,
-            length,
-            ground_acceleration: ends[0],
-            ground_rate: (ends[1] - ends[0]) / interval,
-        })?;
-        segment += 1;
+    let model = Model::new(row);
+    let arrivals: Vec<_> = model.structures.iter().map(|one| one.arrival).collect();
+    let mut runner = Runner::new(model, fineness, interval);
+    for segment in Segments::new(excitation, arrivals, duration) {
+        runner.segment(segment)?;
     }
     Ok(runner.finish(duration))
 }

@@ -8,7 +8,8 @@ use super::storey::{Columns, Smooth};
 /// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
 ///
 /// After it follow displacement and velocity of each structure, then the impulse of the present collision of each
-/// pair, then the elastic part of the drift of each storey with columns that yield smoothly.
+/// pair, then the elastic part of the drift of each storey with columns that yield smoothly, then how far the grounds of
+/// each pair that is not shaken at once have moved towards each other, and at which rate.
 pub(super) const TIME: usize = 0;
 
 /// Index of a structure's displacement in the vector of unknowns.
@@ -28,6 +29,8 @@ pub(super) struct Model {
     pub pairs: Vec<Neighbours>,
     /// Number of storeys with columns that yield smoothly.
     n_smooth: usize,
+    /// Number of pairs whose grounds move on their own.
+    n_opening: usize,
 }
 
 /// A floor with the storey below it, or, with inverse mass 0, a wall.
@@ -41,6 +44,8 @@ pub(super) struct Structure {
     /// Damping coefficient of the floor against the ground, besides that of a storey that stands there \[N·s/m\].
     pub ground_damping: f64,
     pub columns: Columns,
+    /// When the ground motion arrives \[s\].
+    pub arrival: f64,
     pub initial_displacement: f64,
     pub initial_velocity: f64,
 }
@@ -51,13 +56,19 @@ pub(super) struct Neighbours {
     pub left: usize,
     pub right: usize,
     pub gap: f64,
+    /// Index of how far the grounds have moved towards each other in the vector of unknowns, before that of its rate; nothing
+    /// where both move alike.
+    pub opening: Option<usize>,
     pub reduced_mass: f64,
     pub law: Law,
 }
 
 impl Model {
     pub(super) fn new<Column: Hysteretic>(row: &Row<Column>) -> Self {
-        let mut structures: Vec<_> = row.nodes().iter().map(structure).collect();
+        let nodes = row.nodes().iter().enumerate();
+        let mut structures: Vec<_> = nodes
+            .map(|(index, node)| structure(node, row.arrival(index)))
+            .collect();
         let mut next = 1 + 2 * structures.len() + row.pairs().len();
         let first = next;
         for structure in &mut structures {
@@ -66,28 +77,37 @@ impl Model {
                 next += 1;
             }
         }
-        let neighbours = |pair: &pounding_solver::Pair| {
+        let n_smooth = next - first;
+        let mut neighbours = |pair: &pounding_solver::Pair| {
             let inverse_mass = |index: usize| structures[index].inverse_mass;
             let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
+            let arrivals = [pair.left, pair.right].map(|index| structures[index].arrival);
+            let opens = arrivals[0].total_cmp(&arrivals[1]).is_ne();
+            let opening = opens.then_some(next);
+            next += if opens { 2 } else { 0 };
             Neighbours {
                 left: pair.left,
                 right: pair.right,
                 gap: pair.gap,
+                opening,
                 reduced_mass,
                 law: Law::of(pair.law, reduced_mass),
             }
         };
-        let pairs = row.pairs().iter().map(neighbours).collect();
+        let pairs: Vec<_> = row.pairs().iter().map(&mut neighbours).collect();
+        let opening = pairs.iter().filter(|pair| pair.opening.is_some());
         Self {
+            n_opening: opening.count(),
             structures,
             pairs,
-            n_smooth: next - first,
+            n_smooth,
         }
     }
 
     /// Number of unknowns.
     pub(super) fn n_unknowns(&self) -> usize {
-        1 + 2 * self.structures.len() + self.pairs.len() + self.n_smooth
+        let n_own = self.n_smooth + 2 * self.n_opening;
+        1 + 2 * self.structures.len() + self.pairs.len() + n_own
     }
 
     /// Index of the impulse of a pair's present collision in the vector of unknowns.
@@ -124,19 +144,30 @@ impl Model {
     /// Deformation δ of a pair \[m\]; negative while it stands apart.
     pub(super) fn deformation(&self, pair: usize, unknowns: &[f64]) -> f64 {
         let Neighbours {
-            left, right, gap, ..
+            left,
+            right,
+            gap,
+            opening,
+            ..
         } = self.pairs[pair];
-        (unknowns[displacement(left)] - unknowns[displacement(right)]) - gap
+        let ahead = unknowns[displacement(left)] - unknowns[displacement(right)];
+        opening.map_or(ahead, |index| ahead + unknowns[index]) - gap
     }
 
     /// Rate of deformation of a pair \[m/s\], positive while approaching.
     pub(super) fn rate(&self, pair: usize, unknowns: &[f64]) -> f64 {
-        let Neighbours { left, right, .. } = self.pairs[pair];
-        unknowns[velocity(left)] - unknowns[velocity(right)]
+        let Neighbours {
+            left,
+            right,
+            opening,
+            ..
+        } = self.pairs[pair];
+        let faster = unknowns[velocity(left)] - unknowns[velocity(right)];
+        opening.map_or(faster, |index| faster + unknowns[index + 1])
     }
 }
 
-fn structure<Column: Hysteretic>(node: &Node<Column>) -> Structure {
+fn structure<Column: Hysteretic>(node: &Node<Column>, arrival: f64) -> Structure {
     let (below, ground_damping) = match node.support {
         Support::Ground => (None, 0.0),
         Support::Floor(floor) => (Some(floor.below), floor.ground_damping),
@@ -147,6 +178,7 @@ fn structure<Column: Hysteretic>(node: &Node<Column>) -> Structure {
         damping: node.damping,
         ground_damping,
         columns: Columns::of(node.column.hysteresis()),
+        arrival,
         initial_displacement: node.initial_displacement,
         initial_velocity: node.initial_velocity,
     }

@@ -14,16 +14,14 @@ pub(super) struct Motion {
 }
 
 /// A segment of the record.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Segment {
     /// Its start \[s\].
     pub start: f64,
     /// Its length \[s\].
     pub length: f64,
-    /// Ground acceleration at its start \[m/s²\].
-    pub ground_acceleration: f64,
-    /// Rate of the ground acceleration \[m/s³\].
-    pub ground_rate: f64,
+    /// Ground acceleration at its start \[m/s²\] and its rate \[m/s³\], under every structure.
+    pub grounds: Vec<(f64, f64)>,
 }
 
 impl Motion {
@@ -56,13 +54,22 @@ impl Motion {
             }
             dy[model.impulse(index)] = force;
         }
-        let ground = segment.ground_acceleration + segment.ground_rate * y[TIME];
+        let ground = |structure: usize| {
+            let (start, rate) = segment.grounds[structure];
+            start + rate * y[TIME]
+        };
+        for pair in &model.pairs {
+            if let Some(opening) = pair.opening {
+                dy[opening] = y[opening + 1];
+                dy[opening + 1] = ground(pair.left) - ground(pair.right);
+            }
+        }
         for (index, structure) in model.structures.iter().enumerate() {
             let slope = &mut dy[velocity(index)];
             *slope = if structure.inverse_mass == 0.0 {
                 0.0
             } else {
-                *slope * structure.inverse_mass - ground
+                *slope * structure.inverse_mass - ground(index)
             };
         }
         dy[TIME] = 1.0;

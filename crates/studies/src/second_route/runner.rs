@@ -93,10 +93,11 @@ impl Runner {
     /// Runs through one segment of the record.
     pub(super) fn segment(&mut self, segment: Segment) -> Result<(), SecondRouteError> {
         self.motion.phases.shift(self.motion.segment.length);
+        let length = segment.length;
         self.motion.segment = segment;
         self.state.set(TIME, 0.0);
         self.n_events = 0;
-        while self.state.high[TIME] < segment.length {
+        while self.state.high[TIME] < length {
             self.advance()?;
         }
         Ok(())

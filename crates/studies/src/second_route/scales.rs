@@ -5,7 +5,7 @@ use super::model::{Model, TIME, displacement, velocity};
 /// Sizes of the unknowns.
 #[derive(Debug, Clone)]
 pub(super) struct Scales {
-    /// Largest magnitude so far of each displacement and velocity.
+    /// Largest magnitude so far of each displacement and velocity, and of those of grounds to each other.
     largest: Vec<f64>,
     /// Size of each unknown.
     sizes: Vec<f64>,
@@ -29,10 +29,14 @@ impl Scales {
         &self.sizes
     }
 
-    /// Largest speed so far of the structures of a pair, summed \[m/s\].
+    /// Largest speed so far of the structures of a pair, and of their grounds to each other, summed \[m/s\].
     pub(super) fn speed(&self, model: &Model, pair: usize) -> f64 {
         let neighbours = model.pairs[pair];
-        self.largest[velocity(neighbours.left)] + self.largest[velocity(neighbours.right)]
+        let speed =
+            self.largest[velocity(neighbours.left)] + self.largest[velocity(neighbours.right)];
+        neighbours
+            .opening
+            .map_or(speed, |index| speed + self.largest[index + 1])
     }
 
     /// Sees a state.
@@ -42,6 +46,11 @@ impl Scales {
                 self.largest[unknown] = self.largest[unknown].max(y[unknown].abs());
                 self.sizes[unknown] = self.largest[unknown];
             }
+        }
+        let openings = model.pairs.iter().filter_map(|pair| pair.opening);
+        for unknown in openings.flat_map(|index| [index, index + 1]) {
+            self.largest[unknown] = self.largest[unknown].max(y[unknown].abs());
+            self.sizes[unknown] = self.largest[unknown];
         }
         for (index, pair) in model.pairs.iter().enumerate() {
             let momentum = pair.reduced_mass * self.speed(model, index);

@@ -9,6 +9,7 @@ mod opensees;
 mod scenes;
 mod stepping;
 mod storeys;
+mod travel;
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{Elastic, Excitation, Hysteretic, Node, Pair, Row};

@@ -1,5 +1,6 @@
 //! The plan of a scene as JSON: fields of [`Summary`](pounding::studies::Summary) where it has them, SI units.
 
+use pounding::solver::Opening;
 use pounding::studies::{ContactLimit, Doubt, Facing, RecordSummary, Structure};
 use serde_json::{Value, json};
 
@@ -29,12 +30,21 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
             "chosen_for_error": prepared.advice().map(|advice| advice.goal.error),
         },
         "structures": structures.map(|(one, limit)| structure(one, *limit)).collect::<Vec<_>>(),
+        "base_openings": openings(plan),
         "pairs": plan.expected.as_ref().map(|_| pairs(plan)),
         "exact_run": exact,
         "not_needed": unneeded,
         "unusual": prepared.doubts().iter().map(doubt).collect::<Vec<_>>(),
         "warnings": plan.warnings,
     }))
+}
+
+/// Of every structure and its right neighbour, how far their bases move towards each other, or apart (negative), at most;
+/// null where all are shaken at once.
+fn openings(plan: &Plan<'_>) -> Option<Vec<Value>> {
+    let openings = plan.prepared.openings();
+    let opening = |one: &Opening| json!({"largest_opening_m": one.distance, "time_s": one.time});
+    (!openings.is_empty()).then(|| openings.iter().map(opening).collect())
 }
 
 fn structure(structure: &Structure, limit: Option<f64>) -> Value {

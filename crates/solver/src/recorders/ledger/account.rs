@@ -12,6 +12,8 @@ pub(super) struct Account {
     mass: f64,
     damping: f64,
     support: Support,
+    /// When the ground motion arrives \[s\].
+    arrival: f64,
     columns: Columns,
     /// Whether its first span or impact has come.
     open: bool,
@@ -94,6 +96,7 @@ impl Account {
             },
             damping: node.damping,
             support: node.support,
+            arrival: row.arrival(index),
             columns,
             open: false,
             first_strain: columns.strain(force, drift),
@@ -144,6 +147,18 @@ impl Account {
             self.terms.kinetic = 0.5 * self.mass * (after * after);
             self.momentum = self.mass * after;
         }
+    }
+
+    /// Books the work of grounds that move towards each other \[J\], done on the floor through compliant contact.
+    pub(super) fn open_contact(&mut self, work: f64) {
+        self.terms.opening += work;
+        self.terms.contact += work;
+    }
+
+    /// The same through an impact.
+    pub(super) fn open_impact(&mut self, work: f64) {
+        self.terms.opening += work;
+        self.terms.impact += work;
     }
 
     /// Columns must not give energy when they flow; of an earlier hysteretic energy \[J\] and the end of a span.
@@ -213,7 +228,7 @@ impl Account {
         let (mut works, mut impulses) = (Acting::default(), Acting::default());
         let mut from = span.start_time;
         while from < span.end_time {
-            let segment = excitation.segment(from);
+            let segment = excitation.segment(from, self.arrival);
             let to = segment.end.min(span.end_time);
             let [force, damping, ground, left, right, works_of @ ..] =
                 span.integrate_between((from, to), |time, state, drift| {
@@ -257,8 +272,10 @@ impl Account {
     /// Change of kinetic energy less the works \[J\].
     fn identity(&self) -> f64 {
         let terms = &self.terms;
-        let works =
-            self.restoring_work + terms.input - terms.damping - terms.contact - terms.impact;
+        let works = self.restoring_work + terms.input + terms.opening
+            - terms.damping
+            - terms.contact
+            - terms.impact;
         terms.kinetic - self.first_kinetic - works
     }
 

@@ -27,7 +27,7 @@ pub(super) struct Contact {
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Side {
-    /// End of the last span, and the displacement there.
+    /// End of the last span, and the displacement there, of a ground that moves on its own included.
     time: f64,
     displacement: f64,
     /// Whether it was pushed in that span.
@@ -59,7 +59,7 @@ struct Touching {
 pub(super) struct Push {
     /// Start and end \[s\].
     pub(super) times: (f64, f64),
-    /// Displacement at the end \[m\].
+    /// Displacement at the end \[m\], with that of a ground that moves on its own.
     pub(super) displacement: f64,
     /// Whether the motion is known between the ends.
     pub(super) exact: bool,
@@ -67,7 +67,7 @@ pub(super) struct Push {
     pub(super) forces: (f64, f64),
     /// Impulse \[N·s\].
     pub(super) impulse: f64,
-    /// Work on the structure \[J\].
+    /// Work on the structure \[J\], half of what grounds that move towards each other do taken off.
     pub(super) work: f64,
 }
 

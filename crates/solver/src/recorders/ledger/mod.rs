@@ -17,7 +17,7 @@ use buildings::Buildings;
 use contact::{Contact, Push};
 use largest::{Balances, Largest};
 
-use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span};
+use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span, State, Travel};
 
 /// Books the energy of every building, and the energy and impulse of every pair.
 ///
@@ -39,6 +39,8 @@ use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ledger<'a> {
     excitation: Excitation<'a>,
+    /// How it travels along the row; nothing where all are shaken at once.
+    travel: Option<Travel>,
     /// One for each node.
     accounts: Vec<Account>,
     buildings: Buildings,
@@ -97,6 +99,7 @@ impl<'a> Ledger<'a> {
         }
         Self {
             excitation,
+            travel: row.travel(excitation),
             accounts: (0..row.nodes().len())
                 .map(|node| Account::new(row, node))
                 .collect(),
@@ -262,6 +265,49 @@ impl<'a> Ledger<'a> {
         }
     }
 
+    /// Books and returns half the work of grounds that move towards each other, done through the compliant contact of a left
+    /// structure and its right neighbour over a span of one of them.
+    ///
+    /// Of a step it is the impulse times what they came closer by over its duration.
+    fn opened(&mut self, span: &Span<'_>, left: usize) -> f64 {
+        let Some(travel) = &self.travel else {
+            return 0.0;
+        };
+        let nodes = [left, left + 1];
+        let on_left = span.structure == left;
+        let force = |state: &State| {
+            if on_left {
+                -state.force_from_right
+            } else {
+                state.force_from_left
+            }
+        };
+        let impulse = if on_left {
+            -span.impulse_from_right
+        } else {
+            span.impulse_from_left
+        };
+        if impulse == 0.0 {
+            return 0.0;
+        }
+        let work = match span.path {
+            Path::Cubic(_) => {
+                let [start, end] = [span.start_time, span.end_time]
+                    .map(|time| travel.opening(nodes, time).displacement);
+                impulse * ((end - start) / span.duration())
+            }
+            Path::Series(_) => {
+                let power = |time: f64, state: &State| {
+                    [force(state) * travel.opening(nodes, time).velocity]
+                };
+                let [work] = span.integrate(power);
+                work
+            }
+        };
+        self.accounts[span.structure].open_contact(0.5 * work);
+        0.5 * work
+    }
+
     /// Counts the pairs of a structure that meet, before and after something happened to them.
     fn count(&self, pairs: [Option<usize>; 2]) -> usize {
         let meets = |pair: &usize| self.contacts[*pair].meets();
@@ -306,9 +352,12 @@ impl Recorder for Ledger<'_> {
         let pairs = self.pairs_of[span.structure];
         let [left, right] = pairs;
         self.n_meeting -= self.count(pairs);
+        let ground = self.travel.as_ref().map_or(0.0, |travel| {
+            travel.ground(span.structure, span.end_time).displacement
+        });
         let push = |forces, impulse, work| Push {
             times: (span.start_time, span.end_time),
-            displacement: span.end.displacement,
+            displacement: span.end.displacement + ground,
             exact: matches!(span.path, Path::Series(_)),
             forces,
             impulse,
@@ -316,13 +365,15 @@ impl Recorder for Ledger<'_> {
         };
         if let Some(pair) = left {
             let forces = (span.start.force_from_left, span.end.force_from_left);
-            let push = push(forces, span.impulse_from_left, works.from_left);
+            let open = self.opened(span, span.structure - 1);
+            let push = push(forces, span.impulse_from_left, works.from_left - open);
             let outcome = self.contacts[pair].push(pair, 1, &push);
             self.judge(outcome);
         }
         if let Some(pair) = right {
             let forces = (-span.start.force_from_right, -span.end.force_from_right);
-            let push = push(forces, -span.impulse_from_right, works.from_right);
+            let open = self.opened(span, span.structure);
+            let push = push(forces, -span.impulse_from_right, works.from_right - open);
             let outcome = self.contacts[pair].push(pair, 0, &push);
             self.judge(outcome);
         }
@@ -339,8 +390,11 @@ impl Recorder for Ledger<'_> {
         let impulse = impact.impulse;
         self.accounts[impact.left].impact(-impulse, (before.left, after.left));
         self.accounts[impact.right].impact(impulse, (before.right, after.right));
-        let rates = (before.left - before.right, after.left - after.right);
-        let loss = 0.5 * impulse * (rates.0 + rates.1);
+        let rates = impact.rates();
+        let loss = 0.5 * impulse * (rates[0] + rates[1]);
+        for structure in [impact.left, impact.right] {
+            self.accounts[structure].open_impact(0.5 * impulse * impact.opening_rate);
+        }
         self.n_meeting -= self.count([Some(impact.pair), None]);
         self.contacts[impact.pair].impact(impact.time, impulse, loss);
         self.n_meeting += self.count([Some(impact.pair), None]);
@@ -351,7 +405,13 @@ impl Recorder for Ledger<'_> {
                 found: impulse,
             }));
         }
-        let speeds = [before.left, before.right, after.left, after.right];
+        let speeds = [
+            before.left,
+            before.right,
+            after.left,
+            after.right,
+            impact.opening_rate,
+        ];
         let meeting = self.meeting.get_or_insert(Meeting {
             start: impact.time,
             end: impact.time,

@@ -2,7 +2,7 @@ use std::ops::AddAssign;
 
 /// The terms of an energy balance \[J\], of one floor and its storey, of a building or of a row, at an instant.
 ///
-/// Of a building and of a row: kinetic + strain + damping + hysteretic + impact + contact = initial + input. Each is
+/// Of a building and of a row: kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening. Each is
 /// computed on its own from the motion and its forces; none is what the others leave.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Terms {
@@ -10,6 +10,9 @@ pub struct Terms {
     pub initial: f64,
     /// Work of the shaking, ∫ −m·`a_g`·u̇ dt (relative to the ground); of either sign.
     pub input: f64,
+    /// Work of grounds that move towards each other, done through contact, ∫ F·Ḋ dt and P·Ḋ with D what they have come
+    /// closer by; of either sign, half of it booked with either floor. 0 where all buildings are shaken at once.
+    pub opening: f64,
     /// Kinetic energy ½mu̇², of the velocity relative to the ground, ≥ 0.
     pub kinetic: f64,
     /// Energy stored in the columns, `f_s`²/2k, ≥ 0; ½ a k d² + h²/2(1 − a)k of columns that harden after yielding, with
@@ -31,7 +34,7 @@ impl Terms {
     pub fn balance(&self) -> f64 {
         let held = self.kinetic + self.strain;
         let spent = self.damping + self.hysteretic + self.impact + self.contact;
-        held + spent - self.input - self.initial
+        held + spent - self.input - self.opening - self.initial
     }
 
     /// Initial energy plus the magnitudes of the other terms \[J\].
@@ -47,10 +50,11 @@ impl Terms {
             .fold(0.0, f64::max)
     }
 
-    fn all(&self) -> [f64; 8] {
+    fn all(&self) -> [f64; 9] {
         [
             self.initial,
             self.input,
+            self.opening,
             self.kinetic,
             self.strain,
             self.damping,
@@ -65,6 +69,7 @@ impl AddAssign for Terms {
     fn add_assign(&mut self, other: Self) {
         self.initial += other.initial;
         self.input += other.input;
+        self.opening += other.opening;
         self.kinetic += other.kinetic;
         self.strain += other.strain;
         self.damping += other.damping;

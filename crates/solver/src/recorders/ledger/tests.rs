@@ -92,7 +92,7 @@ fn book(fault: Fault) -> ([f64; 3], Terms) {
     let mut start_time = 0.0;
     for step in 1..=64_u32 {
         let end_time = TIME_STEP * f64::from(step);
-        let segment = excitation.segment(start_time);
+        let segment = excitation.segment(start_time, 0.0);
         let floors = expand(starts, (segment.value, segment.slope), fault);
         starts = report(&mut ledger, &floors, (start_time, end_time));
         start_time = end_time;

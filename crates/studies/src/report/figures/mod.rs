@@ -67,11 +67,11 @@ impl<'a> Seen<'a> {
 
 /// The pictures of a run; those that would show nothing are left out.
 pub(super) fn illustrations(
-    (prepared, outcome): (&Prepared, &Outcome),
+    (motion, outcome): (Motion<'_>, &Outcome),
     pairs: &[PairSummary],
     effects: Option<&Effects>,
 ) -> Vec<Illustration> {
-    let motion = Motion::of(prepared, outcome);
+    let prepared = motion.prepared;
     let seen = Seen {
         prepared,
         outcome,

@@ -351,6 +351,7 @@ pub(super) fn ledger(summary: &Summary) -> String {
     let terms = [
         ("energy at the start", one.initial_j),
         ("work of the shaking", one.input_j),
+        ("work of bases that move towards each other", one.opening_j),
         ("kinetic energy at the end", one.kinetic_j),
         ("strain energy at the end", one.strain_j),
         ("taken by viscous damping", one.damping_j),

@@ -271,13 +271,16 @@ pub struct PairErrorSummary {
 
 /// Where the energy of the row went, at the end of the run; of the motion relative to the ground.
 ///
-/// kinetic + strain + damping + hysteretic + impact + contact = initial + input.
+/// kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LedgerSummary {
     /// Energy at the start \[J\].
     pub initial_j: f64,
     /// Work of the shaking \[J\].
     pub input_j: f64,
+    /// Work that bases which move towards each other do through contact \[J\]; left out where all are shaken at once.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub opening_j: f64,
     /// Kinetic energy \[J\].
     pub kinetic_j: f64,
     /// Energy stored in the columns \[J\].
@@ -296,11 +299,20 @@ pub struct LedgerSummary {
     pub scale_j: f64,
 }
 
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
 impl LedgerSummary {
     pub(super) fn of(balance: &crate::Balance) -> Self {
         let Terms {
             initial,
             input,
+            opening,
             kinetic,
             strain,
             damping,
@@ -311,6 +323,7 @@ impl LedgerSummary {
         Self {
             initial_j: initial,
             input_j: input,
+            opening_j: opening,
             kinetic_j: kinetic,
             strain_j: strain,
             damping_j: damping,
