@@ -89,7 +89,7 @@ fn extreme_field_missing_deep_in_a_study() {
     let mut study = study("table-2");
     let contact = study["scenes"][1]["contacts"][0].as_object_mut();
     contact.expect("a contact has fields").remove("gap_m");
-    assert_snapshot!(refused("deep", &study), @"study.json, line 71, column 9: scenes[1].contacts[0]: found no `gap_m`, which must be there; add it");
+    assert_snapshot!(refused("deep", &study), @"study.json, line 65, column 9: scenes[1].contacts[0]: found no `gap_m`, which must be there; add it");
 }
 
 #[test]
