@@ -19,7 +19,7 @@ fn reported(test: &str, method: &str) -> (Summary, String, csv::Reader<fs::File>
     let scene = scene.replace("../records", records.to_str().expect("UTF-8"));
     fs::write(folder.join("scene.toml"), format!("{method}\n{scene}")).expect("a file");
     let ended = pounding(&folder, &["run", "scene.toml", "--json", "--out", "out"]);
-    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "a good run");
     let summary = serde_json::from_str(&ended.stdout).expect("a summary");
     let file = |name: &str| folder.join("out").join(name);
     let page = fs::read_to_string(file("report.html")).expect("a report");
