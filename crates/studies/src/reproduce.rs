@@ -132,9 +132,7 @@ impl Studies {
         let claims = claims(&completed)?;
         let converged = Converged::new(&completed, self.n_noisy_runs)?;
         files.extend(converged.files(&completed, &self.published)?);
-        let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
-        let beyond = BeyondStudy::listed(&read)?.map(|study| study.usual().run(done));
-        let beyond = beyond.transpose()?;
+        let beyond = beyond(&completed, done)?;
         let tallies = beyond
             .as_ref()
             .map_or_else(|| vec![Tallies::default()], Beyond::tallies);
@@ -157,6 +155,16 @@ impl Studies {
             surprises,
         })
     }
+}
+
+/// The scenes under other ground motions, where a study lists some.
+fn beyond(
+    completed: &[Completed],
+    done: &(impl Fn() + Sync),
+) -> Result<Option<Beyond>, StudyError> {
+    let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
+    let study = BeyondStudy::listed(&read)?;
+    study.map(|study| study.usual().run(done)).transpose()
 }
 
 /// What one study makes.
