@@ -8,7 +8,7 @@ use std::path::Path;
 
 use pounding_motion::Accelerogram;
 use pounding_studies::{
-    Generated, Method, Outcome, Prepared, Scene, Source, Structure, StudyError, parse,
+    Generated, Method, Outcome, Prepared, Scene, Source, Structure, StudyError,
 };
 
 /// Steps of structures of a run.
@@ -26,7 +26,7 @@ const PULSE: &[u8] = b"time_s,acceleration_g\n0.0,0.1\n0.1,0.5\n0.2,-0.3\n0.3,0.
 
 /// Reads some bytes as a scene and runs it, where that is short.
 pub(crate) fn check(bytes: &[u8]) {
-    let read = |name| said(parse::<Scene>(bytes, Path::new(name)));
+    let read = |name| said(Scene::parse(bytes, Path::new(name)));
     let Some(mut scene) = read("scene.json").or_else(|| read("scene.toml")) else {
         return;
     };

@@ -39,9 +39,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Whoever has a scene as a file reads it with [`studies::read_file`] and runs it with [`studies::Prepared`].
+//! Whoever has a scene as a file reads it with [`studies::Scene::read`] and runs it with [`studies::Prepared`].
 //!
-//! Left out: structures of several storeys, finding out who can touch whom (neighbours are named), and units other
+//! Left out: finding out who can touch whom (neighbours are named), and units other
 //! than SI anywhere but in printed tables.
 
 pub use pounding_contact as contact;

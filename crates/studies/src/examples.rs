@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::{Effects, Prepared, Report, Scene, StudyError, files_in, read_file};
+use crate::{Effects, Prepared, Report, Scene, StudyError, files_in};
 
 /// The scenes of a folder that have a page beside them: `row.md` explains `row.toml` or `row.json`.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ impl Examples {
             (ends(path, "toml") || ends(path, "json")) && path.with_extension("md").exists()
         };
         let paths = files_in(folder)?.into_iter().filter(is_scene);
-        let scenes = paths.map(|path| Ok((path.clone(), read_file(&path)?)));
+        let scenes = paths.map(|path| Ok((path.clone(), Scene::read(&path)?)));
         Ok(Self {
             scenes: scenes.collect::<Result<_, _>>()?,
         })

@@ -4,18 +4,37 @@ use std::path::Path;
 
 use serde::de::{DeserializeOwned, IgnoredAny};
 
-use crate::{Fault, StudyError, position};
+use crate::{Fault, Scene, StudyError, position};
 
 /// Reads a JSON or TOML file; an error names the line and the field.
 ///
 /// # Errors
 /// [`StudyError::Unreadable`] or [`StudyError::Form`].
-pub fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
+pub(crate) fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
     let text = std::fs::read(path).map_err(|source| StudyError::Unreadable {
         path: path.to_path_buf(),
         source,
     })?;
     parse(&text, path)
+}
+
+/// Deserialisers are large: they are compiled here once, and not with every program that reads a scene.
+impl Scene {
+    /// Reads a scene from a JSON or TOML file; an error names the line and the field.
+    ///
+    /// # Errors
+    /// [`StudyError::Unreadable`] or [`StudyError::Form`].
+    pub fn read(path: &Path) -> Result<Self, StudyError> {
+        read_file(path)
+    }
+
+    /// Reads a scene from the text of a JSON or TOML file, as [`is_json`] tells them apart.
+    ///
+    /// # Errors
+    /// [`StudyError::Form`], with the `path` that the text came from.
+    pub fn parse(text: &[u8], path: &Path) -> Result<Self, StudyError> {
+        parse(text, path)
+    }
 }
 
 /// Whether the text of a file is JSON and not TOML: its first letter is `{`, or the ending of its name says so.
@@ -28,7 +47,7 @@ pub fn is_json(text: &[u8], path: &Path) -> bool {
 ///
 /// # Errors
 /// [`StudyError::Form`], with the `path` that the text came from.
-pub fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyError> {
+pub(crate) fn parse<T: DeserializeOwned>(text: &[u8], path: &Path) -> Result<T, StudyError> {
     // What some editors put before UTF-8.
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let refused = if is_json(text, path) {

@@ -71,7 +71,7 @@ pub use examples::Examples;
 pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use fault::Fault;
 pub use figures::figure_png;
-pub use file::{is_json, parse, read_file};
+pub use file::is_json;
 pub use floor_cost::{Condition, FloorCost, RowSize, TimedRow, floor_cost_figure};
 pub use floors::{Facing, Floor, Floors, Made};
 pub use free_collision::{CollisionError, Delivered, FreeCollision};

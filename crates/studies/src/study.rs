@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Scene, StudyError, read_file};
+use crate::file::read_file;
+use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Scene, StudyError};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

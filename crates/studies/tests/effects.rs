@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_studies::{Effects, Prepared, Scene, Structure, parse};
+use pounding_studies::{Effects, Prepared, Scene, Structure};
 
 /// Two towers that touch: three storeys beside two, of the same height and other periods.
 fn towers() -> Scene {
@@ -28,7 +28,7 @@ fn towers() -> Scene {
         gap_m = 0.01
         law.stereomechanical.restitution = 0.6
     "#;
-    parse(text, Path::new("towers.toml")).expect("a scene")
+    Scene::parse(text, Path::new("towers.toml")).expect("a scene")
 }
 
 fn prepared(scene: &Scene) -> Prepared {

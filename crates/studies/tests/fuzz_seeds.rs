@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use pounding_studies::{Scene, parse};
+use pounding_studies::Scene;
 
 #[path = "../../../fuzz/src/scene.rs"]
 mod scene;
@@ -21,7 +21,7 @@ fn issue_every_seed_runs_or_is_refused() {
         let Some(ending) = path.extension() else {
             continue;
         };
-        if let Err(refused) = parse::<Scene>(&bytes, &path) {
+        if let Err(refused) = Scene::parse(&bytes, &path) {
             panic!("{refused}");
         }
         n_toml += usize::from(ending == "toml");

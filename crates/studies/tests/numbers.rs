@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pounding_motion::Accelerogram;
-use pounding_studies::{Prepared, Scene, StudyError, parse};
+use pounding_studies::{Prepared, Scene, StudyError};
 use serde_json::{Map, Value, json};
 
 /// A record that is not read from a file.
@@ -15,7 +15,7 @@ fn pulse() -> Accelerogram {
 /// Reads, prepares and runs the text of a scene.
 /// Runs a scene; what it prints is finite.
 fn answer(text: &str) -> Result<(), StudyError> {
-    let scene: Scene = parse(text.as_bytes(), Path::new("scene.json"))?;
+    let scene: Scene = Scene::parse(text.as_bytes(), Path::new("scene.json"))?;
     let outcome = Prepared::with_record(&scene, pulse())?.run(None)?;
     for structure in 0..scene.structures.len() {
         let peaks = outcome.peaks.of(structure);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_studies::{Contact, PairSummary, Prepared, Rule, Scene, Structure, parse};
+use pounding_studies::{Contact, PairSummary, Prepared, Rule, Scene, Structure};
 
 /// Structures of other periods, one of which yields, beside a wall, under three seconds of random shaking.
 const SCENE: &str = r#"
@@ -18,7 +18,7 @@ structures = [
 "#;
 
 fn scene() -> Scene {
-    parse(SCENE.as_bytes(), Path::new("scene.toml")).expect("a good scene")
+    Scene::parse(SCENE.as_bytes(), Path::new("scene.toml")).expect("a good scene")
 }
 
 fn prepared(scene: &Scene) -> Prepared {
@@ -216,7 +216,8 @@ fn reference_openings_of_a_tenth_of_a_second() {
     let mut found = Vec::new();
     for record in ["peer-pacific-engineering", "chopra"] {
         let text = String::from_utf8_lossy(&text).replace("peer-pacific-engineering", record);
-        let mut scene: Scene = parse(text.as_bytes(), Path::new("scene.json")).expect("a scene");
+        let mut scene: Scene =
+            Scene::parse(text.as_bytes(), Path::new("scene.json")).expect("a scene");
         scene.arrivals_s = Some(vec![0.0, 0.1]);
         let folder = Path::new("../../studies/examples");
         let prepared = Prepared::new(&scene, folder).expect("a good scene");

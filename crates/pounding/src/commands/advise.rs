@@ -8,7 +8,7 @@ use clap::builder::PossibleValue;
 
 use pounding::studies::{
     Advice, EVALUATIONS_PER_PIECE, Goal, LONGEST_STEP, MOST_STEPS, Method, Prepared, Quantity,
-    Rungs, Scene, StudyError, Trial, advise, digits, is_json, read_file,
+    Rungs, Scene, StudyError, Trial, advise, digits, is_json,
 };
 use serde_json::json;
 
@@ -88,7 +88,7 @@ fn error(text: &str) -> Result<f64, String> {
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
     let message = |error: StudyError| error.in_file(path).to_string();
-    let mut scene: Scene = read_file(path).map_err(message)?;
+    let mut scene: Scene = Scene::read(path).map_err(message)?;
     // The method of the scene does not matter, not even whether it suits the scene.
     scene.method = Method::EXACT;
     let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;

@@ -6,9 +6,7 @@ mod opensees;
 use std::path::PathBuf;
 
 use pounding::solver::Collision;
-use pounding::studies::{
-    Contact, Method, Outcome, Prepared, Scene, Structure, StudyError, read_file,
-};
+use pounding::studies::{Contact, Method, Outcome, Prepared, Scene, Structure, StudyError};
 
 use super::positive;
 use crate::new_file;
@@ -57,7 +55,7 @@ pub(crate) struct Arguments {
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
     let message = |error: StudyError| error.in_file(path).to_string();
-    let mut scene: Scene = read_file(path).map_err(message)?;
+    let mut scene: Scene = Scene::read(path).map_err(message)?;
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
     one_storey(&scene).map_err(|what| format!("{}: {what}", path.display()))?;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pounding::studies::{
-    Method, Prepared, Rule, Scene, Separation, StudyError, digits, read_file, rounded_up,
+    Method, Prepared, Rule, Scene, Separation, StudyError, digits, rounded_up,
 };
 use serde_json::json;
 
@@ -47,7 +47,7 @@ type Line = suite::Line<Vec<Separation>>;
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
     let message = |error: StudyError| error.in_file(path).to_string();
-    let scene: Scene = read_file(path).map_err(message)?;
+    let scene: Scene = Scene::read(path).map_err(message)?;
     if scene.structures.len() < 2 {
         return Err(format!(
             "{}: structures: found {}, allowed two or more: a gap lies between two",

@@ -2,9 +2,8 @@
 
 mod record;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use pounding::studies::parse;
 use serde_json::Value;
 
 use super::json_text;
@@ -74,7 +73,6 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 
 /// A scene of TOML, which holds comments, as JSON, which does not.
 fn json_of(toml: &str) -> Result<String, String> {
-    let scene: Value =
-        parse(toml.as_bytes(), Path::new("scene.toml")).map_err(|error| error.to_string())?;
+    let scene: Value = toml::from_str(toml).map_err(|error| error.to_string())?;
     Ok(json_text(&scene))
 }

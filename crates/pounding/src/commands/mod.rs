@@ -18,7 +18,7 @@ mod suite;
 use std::path::Path;
 
 use clap::{Parser, Subcommand};
-use pounding::studies::{Prepared, StudyError, read_file};
+use pounding::studies::{Prepared, Scene, StudyError};
 use serde_json::Value;
 
 use crate::progress::Progress;
@@ -115,7 +115,7 @@ impl Program {
 
 /// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`Prepared::forcing`].
 fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
-    let scene = read_file(path)?;
+    let scene = Scene::read(path)?;
     let progress = Progress::new();
     let step = |of| progress.step(of);
     if force {

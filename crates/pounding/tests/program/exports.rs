@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding::studies::{Method, Prepared, Scene, read_file};
+use pounding::studies::{Method, Prepared, Scene};
 use serde_json::{Value, json};
 
 use crate::runs::printed;
@@ -63,7 +63,7 @@ fn reference_script_of_a_small_scene() {
 fn limit_the_script_holds_the_numbers_of_the_exact_run() {
     let folder = written("export_exact", &scene());
     let script = export(&folder, &["--time-step", "1e-6"]).stdout;
-    let mut scene: Scene = read_file(&folder.join("scene.json")).unwrap();
+    let mut scene: Scene = Scene::read(&folder.join("scene.json")).unwrap();
     scene.method = Method::EXACT;
     let outcome = Prepared::new(&scene, &folder).unwrap().run(None).unwrap();
     let peaks = [0, 1, 2].map(|index| outcome.peaks.of(index).displacement.value);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use insta::assert_snapshot;
-use pounding_studies::{Method, Scene, Structure, parse};
+use pounding_studies::{Method, Scene, Structure};
 
 use crate::{TOML, changed, refusal, scene};
 
@@ -71,7 +71,7 @@ fn extreme_words_alone_that_need_settings() {
             serde_json::to_string_pretty(&scene(TOML, "x.toml")).expect("a scene is written");
         assert!(text.contains(from), "{text}");
         let text = text.replacen(from, to, 1);
-        let refused = parse::<Scene>(text.as_bytes(), Path::new("scene.json"));
+        let refused = Scene::parse(text.as_bytes(), Path::new("scene.json"));
         refused.expect_err("a scene that is refused").to_string()
     };
     let exact = "\"exact\": {}";

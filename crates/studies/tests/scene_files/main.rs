@@ -6,7 +6,7 @@ mod motions;
 use std::path::Path;
 
 use insta::assert_snapshot;
-use pounding_studies::{Damping, Scene, Structure, parse, scene_schema};
+use pounding_studies::{Damping, Scene, Structure, scene_schema};
 use serde_json::{Value, json};
 
 const TOML: &str = r#"
@@ -36,11 +36,11 @@ law.stereomechanical.restitution = 0.65
 "#;
 
 fn scene(text: &str, name: &str) -> Scene {
-    parse(text.as_bytes(), Path::new(name)).expect("a good scene")
+    Scene::parse(text.as_bytes(), Path::new(name)).expect("a good scene")
 }
 
 fn refusal(text: &str) -> String {
-    let refused = parse::<Scene>(text.as_bytes(), Path::new("scene.toml"));
+    let refused = Scene::parse(text.as_bytes(), Path::new("scene.toml"));
     refused.expect_err("a scene that is refused").to_string()
 }
 
@@ -155,7 +155,7 @@ fn extreme_fields_of_wrong_type() {
 
 #[test]
 fn extreme_text_that_is_not_utf8() {
-    let refused = parse::<Scene>(b"name = \"T\xfcrkiye\"", Path::new("scene.toml"));
+    let refused = Scene::parse(b"name = \"T\xfcrkiye\"", Path::new("scene.toml"));
     assert_snapshot!(refused.expect_err("Latin-1").to_string(), @"scene.toml: the text is not UTF-8 from byte 9 on; save it as UTF-8");
 }
 

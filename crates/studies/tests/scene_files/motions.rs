@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use insta::assert_snapshot;
-use pounding_studies::{Prepared, STANDARD_GRAVITY, Scene, parse, response_spectrum};
+use pounding_studies::{Prepared, STANDARD_GRAVITY, Scene, response_spectrum};
 
 use crate::changed;
 
 /// The scene with another record; it is prepared without a file.
 fn shaken(record: &str) -> Result<Prepared, String> {
     let text = changed("record.file = \"record.csv\"", record);
-    let scene = parse::<Scene>(text.as_bytes(), Path::new("scene.toml"))
+    let scene = Scene::parse(text.as_bytes(), Path::new("scene.toml"))
         .map_err(|error| error.to_string())?;
     Prepared::new(&scene, Path::new("")).map_err(|error| error.to_string())
 }

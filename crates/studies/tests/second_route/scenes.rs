@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use pounding_studies::second_route::{Fineness, Response};
-use pounding_studies::{Prepared, Scene, Study, read_file};
+use pounding_studies::{Prepared, Scene, StudyFile};
 
 use super::close;
 
 fn scenes() -> Vec<(Scene, Prepared)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
     let of = |file: &str| {
-        let study: Study = read_file(&folder.join(file)).expect("a study");
+        let study = StudyFile::read(&folder.join(file)).expect("a study").study;
         study.scenes
     };
     let scenes = ["text.json", "table-6.json", "table-7.json"]

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use pounding::motion::{Record, read};
-use pounding::studies::{GroundMotion, Origin, RecordUse, Scene, digits, read_file};
+use pounding::studies::{GroundMotion, Origin, RecordUse, Scene, digits};
 
 use super::source::{Declared, processed};
 use crate::new_file;
@@ -159,7 +159,7 @@ fn of_scene(asked: &Arguments) -> Result<Motion, String> {
             path.display()
         ));
     }
-    let scene: Scene = read_file(path).map_err(|error| error.in_file(path).to_string())?;
+    let scene: Scene = Scene::read(path).map_err(|error| error.in_file(path).to_string())?;
     let motion = GroundMotion::of(&scene.record, crate::commands::folder(path), &scene.name)
         .map_err(|error| error.in_file(path).to_string())?;
     Ok(Motion {

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use pounding::studies::{
     Doubt, Errors, PairOutcome, PairSummary, Prepared, Quantity, Review, Scene, StructureSummary,
-    StudyError, digits, read_file,
+    StudyError, digits,
 };
 
 use super::{Arguments, Printed};
@@ -81,7 +81,7 @@ impl Found {
 pub(super) fn answer(asked: &Arguments, folder: &Path) -> Result<String, String> {
     let path = &asked.scene;
     let scene: Scene =
-        read_file(path).map_err(|error: StudyError| error.in_file(path).to_string())?;
+        Scene::read(path).map_err(|error: StudyError| error.in_file(path).to_string())?;
     let directions: &[bool] = if asked.suite.both {
         &[false, true]
     } else {
