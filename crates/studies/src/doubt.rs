@@ -143,7 +143,7 @@ impl Prepared {
         let said = drift.map_or_else(String::new, |drift| {
             format!(
                 "a ground that does not come to rest: its mean velocity over the last tenth is {} m/s, {} of the peak",
-                short(drift.velocity),
+                short(drift.velocity.abs()),
                 percent(drift.share)
             )
         });

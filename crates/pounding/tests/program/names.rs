@@ -79,7 +79,7 @@ fn issue_empty_names_are_refused() {
         refusal(&pounding(&folder, &["run", "scene.toml"]))
     };
     assert_snapshot!(refused("\"towers\""), @r#"error: scene.toml, line 2, column 1: scene " ": name: found an empty name, allowed is a name, for tables and figures"#);
-    assert_snapshot!(refused("\"right\""), @r#"error: scene.toml: scene "towers": structures[1].sdof.name: found an empty name, allowed is a name, by which results tell structures"#);
+    assert_snapshot!(refused("\"right\""), @r#"error: scene.toml, line 8, column 14: scene "towers": structures[1].sdof.name: found an empty name, allowed is a name, by which results tell structures"#);
 }
 
 /// The stiffness was blamed for a run of thirty years.
@@ -93,7 +93,7 @@ fn issue_a_duration_too_long_is_named() {
     let long = TOWERS.replace("duration_s = 3.0", "duration_s = 1e9");
     assert_snapshot!(refused(&long), @r#"error: scene.toml, line 4, column 1: scene "towers": duration_s: found 1000000000, allowed up to about 121117 by the exact method, which would need 8.3e9 pieces of the motion of structures[0], "left", of 1e6 at most: use a shorter duration_s, or leave it out for that of the record and two periods"#);
     let stepping = format!("method.rk4.time_step_s = 0.01\n{long}");
-    assert_snapshot!(refused(&stepping), @r#"error: scene.toml, line 4, column 1: scene "towers": duration_s: found 1000000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
+    assert_snapshot!(refused(&stepping), @r#"error: scene.toml, line 5, column 1: scene "towers": duration_s: found 1000000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
 }
 
 /// Advice on a scene in TOML was to be pasted as JSON.
