@@ -60,8 +60,8 @@ fn of_scene(path: &Path, scene: &Scene) -> Result<BTreeMap<PathBuf, Vec<u8>>, St
     let prepared = Prepared::new(scene, folder)?;
     let effects = Effects::of(&prepared)?;
     let report = Report::of(&prepared, true)?.with_effects(Some(effects));
-    let shown =
-        |name: &str| name.ends_with(".png") || ["impacts.csv", "effects.csv"].contains(&name);
+    let is_figure = |name: &str| Path::new(name).extension().is_some_and(|end| end == "png");
+    let shown = |name: &str| is_figure(name) || ["impacts.csv", "effects.csv"].contains(&name);
     let name = path.file_stem().unwrap_or_default();
     let files = report.files().into_iter().filter(|(file, _)| shown(file));
     Ok(files

@@ -44,6 +44,11 @@ pub(crate) struct Arguments {
     scene: PathBuf,
     #[command(flatten)]
     model: How,
+    /// Also say what pounding does to every storey, against the same building
+    /// alone, in both directions of shaking, and what 1 % of the record changes:
+    /// 24 exact runs.
+    #[arg(long, conflicts_with = "records")]
+    effects: bool,
     #[command(flatten)]
     suite: Suite,
     /// Print JSON, SI units.
@@ -65,11 +70,6 @@ struct How {
     /// Print what is refused, too, with a warning.
     #[arg(long, conflicts_with = "records")]
     force: bool,
-    /// Also say what pounding does to every storey, against the same building
-    /// alone, in both directions of shaking, and what 1 % of the record changes:
-    /// 24 exact runs.
-    #[arg(long, conflicts_with = "records")]
-    effects: bool,
 }
 
 /// Under which records.
@@ -134,7 +134,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     };
     let measure = !asked.model.no_error;
     let _waiting = Waiting::new("running");
-    let effects = asked.model.effects.then(|| Effects::of(&prepared));
+    let effects = asked.effects.then(|| Effects::of(&prepared));
     let effects = effects.transpose().map_err(refused)?;
     let Some(out) = &asked.results.out else {
         let review = prepared.review(measure).map_err(refused)?;

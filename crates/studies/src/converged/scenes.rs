@@ -150,16 +150,14 @@ impl Part {
         let run = |scene: &Prepared| {
             let interval = self.looked_at.interval(scene.duration());
             // Of thousands of noisy runs the ledger would take a third of the time: its verdict is asked on the record.
-            match noise {
-                None => scene.run(interval),
-                Some(_) => {
-                    let asked = Asked {
-                        interval,
-                        closings: false,
-                    };
-                    scene.run_unjudged(asked).map(|(outcome, _)| outcome)
-                }
+            if noise.is_none() {
+                return scene.run(interval);
             }
+            let asked = Asked {
+                interval,
+                closings: false,
+            };
+            scene.run_unjudged(asked).map(|(outcome, _)| outcome)
         };
         let outcomes = prepared.iter().map(run);
         let outcomes = outcomes.collect::<Result<_, _>>();
