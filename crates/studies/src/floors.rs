@@ -143,6 +143,17 @@ impl Floors {
         (0..self.n_structures).flat_map(|structure| self.levels.of(structure).iter().copied())
     }
 
+    /// Number of the storey below a floor, from 1; of a wall that of the level at which it stands.
+    pub(crate) fn level_of(&self, floor: usize) -> String {
+        let storey = self.all[floor].storey;
+        let level = if self.all[floor].is_wall() {
+            self.levels.level(floor) + 1
+        } else {
+            storey.unwrap_or(1)
+        };
+        level.to_string()
+    }
+
     /// The floor below, in the same building; nothing for one that stands on the ground.
     pub fn below(&self, floor: usize) -> Option<usize> {
         let (structure, storey) = self.levels.place(floor);

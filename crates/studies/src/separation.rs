@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::floors::EQUAL_HEIGHTS;
-use crate::prepared::Asked;
-use crate::{Floor, Outcome, Prepared, Scene, StudyError};
+use crate::prepared::{Asked, OUT_OF_REACH};
+use crate::{Contact, Floor, Outcome, Prepared, Scene, StudyError};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,7 +119,7 @@ impl Prepared {
     /// [`StudyError::Run`] when a run ends early.
     pub fn separations(&self) -> Result<Vec<Separation>, StudyError> {
         let apart = Scene {
-            contacts: None,
+            contacts: self.out_of_reach(),
             ..self.scene().clone()
         };
         let apart = self.variant(&apart, self.record().clone())?.exact()?;
@@ -156,6 +156,18 @@ impl Prepared {
             }
         }
         Ok(widest.into_values().collect())
+    }
+
+    /// Contacts that nobody reaches, where there is a wall, which has the floors that its contacts let it face; none
+    /// elsewhere.
+    fn out_of_reach(&self) -> Option<Vec<Contact>> {
+        let walls = self.walls().contains(&true);
+        let contacts = self.scene().contacts.as_ref().filter(|_| walls)?;
+        let far = |contact: &Contact| Contact {
+            gap_m: OUT_OF_REACH,
+            ..contact.clone()
+        };
+        Some(contacts.iter().map(far).collect())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_studies::{Effects, Prepared, Scene, Structure};
+use pounding_studies::{Effects, Outcome, Prepared, Scene, Structure};
 
 /// Two towers that touch: three storeys beside two, of the same height and other periods.
 fn towers() -> Scene {
@@ -137,7 +137,10 @@ fn limit_a_wall_has_hits_alone() {
     for (floor, _) in walls {
         assert_eq!(effects.as_given[floor].responses(), [None; 3]);
     }
-    let hits = effects.as_given.iter().map(|one| one.collisions.value);
+    let of_walls = prepared.walls().into_iter().zip(&effects.as_given);
+    let hits = of_walls
+        .filter(|(wall, _)| *wall)
+        .map(|(_, one)| one.collisions.value);
     assert!(hits.sum::<f64>() > 0.0, "it is hit");
 }
 
@@ -153,5 +156,40 @@ fn reference_a_line_for_every_floor_and_direction() {
         lines.iter().all(|line| line.split(',').count() == columns),
         "{csv}"
     );
-    assert!(lines[1].starts_with("slow 1,1,3,as_given,"), "{csv}");
+    assert!(lines[1].starts_with("1,1,slow 1,as given,"), "{csv}");
+    assert!(lines[10].starts_with("2,2,quick 2,reversed,"), "{csv}");
+}
+
+#[test]
+fn reference_ranges_are_those_of_changed_records() {
+    let scene = towers();
+    let effects = Effects::of(&prepared(&scene)).expect("it runs");
+    let mut peaks = Vec::new();
+    for scale in [1.0, 0.99, 1.01] {
+        let mut scaled = scene.clone();
+        scaled.record.scale *= scale;
+        let outcome = prepared(&scaled).run(None).expect("it runs");
+        let mut apart = scaled.clone();
+        apart.contacts = None;
+        let alone = prepared(&apart).run(None).expect("it runs");
+        let of = |one: &Outcome, floor: usize| one.accelerations[floor].value.abs();
+        let ratio = |floor: usize| of(&outcome, floor) / of(&alone, floor);
+        peaks.push((0..5).map(ratio).collect::<Vec<f64>>());
+    }
+    let mut moved = false;
+    for (floor, found) in effects.as_given.iter().enumerate() {
+        let known = found
+            .acceleration_m_per_s2
+            .expect("it moves")
+            .amplification
+            .expect("it moves");
+        assert!((known.value - peaks[0][floor]).abs() < 1e-9, "{known:?}");
+        for changed in &peaks {
+            let inside = known.low - 1e-9 <= changed[floor] && changed[floor] <= known.high + 1e-9;
+            assert!(inside, "{floor}: {} {known:?}", changed[floor]);
+        }
+        assert!(known.error < 1e-6, "{known:?}");
+        moved |= !known.is_robust();
+    }
+    assert!(moved, "one per cent moves some of them by more than five");
 }

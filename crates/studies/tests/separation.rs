@@ -253,3 +253,42 @@ fn reference_openings_of_a_tenth_of_a_second() {
     }
     insta::assert_snapshot!(found.join("; "), @"27.43 mm at 4.45 s; 35.13 mm at 1.64 s");
 }
+
+#[test]
+fn issue_a_wall_beside_storeys_is_as_far_as_their_roof_goes() {
+    let text = br#"
+        name = "tower beside a wall"
+        duration_s = 5
+        [record.generated.harmonic]
+        amplitude_m_per_s2 = 2
+        frequency_hz = 2
+        duration_s = 5
+        time_step_s = 0.01
+        [[structures]]
+        [structures.building]
+        name = "tower"
+        period_s = 0.5
+        damping.ratio = 0.05
+        storeys = [{ mass_kg = 2e5, repeat = 3 }]
+        [[structures]]
+        wall = {}
+        [[contacts]]
+        gap_m = 0.01
+        law.stereomechanical.restitution = 0.6
+    "#;
+    let mut scene = Scene::parse(text, Path::new("scene.toml")).expect("a scene");
+    let all = prepared(&scene).separations().expect("it runs")[0];
+    let contact = &mut scene.contacts.as_mut().expect("one")[0];
+    contact.levels = Some(vec![1]);
+    let lowest = prepared(&scene).separations().expect("it runs")[0];
+    scene.contacts = None;
+    let apart = prepared(&scene).run(None).expect("it runs");
+    let peak = |floor: usize| apart.peaks.of(floor).displacement.value.abs();
+    let floors = prepared(&scene).floors().of_structure(0).to_vec();
+    assert!((all.peaks[0] - peak(floors[2])).abs() < 1e-12, "{all:?}");
+    assert!(
+        (lowest.peaks[0] - peak(floors[0])).abs() < 1e-12,
+        "{lowest:?}"
+    );
+    assert!(all.required > 2.0 * lowest.required, "{all:?} {lowest:?}");
+}

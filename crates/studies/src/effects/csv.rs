@@ -1,26 +1,28 @@
 //! `effects.csv`: what pounding does to every storey, a line for each direction.
 
 use super::{Effect, Effects, FloorEffects, Known};
+use crate::Floors;
 use crate::tables::to_csv;
-use crate::{Floor, Floors};
 
 /// Columns of the place of a line.
-const PLACE: [&str; 4] = ["floor", "storey", "elevation_m", "direction"];
+const PLACE: [&str; 4] = ["structure", "storey", "name", "direction"];
 /// Names of the numbers of hits.
 const HITS: [&str; 3] = ["collisions", "impulse_n_s", "largest_impulse_n_s"];
 /// Names of responses with their units.
 const RESPONSES: [(&str, &str); 3] = [("drift", "m"), ("shear", "n"), ("acceleration", "m_per_s2")];
 
 impl Effects {
-    /// The file `effects.csv`: a line per floor and direction, building by building from the ground up; peaks without sign.
+    /// The file `effects.csv`: a line per floor and direction, building by building from the left and
+    /// from the ground up, each by its number; peaks without sign. A wall has a line for each level at which it can be hit.
     ///
     /// `low` and `high` are the least and the largest value under the record and its changes by one per cent.
     pub fn to_csv(&self, floors: &Floors) -> String {
         let mut rows = Vec::new();
         for floor in floors.by_structure() {
-            for (direction, effects) in [("as_given", &self.as_given), ("reversed", &self.reversed)]
-            {
-                rows.push(row(&floors.all()[floor], direction, &effects[floor]));
+            for (direction, all) in self.directions() {
+                let structure = floors.all()[floor].structure;
+                let place = [(structure + 1).to_string(), floors.level_of(floor)];
+                rows.push(row(&place, direction, &all[floor]));
             }
         }
         to_csv(&header(), &rows)
@@ -46,15 +48,9 @@ fn known_columns(name: &str) -> [String; 5] {
     ["", "_error", "_low", "_high", "_robust"].map(|end| format!("{name}{end}"))
 }
 
-fn row(floor: &Floor, direction: &str, effects: &FloorEffects) -> Vec<String> {
-    let mut row = vec![
-        floor.name.clone(),
-        floor.storey.unwrap_or(1).to_string(),
-        floor
-            .elevation_m
-            .map_or_else(String::new, |height| height.to_string()),
-        direction.into(),
-    ];
+fn row(place: &[String; 2], direction: &str, effects: &FloorEffects) -> Vec<String> {
+    let mut row = place.to_vec();
+    row.extend([effects.name.clone(), direction.into()]);
     for known in [
         effects.collisions,
         effects.impulse_n_s,

@@ -95,7 +95,7 @@ impl Known {
         (self.high - self.value).max(self.value - self.low)
     }
 
-    /// Whether a change of the record by one per cent moves it by less than [`ROBUST`], and it is known better than that.
+    /// Whether a change of the record by one per cent moves it by no more than [`ROBUST`], and it is known as well.
     pub fn is_robust(&self) -> bool {
         self.change().max(self.error) <= ROBUST * self.value.abs()
     }
@@ -119,10 +119,10 @@ impl Effect {
 
 impl Effects {
     /// Runs a scene with its contacts and with none, in both directions, as it is and under its record changed by one per
-    /// cent: weaker, stronger, faster and slower; 24 exact runs.
+    /// cent: weaker, stronger, faster and slower; 24 exact runs, all of the duration of the scene.
     ///
     /// # Errors
-    /// [`StudyError::Run`] when one of them ends early.
+    /// [`StudyError::Run`] when one of them ends early, [`StudyError::Broken`] when it breaks a law of mechanics.
     pub fn of(prepared: &Prepared) -> Result<Self, StudyError> {
         let cases = cases();
         let answers: Result<Vec<_>, _> = cases

@@ -15,6 +15,7 @@ use crate::advice::{Advice, Goal, advise};
 use crate::floors::{Floor, Floors};
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
+pub(crate) use model::OUT_OF_REACH;
 pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Asked, Audited, Recorders};
 pub use run::{Balance, Outcome};
