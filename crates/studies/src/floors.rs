@@ -172,6 +172,26 @@ impl Floors {
         [left, right].map(|floor| self.all[floor].name.clone())
     }
 
+    /// Floors that need a gap between them: those that contacts let touch, or all that face each other where a scene has no
+    /// contacts; index of the left structure, left and right floor.
+    pub(crate) fn neighbours(&self) -> Vec<(usize, usize, usize)> {
+        if self.facing.is_empty() {
+            return self.all_facing();
+        }
+        let facing = self.facing.iter();
+        facing
+            .map(|one| (one.contact, one.left, one.right))
+            .collect()
+    }
+
+    /// The same floors, none of which can touch another.
+    pub(crate) fn apart(&self) -> Self {
+        Self {
+            facing: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// Pairs of all floors that face each other, contacts or not: index of the left structure, left and right floor.
     pub(crate) fn all_facing(&self) -> Vec<(usize, usize, usize)> {
         let facing = |left: usize| {
@@ -285,7 +305,8 @@ fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -
     levels
 }
 
-/// A wall faces every floor beside it that its contact lets it touch; one that faces none stands on the ground.
+/// A wall faces every floor beside it, but those that its contact does not let it touch; one that faces none stands on the
+/// ground.
 fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usize> {
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     // Contact i lies between structures i and i + 1.
@@ -295,15 +316,13 @@ fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usiz
     ];
     let mut faced = Vec::new();
     for (contact, neighbour) in sides.into_iter().flatten() {
-        let (Some(contact), Some(Structure::Sdof(_) | Structure::Building(_))) =
-            (contacts.get(contact), scene.structures.get(neighbour))
+        let Some(Structure::Sdof(_) | Structure::Building(_)) = scene.structures.get(neighbour)
         else {
             continue;
         };
-        let chosen = |level: &&usize| {
-            let chosen = contact.levels.as_ref();
-            chosen.is_none_or(|chosen| chosen.contains(&(**level + 1)))
-        };
+        let levels_of_contact = contacts.get(contact).and_then(|one| one.levels.as_ref());
+        let chosen =
+            |level: &&usize| levels_of_contact.is_none_or(|chosen| chosen.contains(&(**level + 1)));
         faced.extend(levels[neighbour].iter().filter(chosen));
     }
     faced.sort_unstable();

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::floors::EQUAL_HEIGHTS;
-use crate::prepared::{Asked, OUT_OF_REACH};
-use crate::{Contact, Floor, Outcome, Prepared, Scene, StudyError};
+use crate::prepared::Asked;
+use crate::{Floor, Outcome, Prepared, StudyError};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,11 +118,7 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Run`] when a run ends early.
     pub fn separations(&self) -> Result<Vec<Separation>, StudyError> {
-        let apart = Scene {
-            contacts: self.out_of_reach(),
-            ..self.scene().clone()
-        };
-        let apart = self.variant(&apart, self.record().clone())?.exact()?;
+        let apart = self.apart()?.exact()?;
         let floors = apart.floors();
         let asked = Asked {
             closings: true,
@@ -130,7 +126,7 @@ impl Prepared {
         };
         let (Outcome { peaks, .. }, closings) = apart.run_unjudged(asked)?;
         let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
-        for (left, one, other) in floors.all_facing() {
+        for (left, one, other) in self.floors().neighbours() {
             let closing = closings.as_ref().and_then(|closings| closings.of(one));
             let Some(closing) = closing else {
                 continue;
@@ -156,18 +152,6 @@ impl Prepared {
             }
         }
         Ok(widest.into_values().collect())
-    }
-
-    /// Contacts that nobody reaches, where there is a wall, which has the floors that its contacts let it face; none
-    /// elsewhere.
-    fn out_of_reach(&self) -> Option<Vec<Contact>> {
-        let walls = self.walls().contains(&true);
-        let contacts = self.scene().contacts.as_ref().filter(|_| walls)?;
-        let far = |contact: &Contact| Contact {
-            gap_m: OUT_OF_REACH,
-            ..contact.clone()
-        };
-        Some(contacts.iter().map(far).collect())
     }
 }
 

@@ -32,6 +32,7 @@ mod storeys_faults;
 mod storeys_implicit;
 mod storeys_laws;
 mod storeys_ledger;
+mod storeys_meeting;
 mod storeys_yielding;
 mod touches;
 mod towers;

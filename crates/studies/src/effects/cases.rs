@@ -3,7 +3,7 @@
 use pounding_motion::{Record, RecordError};
 use pounding_solver::SimultaneousImpacts;
 
-use crate::{Floor, Method, Outcome, Prepared, Scene, StudyError};
+use crate::{Method, Outcome, Prepared, Scene, StudyError};
 
 /// A change of the record, and how exactly the run follows it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,32 +91,42 @@ impl Case {
     pub(super) const CHECK: usize = 1;
 
     pub(super) fn answer(self, prepared: &Prepared) -> Result<Answer, StudyError> {
-        let changed = prepared
-            .under(|record| self.change(record))?
-            .with_method(Method::Exact {
+        let changed = prepared.under(|record| self.change(record))?;
+        let scene = Scene {
+            name: format!("{}{}", changed.scene().name, self.words()),
+            method: Method::Exact {
                 tolerance: self.tolerance,
                 simultaneous_impacts: simultaneous_impacts(prepared.method()),
-            })?;
-        let apart = Scene {
-            contacts: None,
+            },
             ..changed.scene().clone()
         };
-        let apart = changed.variant(&apart, changed.record().clone())?;
-        let (_, alone) = peaks(&apart)?;
-        let (outcome, beside) = peaks(&changed)?;
-        let floors = changed.floors().all().iter().enumerate();
-        let of_floor = |(index, floor): (usize, &Floor)| {
-            // A wall that nobody can hit has one level, so that other floors may be counted otherwise.
-            let same = apart.floors().of_structure(floor.structure);
-            let same = floor.storey.map_or(same[0], |storey| same[storey - 1]);
-            OfFloor {
-                peaks: [alone[same], beside[index]],
-                hits: Hits::of(&changed, &outcome, index),
-            }
+        let beside = changed.variant(&scene, changed.record().clone())?;
+        let (_, alone) = peaks(&beside.apart()?)?;
+        let (outcome, found) = peaks(&beside)?;
+        let floors = alone.into_iter().zip(found).enumerate();
+        let of_floor = |(floor, (alone, found)): (usize, (Peaks, Peaks))| OfFloor {
+            peaks: [alone, found],
+            hits: Hits::of(&beside, &outcome, floor),
         };
         Ok(Answer {
             floors: floors.map(of_floor).collect(),
         })
+    }
+
+    /// What the case changes, for the message of a run that fails.
+    fn words(self) -> String {
+        let per_cent = |factor: f64, words: [&str; 2]| {
+            let change = 100.0 * (factor - 1.0);
+            let word = words[usize::from(change > 0.0)];
+            (change.abs() > 0.5).then(|| format!(", {:.0} % {word}", change.abs()))
+        };
+        let reversed = self.reversed.then(|| ", the other way round".to_string());
+        let changes = [
+            reversed,
+            per_cent(self.scale, ["weaker", "stronger"]),
+            per_cent(self.stretch, ["faster", "slower"]),
+        ];
+        changes.into_iter().flatten().collect()
     }
 
     fn change(self, record: &Record) -> Result<Record, RecordError> {

@@ -15,7 +15,6 @@ use crate::advice::{Advice, Goal, advise};
 use crate::floors::{Floor, Floors};
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
-pub(crate) use model::OUT_OF_REACH;
 pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Asked, Audited, Recorders};
 pub use run::{Balance, Outcome};
@@ -187,6 +186,27 @@ impl Prepared {
             ..self.clone()
         };
         varied.with_any_method(scene.method)
+    }
+
+    /// The same floors, none of which can touch another: every building alone. Places of floors in the row stay what they
+    /// are.
+    ///
+    /// # Errors
+    /// Those of the model with its pairs, which were found before.
+    pub(crate) fn apart(&self) -> Result<Self, StudyError> {
+        let scene = Scene {
+            contacts: None,
+            ..self.scene.clone()
+        };
+        let floors = self.floors.apart();
+        let model = Model::new(&scene, &floors)
+            .map_err(|error| in_scene(&scene, SceneError::of_model(error, (&scene, &floors))))?;
+        Ok(Self {
+            scene,
+            floors,
+            model,
+            ..self.clone()
+        })
     }
 
     /// Refuses a time step beyond the limit of stability.

@@ -36,7 +36,7 @@ macro_rules! with_row {
 pub(super) use with_row;
 
 /// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
-pub(crate) const OUT_OF_REACH: f64 = 1e9;
+const OUT_OF_REACH: f64 = 1e9;
 
 /// The most that some storey of a scene asks of its columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
