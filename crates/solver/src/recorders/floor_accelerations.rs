@@ -3,6 +3,8 @@ use crate::{Excitation, Impact, Path, Recorder, Span, Travel};
 
 /// Part of a span after which its acceleration has begun to rise or fall.
 const BEGUN: f64 = 1e-6;
+/// What rounding may leave of a value between two samples, over the larger of them.
+const ROUNDED: f64 = 1.0 + 1e-12;
 
 /// Records the peak absolute acceleration of every floor, ü + `a_g` \[m/s²\]: what stands on the floor feels it.
 ///
@@ -13,6 +15,8 @@ const BEGUN: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorAccelerations<'a> {
     excitation: Excitation<'a>,
+    /// What no ground acceleration exceeds \[m/s²\]: most states cannot be a peak, and need no ground to be known.
+    most: f64,
     /// When it arrives at every node \[s\].
     arrivals: Vec<f64>,
     peaks: Vec<Peak>,
@@ -21,8 +25,10 @@ pub struct FloorAccelerations<'a> {
 impl<'a> FloorAccelerations<'a> {
     /// For a row of `n_nodes`, walls included, on ground that moves as the `excitation` says.
     pub fn new(n_nodes: usize, excitation: Excitation<'a>) -> Self {
+        let magnitudes = excitation.samples().iter().map(|sample| sample.abs());
         Self {
             excitation,
+            most: ROUNDED * magnitudes.fold(0.0, f64::max),
             arrivals: vec![0.0; n_nodes],
             peaks: vec![Peak::default(); n_nodes],
         }
@@ -58,7 +64,9 @@ impl Recorder for FloorAccelerations<'_> {
         match span.path {
             Path::Cubic(_) => {
                 for (state, time) in [(&span.start, from), (&span.end, to)] {
-                    peak.take(state.acceleration + self.excitation.at(time, arrival), time);
+                    if state.acceleration.abs() + self.most > peak.value.abs() {
+                        peak.take(state.acceleration + self.excitation.at(time, arrival), time);
+                    }
                 }
             }
             // Such a span lies between two samples.
