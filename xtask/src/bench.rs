@@ -1,7 +1,11 @@
 //! Wall time of the methods: criterion measures, this compares.
 
+#[cfg(target_arch = "x86_64")]
+mod lanes;
 mod savings;
 mod storeys;
+#[cfg(target_arch = "x86_64")]
+mod sweeps;
 
 use std::fmt::Write as _;
 use std::fs;
@@ -46,7 +50,8 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
     fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
     println!("\n{csv}\nkept in {KEPT}\n\n{}", comparison(&timed, &home)?);
     savings(root)?;
-    storeys(root)
+    storeys(root)?;
+    lanes(root)
 }
 
 /// Times what it saves to model only what a scene requires.
@@ -57,6 +62,19 @@ pub(crate) fn savings(root: &Path) -> Result<(), String> {
 /// Times what a floor costs in a step.
 pub(crate) fn storeys(root: &Path) -> Result<(), String> {
     storeys::run(root)
+}
+
+/// Times scenes side by side, and sweeps of them.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn lanes(root: &Path) -> Result<(), String> {
+    lanes::run(root)?;
+    sweeps::run(root)
+}
+
+/// Times scenes side by side, beside a loop that is written for other machines.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) fn lanes(_: &Path) -> Result<(), String> {
+    Err("the loop by hand needs a machine with AVX-512".into())
 }
 
 /// The run of the same scene that others are compared with.

@@ -9,6 +9,7 @@ mod bench;
 mod beyond;
 mod check;
 mod fuzz;
+mod hyperqueue;
 mod reproduce;
 mod results;
 
@@ -53,8 +54,8 @@ enum Task {
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
-    /// a scene requires, and what a floor costs; writes ratios into results/wall-time.csv, savings.csv and storeys.csv; no part of
-    /// `check`.
+    /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
+    /// storeys.csv, bench/lanes.csv and bench/sweeps.csv; no part of `check`.
     Bench {
         /// Only the savings.
         #[arg(long)]
@@ -62,7 +63,12 @@ enum Task {
         /// Only what a floor of a building costs in a step, beside one of a row of structures of one storey: two to three minutes.
         #[arg(long, conflicts_with = "savings")]
         storeys: bool,
+        /// Only scenes side by side in lanes, and sweeps of them, beside a loop written by hand for AVX-512: a minute.
+        #[arg(long, conflicts_with_all = ["savings", "storeys"])]
+        lanes: bool,
     },
+    /// Run a sweep by `HyperQueue` from the Python package index and compare it with one without; needs Python, no part of `check`.
+    Hyperqueue,
     /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
     Fuzz {
         /// How long each target runs, in seconds.
@@ -85,7 +91,9 @@ fn main() -> ExitCode {
         Task::Check => check::run(&root()),
         Task::Bench { savings: true, .. } => bench::savings(&root()),
         Task::Bench { storeys: true, .. } => bench::storeys(&root()),
+        Task::Bench { lanes: true, .. } => bench::lanes(&root()),
         Task::Bench { .. } => bench::run(&root()),
+        Task::Hyperqueue => hyperqueue::run(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
     };
     match outcome {

@@ -1,23 +1,28 @@
-use crate::ContactForce;
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use crate::{ContactForce, Number};
 
 /// The form that every compliant law shares: F = K δ^n + C δ^κ δ̇, never below 0.
 ///
 /// A law gives K, C and the powers; the reduced mass and the approach speed of the pair are in C already.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Form {
+pub struct Form<N = f64> {
     /// K \[N/m^n\] and n.
-    pub spring: Term,
+    pub spring: Term<N>,
     /// C \[N·s/m^(1+κ)\] and κ.
-    pub damper: Term,
+    pub damper: Term<N>,
     /// When the damper acts.
     pub action: Action,
 }
 
 /// A coefficient times a power of the deformation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Term {
+pub struct Term<N = f64> {
     /// The coefficient, ≥ 0.
-    pub coefficient: f64,
+    pub coefficient: N,
     /// The power.
     pub power: Power,
 }
@@ -59,9 +64,10 @@ impl Power {
     }
 
     /// This power of x ≥ 0, by products and square roots.
-    pub fn of(self, x: f64) -> f64 {
+    #[inline(always)]
+    pub fn of<N: Number>(self, x: N) -> N {
         match self {
-            Self::Zero => 1.0,
+            Self::Zero => x.like(1.0),
             Self::Quarter => x.sqrt().sqrt(),
             Self::Half => x.sqrt(),
             Self::One => x,
@@ -70,24 +76,54 @@ impl Power {
     }
 }
 
-impl Term {
+impl<N: Number> Term<N> {
     /// Value at a deformation ≥ 0.
-    pub fn at(&self, deformation: f64) -> f64 {
+    #[inline(always)]
+    pub fn at(&self, deformation: N) -> N {
         self.coefficient * self.power.of(deformation)
     }
+}
 
+impl Term {
     /// Deformation ≥ 0 \[m\] at which it has a value ≥ 0; the term must not be constant.
     pub fn deformation(&self, value: f64) -> f64 {
         libm::pow(value / self.coefficient, 1.0 / self.power.value())
     }
 }
 
-impl Form {
+impl<N: Number> Form<N> {
     /// The force before it is clamped \[N\]; below 0 the law would pull.
-    pub fn unclamped(&self, deformation: f64, rate: f64) -> f64 {
+    #[inline(always)]
+    pub fn unclamped(&self, deformation: N, rate: N) -> N {
         self.spring.at(deformation) + self.damping(deformation, rate) * rate
     }
 
+    /// The force at δ > 0 \[N\], 0 where the law would pull.
+    #[inline(always)]
+    pub fn force(&self, deformation: N, rate: N) -> N {
+        let (force, zero) = (self.unclamped(deformation, rate), rate.like(0.0));
+        N::select(zero.exceeds(force), zero, force)
+    }
+
+    /// ∂F/∂δ̇ before the clamp.
+    #[inline(always)]
+    fn damping(&self, deformation: N, rate: N) -> N {
+        let zero = rate.like(0.0);
+        match self.action {
+            Action::Both => self.damper.at(deformation),
+            Action::Approach => {
+                let approaches = rate.exceeds(zero);
+                if N::any(approaches) {
+                    N::select(approaches, self.damper.at(deformation), zero)
+                } else {
+                    zero
+                }
+            }
+        }
+    }
+}
+
+impl Form {
     /// Force and tangents at δ > 0; all are 0 where the law would pull.
     pub(crate) fn respond(&self, deformation: f64, rate: f64) -> ContactForce {
         let spring = self.spring.at(deformation);
@@ -118,14 +154,5 @@ impl Form {
             stiffness,
             damping,
         })
-    }
-
-    /// ∂F/∂δ̇ before the clamp.
-    fn damping(&self, deformation: f64, rate: f64) -> f64 {
-        if self.action == Action::Both || rate > 0.0 {
-            self.damper.at(deformation)
-        } else {
-            0.0
-        }
     }
 }

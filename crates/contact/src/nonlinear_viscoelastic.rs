@@ -1,10 +1,15 @@
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ParameterError, require_damping, require_restitution, require_stiffness};
 use crate::form::{Action, Form, Power, Term};
 use crate::given::given;
-use crate::{Calibration, ContactForce, Overlap, oscillator};
+use crate::{Calibration, ContactForce, Number, Overlap, oscillator};
 
 /// Nonlinear viscoelastic impact element: a Hertz spring, and a damper that acts on approach only.
 ///
@@ -80,22 +85,19 @@ impl NonlinearViscoelastic {
     /// Precondition: `overlap.deformation` > 0. The tangents jump at δ̇ = 0, and ∂F/∂δ grows without bound as
     /// δ → 0 on approach, like δ^(−3/4).
     pub fn respond(&self, overlap: &Overlap) -> ContactForce {
-        let root = overlap.deformation.sqrt();
-        let spring = self.impact_stiffness * overlap.deformation * root;
-        let spring_tangent = 1.5 * self.impact_stiffness * root;
-        if overlap.rate <= 0.0 {
-            return ContactForce {
-                force: spring,
-                stiffness: spring_tangent,
-                damping: 0.0,
-            };
-        }
-        let damping = 2.0
-            * self.impact_damping_ratio
-            * (self.impact_stiffness * root * overlap.reduced_mass).sqrt();
+        let Overlap {
+            deformation, rate, ..
+        } = *overlap;
+        let pair = ViscoelasticPair {
+            impact_stiffness: self.impact_stiffness,
+            impact_damping_ratio: self.impact_damping_ratio,
+            reduced_mass: overlap.reduced_mass,
+        };
+        let (force, damping) = pair.force(deformation, rate);
+        let spring_tangent = 1.5 * self.impact_stiffness * deformation.sqrt();
         ContactForce {
-            force: spring + damping * overlap.rate,
-            stiffness: spring_tangent + 0.25 * damping * overlap.rate / overlap.deformation,
+            force,
+            stiffness: spring_tangent + 0.25 * damping * rate / deformation,
             damping,
         }
     }
@@ -120,6 +122,38 @@ impl NonlinearViscoelastic {
     pub fn check(&self) -> Result<(), ParameterError> {
         require_stiffness("impact_stiffness_n_per_m1_5", self.impact_stiffness)?;
         require_damping("impact_damping_ratio", self.impact_damping_ratio)
+    }
+}
+
+/// The element between two structures, of one scene or of several side by side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViscoelasticPair<N = f64> {
+    /// Impact stiffness β̄ \[N/m^1.5\], > 0.
+    pub impact_stiffness: N,
+    /// Impact damping ratio ξ̄ \[–\], ≥ 0.
+    pub impact_damping_ratio: N,
+    /// Reduced mass of the pair \[kg\], > 0.
+    pub reduced_mass: N,
+}
+
+impl<N: Number> ViscoelasticPair<N> {
+    /// Force \[N\] and ∂F/∂δ̇ \[N·s/m\] at a deformation > 0 \[m\] and its rate \[m/s\].
+    #[inline(always)]
+    pub fn force(&self, deformation: N, rate: N) -> (N, N) {
+        let root = deformation.sqrt();
+        let spring = self.impact_stiffness * deformation * root;
+        let zero = rate.like(0.0);
+        let approaches = rate.exceeds(zero);
+        if !N::any(approaches) {
+            return (spring, zero);
+        }
+        let critical = (self.impact_stiffness * root * self.reduced_mass).sqrt();
+        let damping = rate.like(2.0) * self.impact_damping_ratio * critical;
+        let damping = N::select(approaches, damping, zero);
+        (
+            N::select(approaches, spring + damping * rate, spring),
+            damping,
+        )
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 /// How long work may take before anything is shown of it.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -15,6 +15,8 @@ const TICK: Duration = Duration::from_millis(200);
 const CLOCK: &str = "{spinner} {msg}, {elapsed}";
 /// Of so many runs.
 const BAR: &str = "{bar:40} {pos}/{len} runs, {elapsed}";
+/// Of so many runs that nobody waits for: with what is left of the time.
+const LONG_BAR: &str = "{bar:30} {human_pos}/{human_len} runs, {rate}, {elapsed}, {eta} left";
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).expect("the template is well formed")
@@ -78,6 +80,33 @@ impl Progress {
             bar.set_length(of as u64);
         }
         bar.inc(1);
+    }
+}
+
+/// A bar of many runs, of which some may have been done before.
+#[derive(Debug)]
+pub(crate) struct Counter(Shown);
+
+impl Counter {
+    /// Of `done` runs of so many.
+    pub(crate) fn new((done, of): (u64, u64)) -> Self {
+        let shown = Shown::new("running");
+        let rate = |state: &ProgressState, to: &mut dyn std::fmt::Write| {
+            // What cannot be written is not shown.
+            let _ = write!(to, "{:.0} a second", state.per_sec());
+        };
+        let style = style(LONG_BAR).with_key("rate", rate);
+        shown.bar.set_style(style);
+        shown.bar.set_length(of);
+        // The rate is that of what runs now.
+        shown.bar.set_position(done);
+        shown.bar.reset_eta();
+        Self(shown)
+    }
+
+    /// So many more runs are done.
+    pub(crate) fn add(&self, runs: u64) {
+        self.0.bar.inc(runs);
     }
 }
 

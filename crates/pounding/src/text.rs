@@ -47,18 +47,15 @@ fn pieces(text: &str, width: usize) -> Vec<String> {
 
 /// Columns under a name of some lines: the first to the left, others to the right. A name for which the table would be too wide
 /// stands in lines of its own, above its numbers.
-pub(crate) fn table<const N: usize, const LINES: usize>(
-    header: &[[&str; LINES]; N],
-    rows: &[Vec<String>],
-) -> String {
-    let line = |line: usize| header.map(|name| name[line].to_string()).to_vec();
-    let header: Vec<_> = (0..LINES).map(line).collect();
-    let lines: Vec<&Vec<String>> = header.iter().chain(rows).collect();
+pub(crate) fn table<const LINES: usize>(header: &[[&str; LINES]], rows: &[Vec<String>]) -> String {
+    let line = |line: usize| header.iter().map(|name| name[line].to_string()).collect();
+    let names: Vec<Vec<String>> = (0..LINES).map(line).collect();
+    let lines: Vec<&Vec<String>> = names.iter().chain(rows).collect();
     let width = |column: usize| {
         let widths = lines.iter().map(|line| line[column].chars().count());
         widths.max().unwrap_or(0)
     };
-    let widths: Vec<usize> = (0..N).map(width).collect();
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
     let others: usize = widths[1..].iter().map(|width| width + 2).sum();
     let first = widths[0].min(WIDTH.saturating_sub(others).max(LABEL));
     let print = |line: &Vec<String>| {
@@ -67,11 +64,20 @@ pub(crate) fn table<const N: usize, const LINES: usize>(
             .map(|(cell, width)| format!("  {cell:>width$}"))
             .collect();
         let (above, name) = if line[0].chars().count() > first {
-            (format!("{}\n", pieces(&line[0], WIDTH).join("\n")), "")
+            let blanks = line[0].chars().take_while(|letter| *letter == ' ').count();
+            let indent = " ".repeat(blanks);
+            let pieces = pieces(&line[0], WIDTH - blanks);
+            (
+                format!("{indent}{}\n", pieces.join(&format!("\n{indent}"))),
+                "",
+            )
         } else {
             (String::new(), line[0].as_str())
         };
         let line = format!("{name:first$}{}", others.concat());
+        if line.trim_end().is_empty() && !above.is_empty() {
+            return above;
+        }
         format!("{above}{}\n", line.trim_end())
     };
     lines.into_iter().map(print).collect()

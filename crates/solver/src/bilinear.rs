@@ -1,5 +1,13 @@
 //! Columns that harden after yielding.
 
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
+
+use crate::column::yielding;
 use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce};
 
 /// Bilinear columns with kinematic hardening; they remember the plastic displacement \[m\].
@@ -7,41 +15,34 @@ use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce};
 /// f = a k d + h, where h is the force of elastic-perfectly plastic columns of stiffness (1 − a) k that yield at
 /// (1 − a) `f_y`; the loop keeps the width 2 `f_y` (A. K. Chopra, *Dynamics of Structures*, 7.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bilinear {
+pub struct Bilinear<N = f64> {
     /// Stiffness before yielding k \[N/m\], > 0.
-    pub stiffness: f64,
+    pub stiffness: N,
     /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
-    pub yield_force: f64,
+    pub yield_force: N,
     /// Stiffness after yielding over that before a \[–\], 0 ≤ a < 1.
-    pub hardening: f64,
+    pub hardening: N,
 }
 
-impl RestoringForce for Bilinear {
-    type Memory = f64;
+impl<N: Number> RestoringForce<N> for Bilinear<N> {
+    type Memory = N;
 
-    #[inline]
-    fn respond(&self, displacement: f64, plastic_displacement: f64) -> Response<f64> {
-        let hysteretic = (1.0 - self.hardening) * self.stiffness;
-        let limit = (1.0 - self.hardening) * self.yield_force;
-        let trial = hysteretic * (displacement - plastic_displacement);
-        // A trial that is not a number takes the last branch and stops the run.
-        let force = if trial > limit {
-            limit
-        } else if trial < -limit {
-            -limit
-        } else {
-            trial
-        };
-        let excess = trial - force;
+    #[inline(always)]
+    fn untouched(&self) -> N {
+        self.stiffness.like(0.0)
+    }
+
+    #[inline(always)]
+    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
+        let one = self.stiffness.like(1.0);
+        let hysteretic = (one - self.hardening) * self.stiffness;
+        let limit = (one - self.hardening) * self.yield_force;
         let elastic = self.hardening * self.stiffness;
+        let drift = (displacement, plastic_displacement);
+        let plastic = yielding(drift, hysteretic, limit, [self.stiffness, elastic]);
         Response {
-            force: elastic * displacement + force,
-            tangent: if excess == 0.0 {
-                self.stiffness
-            } else {
-                elastic
-            },
-            memory: plastic_displacement + excess / hysteretic,
+            force: elastic * displacement + plastic.force,
+            ..plastic
         }
     }
 }

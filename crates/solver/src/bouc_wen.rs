@@ -86,6 +86,10 @@ impl Smoothness {
 impl RestoringForce for BoucWen {
     type Memory = Bent;
 
+    fn untouched(&self) -> Bent {
+        Bent::default()
+    }
+
     fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
         let moved = displacement - memory.drift;
         let (elastic, bend) = if self.yield_force.is_finite() {

@@ -12,10 +12,16 @@
 //! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every
 //! building (`storeys.rs`). Rows of structures of one storey keep a loop of their own.
 
-mod coefficients;
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+pub(crate) mod coefficients;
 mod contact;
 mod storeys;
 
+use pounding_contact::Number;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -116,7 +122,7 @@ impl<Memory> Body<Memory> {
             acceleration,
             ..
         } = self.start;
-        self.increment = time_step * (velocity + 0.5 * time_step * acceleration);
+        self.increment = Coefficients::restarted(time_step, velocity, acceleration);
         self.displacement = self.start.displacement + self.increment;
     }
 
@@ -173,12 +179,8 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings.check()?;
     let shaking = Shaking::new(row, excitation, clock);
     let mut run = Run::new(settings, row, shaking.at(0), clock.time_step);
-    let first = match settings.start {
-        Start::Consistent | Start::FirstLoadUsed => 0,
-        Start::FirstLoadSkipped => 1,
-    };
     // Node n is reached by the step before the last; the last one gives it a velocity.
-    for step in first..=clock.n_steps {
+    for step in settings.start.first_node()..=clock.n_steps {
         let node = Instant {
             ground: shaking.at(step),
             time: clock.time(step),
@@ -204,24 +206,42 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     Ok(run.work)
 }
 
-/// The body at its first node to be solved: node 0, or node 1 when the first load is skipped.
+impl Start {
+    /// The first node whose equation is solved.
+    pub(crate) fn first_node(self) -> usize {
+        match self {
+            Self::Consistent | Self::FirstLoadUsed => 0,
+            Self::FirstLoadSkipped => 1,
+        }
+    }
+
+    /// Displacement at that node, and by how much it is more than that one step before \[m\], from displacement, velocity and
+    /// acceleration at t = 0.
+    #[inline(always)]
+    pub(crate) fn first<N: Number>(self, [u, v, a]: [N; 3], dt: f64) -> (N, N) {
+        let (step, half) = (u.like(dt), u.like(0.5 * dt));
+        match self {
+            Self::Consistent => (u, step * (v - half * a)),
+            Self::FirstLoadUsed => (u, step * v),
+            Self::FirstLoadSkipped => (u + step * v, step * v),
+        }
+    }
+}
+
+/// The body at its first node to be solved.
 fn begin<Memory>(
     (state, memory): (State, Memory),
     start: Start,
     ground: f64,
     dt: f64,
 ) -> Body<Memory> {
-    let (u, v) = (state.displacement, state.velocity);
-    let (displacement, increment) = match start {
-        Start::Consistent => (u, dt * (v - 0.5 * dt * state.acceleration)),
-        Start::FirstLoadUsed => (u, dt * v),
-        Start::FirstLoadSkipped => (u + dt * v, dt * v),
-    };
+    let motion = [state.displacement, state.velocity, state.acceleration];
+    let (displacement, increment) = start.first(motion, dt);
     Body {
         displacement,
         increment,
         fine: false,
-        velocity: v,
+        velocity: state.velocity,
         memory,
         start: state,
         start_time: 0.0,
@@ -354,12 +374,11 @@ fn advance<Column: RestoringForce>(
     let dt = constants.time_step;
     let response = column.respond(body.displacement, body.memory);
     let pounding_force = body.force_from_left + body.force_from_right;
-    let smooth =
-        constants.inverse_mass * (pounding_force - response.force) - constants.mobile * ground;
+    let smooth = constants.smooth((pounding_force, response.force), constants.mobile * ground);
     let jump = constants.inverse_mass * body.impulse;
     let load = smooth + jump / dt;
-    let increment = constants.solve * (load + constants.carry * body.increment);
-    let velocity = (increment + body.increment) / (2.0 * dt);
+    let increment = constants.next(load, body.increment);
+    let velocity = constants.velocity([body.increment, increment]);
     let state = State {
         displacement: body.displacement,
         // The central velocity lies in the middle of the jump.

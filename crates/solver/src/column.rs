@@ -1,10 +1,17 @@
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
+
 /// Force, tangent and new memory of a column at a displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Response<Memory> {
+pub struct Response<Memory, N = f64> {
     /// Restoring force `f_s` \[N\], positive against a displacement to the right.
-    pub force: f64,
+    pub force: N,
     /// Tangent stiffness `k_t` \[N/m\].
-    pub tangent: f64,
+    pub tangent: N,
     /// What the column remembers if this displacement is accepted.
     pub memory: Memory,
 }
@@ -12,12 +19,15 @@ pub struct Response<Memory> {
 /// The restoring force of a structure's columns as a pure function of displacement and memory.
 ///
 /// Being pure, an explicit method commits the answer at once, and Newton's method may ask again.
-pub trait RestoringForce: Copy {
+pub trait RestoringForce<N: Number = f64>: Copy {
     /// What the column remembers between steps: `()` where it remembers nothing.
-    type Memory: Copy + Default + std::fmt::Debug;
+    type Memory: Copy + std::fmt::Debug;
+
+    /// What a column remembers that has not been displaced yet.
+    fn untouched(&self) -> Self::Memory;
 
     /// Responds to a displacement \[m\], coming from `memory`.
-    fn respond(&self, displacement: f64, memory: Self::Memory) -> Response<Self::Memory>;
+    fn respond(&self, displacement: N, memory: Self::Memory) -> Response<Self::Memory, N>;
 }
 
 /// Columns whose loop is known in numbers; what the exact method and the ledger ask for besides [`RestoringForce`].
@@ -89,16 +99,19 @@ impl Hysteresis {
 
 /// Linear elastic columns; they remember nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Elastic {
+pub struct Elastic<N = f64> {
     /// Stiffness k \[N/m\], ≥ 0.
-    pub stiffness: f64,
+    pub stiffness: N,
 }
 
-impl RestoringForce for Elastic {
+impl<N: Number> RestoringForce<N> for Elastic<N> {
     type Memory = ();
 
-    #[inline]
-    fn respond(&self, displacement: f64, (): ()) -> Response<()> {
+    #[inline(always)]
+    fn untouched(&self) {}
+
+    #[inline(always)]
+    fn respond(&self, displacement: N, (): ()) -> Response<(), N> {
         Response {
             force: self.stiffness * displacement,
             tangent: self.stiffness,
@@ -118,33 +131,56 @@ impl Hysteretic for Elastic {
 /// The return map `u_p += (trial − f)/k` equals the paper's `f_s,i = clamp(f_s,i−1 + k(u_i − u_i−1), ±f_y)` and, with a
 /// yield force that is never reached, gives the bits of [`Elastic`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElastoPlastic {
+pub struct ElastoPlastic<N = f64> {
     /// Elastic stiffness k \[N/m\], > 0.
-    pub stiffness: f64,
+    pub stiffness: N,
     /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
-    pub yield_force: f64,
+    pub yield_force: N,
 }
 
-impl RestoringForce for ElastoPlastic {
-    type Memory = f64;
+impl<N: Number> RestoringForce<N> for ElastoPlastic<N> {
+    type Memory = N;
 
-    #[inline]
-    fn respond(&self, displacement: f64, plastic_displacement: f64) -> Response<f64> {
-        let trial = self.stiffness * (displacement - plastic_displacement);
-        // A trial that is not a number must stay one and stop the run: it takes the last branch.
-        let force = if trial > self.yield_force {
-            self.yield_force
-        } else if trial < -self.yield_force {
-            -self.yield_force
-        } else {
-            trial
+    #[inline(always)]
+    fn untouched(&self) -> N {
+        self.stiffness.like(0.0)
+    }
+
+    #[inline(always)]
+    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
+        let drift = (displacement, plastic_displacement);
+        let tangents = [self.stiffness, self.stiffness.like(0.0)];
+        yielding(drift, self.stiffness, self.yield_force, tangents)
+    }
+}
+
+/// The return map of columns that yield at one point and are perfectly plastic then; `tangents` \[N/m\] are told on the
+/// elastic branch and beyond it.
+#[inline(always)]
+pub(crate) fn yielding<N: Number>(
+    (displacement, plastic_displacement): (N, N),
+    stiffness: N,
+    yield_force: N,
+    [elastic, plastic]: [N; 2],
+) -> Response<N, N> {
+    let trial = stiffness * (displacement - plastic_displacement);
+    let (above, below) = (trial.exceeds(yield_force), (-yield_force).exceeds(trial));
+    if !(N::any(above) || N::any(below)) {
+        // A trial that is not a number stays one and stops the run.
+        return Response {
+            force: trial,
+            tangent: elastic,
+            memory: plastic_displacement,
         };
-        let excess = trial - force;
-        Response {
-            force,
-            tangent: if excess == 0.0 { self.stiffness } else { 0.0 },
-            memory: plastic_displacement + excess / self.stiffness,
-        }
+    }
+    let branch = |beyond: [N; 2], elastic: N| {
+        N::select(above, beyond[0], N::select(below, beyond[1], elastic))
+    };
+    let force = branch([yield_force, -yield_force], trial);
+    Response {
+        force,
+        tangent: branch([plastic, plastic], elastic),
+        memory: plastic_displacement + (trial - force) / stiffness,
     }
 }
 

@@ -138,7 +138,7 @@ pub enum RunError {
     /// An impulsive pair that bounces without coming to rest: with e = 1 neighbours that press against each other do so
     /// for ever, ever the same bounce, however small.
     #[error(
-        "structures {left} and {right} at t = {time} s: they bounce without coming to rest (after {impacts} impacts, \
+        "structures {left} and {right} at t = {time:.4} s: they bounce without coming to rest (after {impacts} impacts, \
          e = {restitution}); with e = 1 neighbours that press against each other never do: use a coefficient of \
          restitution of 0.999 or less, a compliant law or a stepping method"
     )]
@@ -169,7 +169,7 @@ pub enum RunError {
     },
     /// A touch so slow that its law's damper δ̇/v₀ holds neighbours that press against each other almost still.
     #[error(
-        "structures {left} and {right} at t = {time} s: they touched at {approach_speed:e} m/s and press against each \
+        "structures {left} and {right} at t = {time:.4} s: they touched at {approach_speed:e} m/s and press against each \
          other; the damper of {law}, which grows with 1/v₀, is too strong there to be followed (after {pieces} pieces of \
          one contact): use less impact stiffness or damping, a law without the approach speed, or a stepping method"
     )]
@@ -203,9 +203,10 @@ pub enum RunError {
     },
     /// Too many events.
     #[error(
-        "t = {time:e} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \
-         at one instant and 10 million in a run: use a coefficient of restitution below 1, a compliant law of less impact stiffness or a \
-         stepping method"
+        "t = {time:.4} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \
+         at one instant and 10 million in a run. With e = 1 neighbours never come to rest; with less, several pairs that come to rest \
+         at once can stop the exact method, above all on a ground that travels along the row: use a \
+         compliant law (such as kelvin_voigt with the same restitution), another coefficient of restitution or a stepping method; of a compliant law, less impact stiffness"
     )]
     NoProgress {
         /// The instant \[s\].

@@ -19,7 +19,7 @@ use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
 /// Rounds after which the rest is plastic: what still touches and approaches then stays together.
 const MAX_ROUNDS: u32 = 50;
 /// An approach left by rounding, relative to the velocities.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Scratch of the rule, allocated once per run.
 pub(crate) struct Impacts {

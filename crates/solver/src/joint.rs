@@ -4,7 +4,7 @@
 //! that a compliant pair joins to it. Velocities follow impulses by the inverse of the matrix of the step's equations, and
 //! all pairs of a cluster are solved with that.
 
-use crate::cluster::Clusters;
+use crate::clusters::Clusters;
 use crate::complementarity::Complementarity;
 use crate::moreau_jean::Contacts;
 use crate::newmark::Scratch;
@@ -83,11 +83,10 @@ impl Joint {
         }
         let trials = &scratch.trials;
         let mut joined = clusters.joined(row, |pair| scratch.touching[pair]);
-        joined.factorize(row, trials);
         for (allowed, node) in joined.profile.vector.iter_mut().zip(joined.nodes) {
-            *allowed = trials[*node].allowed_residual();
+            *allowed = joined.masses[*node] * trials[*node].allowed_residual();
         }
-        joined.profile.solve();
+        joined.solve(row, trials);
         for (open, node) in joined.profile.vector.iter().zip(joined.nodes) {
             self.uncertain[*node] = slopes.velocity * open;
             // No impulse moves a floor more than if it were free.
@@ -107,9 +106,12 @@ impl Joint {
             let pair = &row.pairs()[index];
             let vector = &mut joined.profile.vector;
             vector.fill(0.0);
-            vector[joined.place[pair.left]] -= row.nodes()[pair.left].inverse_mass;
-            vector[joined.place[pair.right]] += row.nodes()[pair.right].inverse_mass;
-            joined.profile.solve();
+            for (node, impulse) in [(pair.left, -1.0), (pair.right, 1.0)] {
+                if !row.nodes()[node].is_wall() {
+                    vector[joined.place[node]] = impulse;
+                }
+            }
+            joined.profile.solve_again();
             for (other, &index) in self.pairs.iter().enumerate() {
                 let pair = &row.pairs()[index];
                 let velocity = |node: usize| joined.profile.vector[joined.place[node]];

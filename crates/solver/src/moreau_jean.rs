@@ -290,7 +290,7 @@ impl Contacts {
     ///
     /// Judged by velocities, not by the change of impulses: on a light structure between heavy ones rounding of the
     /// heavy velocities moves both impulses far, and together, for ever.
-    pub(crate) fn lacks<Memory: Copy + Default>(
+    pub(crate) fn lacks<Memory>(
         &self,
         index: usize,
         pair: &Pair,

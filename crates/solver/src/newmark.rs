@@ -4,7 +4,8 @@
 //! paper compares itself with a result of this method at Δt = 0.005 s.
 
 use crate::approach::speed;
-use crate::cluster::{Alone, Clusters, Line};
+use crate::cluster::{Alone, Line};
+use crate::clusters::Clusters;
 use crate::error::require;
 use crate::ground::{Ground, Shaking};
 use crate::impacts::Impacts;
@@ -124,12 +125,12 @@ pub(crate) fn begin<Column: RestoringForce>(
     row: &Row<Column>,
     ground: Ground<'_>,
 ) -> Scratch<Column::Memory> {
-    let mut trials = vec![Trial::new(); row.nodes().len()];
     let (states, memories) = row.initial(ground);
-    for (trial, (state, memory)) in trials.iter_mut().zip(states.iter().zip(memories)) {
-        trial.memory = memory;
-        trial.acceleration = state.acceleration;
-    }
+    let trial = |(state, memory): (&State, Column::Memory)| Trial {
+        acceleration: state.acceleration,
+        ..Trial::new(memory)
+    };
+    let trials = states.iter().zip(memories).map(trial).collect();
     Scratch {
         ends: states.clone(),
         states,
@@ -245,7 +246,10 @@ impl<Column: RestoringForce> Equation<'_, Column> {
         clusters.join(marked(self.row, touching));
         for building in 0..clusters.buildings.len() {
             if clusters.gather(building, |pair| touching[pair]) {
-                self.solve(clusters.joined(self.row, |_| true))?;
+                match clusters.line() {
+                    Some(line) => self.solve(line)?,
+                    None => self.solve(clusters.joined(self.row, |_| true))?,
+                }
             }
         }
         Ok(())

@@ -1,153 +1,121 @@
-//! The matrix of several buildings that touch, and its elimination within the profile.
+//! A symmetric positive definite matrix that is zero but near its diagonal, and its factors L D Lᵀ.
 //!
-//! Source: K.-J. Bathe, *Finite Element Procedures*, 8.2.3: in every row, and in the column of the same number, only the
-//! elements from the first that is not zero to the diagonal are kept; elimination fills no other.
+//! Source: K.-J. Bathe, *Finite Element Procedures*, 8.2: of every row the elements from the diagonal to the last column
+//! that it, or a row above, is joined to are kept; elimination fills no other, and needs no pivoting. Along a line of
+//! neighbours it is the tridiagonal elimination.
 //!
-//! Times the masses the matrix is symmetric and, as tangents are ≥ 0, positive definite: no pivoting is needed. Along a
-//! line of neighbours it is the tridiagonal elimination.
+//! Each row is taken off the rows below it, and not those above off each row: there every division waits for the one before.
 
-use crate::trial::Trial;
-
-/// A matrix and its factors, in place.
+/// Half of a matrix, in place of which its factors come.
 #[derive(Default)]
 pub(crate) struct Profile {
-    /// Of every row the first column, and of every column the first row.
-    first: Vec<usize>,
-    /// Where their elements start.
-    start: Vec<usize>,
-    /// Rows of the lower triangle, one after the other.
-    lower: Vec<f64>,
-    /// Columns of the upper triangle, one after the other.
-    upper: Vec<f64>,
-    diagonal: Vec<f64>,
+    rows: Vec<Kept>,
+    /// Row by row; then D on the diagonal and Lᵀ beside it.
+    elements: Vec<f64>,
     /// A right-hand side, then the solution.
     pub(crate) vector: Vec<f64>,
 }
 
+/// What is kept of a row.
+struct Kept {
+    /// Where its elements start: that on the diagonal.
+    start: usize,
+    /// The column before which they end.
+    end: usize,
+}
+
 impl Profile {
-    /// Room for so many rows and elements on either side of the diagonal; it grows where a row of buildings needs more.
+    /// Room for so many rows and elements; it grows where a row of buildings needs more.
     pub(crate) fn with_capacity(n: usize, n_elements: usize) -> Self {
         Self {
-            first: Vec::with_capacity(n),
-            start: Vec::with_capacity(n),
-            lower: Vec::with_capacity(n_elements),
-            upper: Vec::with_capacity(n_elements),
-            diagonal: Vec::with_capacity(n),
+            rows: Vec::with_capacity(n),
+            elements: Vec::with_capacity(n_elements),
             vector: Vec::with_capacity(n),
         }
     }
 
     /// Begins a matrix of n rows with nothing off the diagonal.
     pub(crate) fn begin(&mut self, n: usize) {
-        self.first.clear();
-        self.first.extend(0..n);
+        self.rows.clear();
+        self.rows.extend((1..=n).map(|end| Kept { start: 0, end }));
         self.vector.clear();
         self.vector.resize(n, 0.0);
     }
 
-    /// Makes room for the two elements that join two rows.
+    /// Makes room for the element that joins two rows.
+    #[inline]
     pub(crate) fn join(&mut self, one: usize, other: usize) {
-        let (row, column) = (one.max(other), one.min(other));
-        self.first[row] = self.first[row].min(column);
+        let row = &mut self.rows[one.min(other)];
+        row.end = row.end.max(one.max(other) + 1);
     }
 
-    /// Lays out the rows joined so far.
+    /// Lays out the rows joined so far; their elements are to be [cleared](Self::clear).
     pub(crate) fn lay_out(&mut self) {
-        self.start.clear();
-        let mut n_elements = 0;
-        for (row, first) in self.first.iter().enumerate() {
-            self.start.push(n_elements);
-            n_elements += row - first;
+        let (mut start, mut end) = (0, 0);
+        for (index, row) in self.rows.iter_mut().enumerate() {
+            end = row.end.max(end);
+            *row = Kept { start, end };
+            start += end - index;
         }
-        for triangle in [&mut self.lower, &mut self.upper] {
-            triangle.clear();
-            triangle.resize(n_elements, 0.0);
-        }
-        self.diagonal.clear();
-        self.diagonal.resize(self.first.len(), 0.0);
+        self.elements.resize(start, 0.0);
     }
 
-    /// Sets all elements to those of an equation: of node `nodes[i]` in row i, whose neighbours are at `place` of theirs.
-    pub(crate) fn assemble<Memory>(
-        &mut self,
-        trials: &[Trial<Memory>],
-        (nodes, place): (&[usize], &[usize]),
-        pairs: impl Iterator<Item = (usize, usize)>,
-        below: impl Fn(usize) -> Option<usize>,
-    ) {
-        self.lower.fill(0.0);
-        self.upper.fill(0.0);
-        for (row, &node) in nodes.iter().enumerate() {
-            self.diagonal[row] = trials[node].diagonal;
-            if let Some(under) = below(node) {
-                self.add(row, place[under], trials[node].below);
-                self.add(place[under], row, trials[under].above);
-            }
-        }
-        for (left, right) in pairs {
-            self.add(place[right], place[left], trials[right].lower);
-            self.add(place[left], place[right], trials[left].upper);
-        }
+    /// Sets all elements to zero.
+    pub(crate) fn clear(&mut self) {
+        self.elements.fill(0.0);
     }
 
-    fn add(&mut self, row: usize, column: usize, value: f64) {
-        if column < row {
-            self.lower[self.start[row] + column - self.first[row]] += value;
-        } else {
-            self.upper[self.start[column] + row - self.first[column]] += value;
-        }
+    /// Adds to the element that joins two rows, or to that of a row on the diagonal.
+    #[inline]
+    pub(crate) fn add(&mut self, one: usize, other: usize, value: f64) {
+        let (row, column) = (one.min(other), one.max(other));
+        self.elements[self.rows[row].start + column - row] += value;
     }
 
-    /// Replaces the matrix by its factors: below the diagonal those of the rows above, on and above it what they leave.
-    pub(crate) fn factorize(&mut self) {
-        for row in 0..self.first.len() {
-            let (first, start) = (self.first[row], self.start[row]);
-            for column in first..row {
-                let from = first.max(self.first[column]);
-                let own = start + column - first;
-                let other = self.start[column] + column - self.first[column];
-                let [mut below, mut above] = [self.lower[own], self.upper[own]];
-                // What rows and columns have in common before this element: as slices, so that no index is checked in the loop.
-                let [mine, its] = [own, other].map(|end| end - (column - from)..end);
-                let lower = self.lower[mine.clone()]
-                    .iter()
-                    .zip(&self.upper[its.clone()]);
-                let upper = self.lower[its].iter().zip(&self.upper[mine]);
-                for (left, right) in lower.zip(upper) {
-                    below -= left.0 * left.1;
-                    above -= right.0 * right.1;
-                }
-                self.upper[own] = above;
-                self.lower[own] = below / self.diagonal[column];
-            }
-            let elements = start..start + row - first;
-            let taken = self.lower[elements.clone()]
-                .iter()
-                .zip(&self.upper[elements]);
-            for (below, above) in taken {
-                self.diagonal[row] -= below * above;
-            }
-        }
-    }
-
-    /// Solves for [`Self::vector`] with the factors.
+    /// Replaces the matrix by its factors, and the right-hand side in [`Self::vector`] by the solution.
     pub(crate) fn solve(&mut self) {
-        for row in 0..self.first.len() {
-            let elements = self.start[row]..self.start[row] + row - self.first[row];
-            let (before, rest) = self.vector.split_at_mut(row);
-            let known = self.lower[elements].iter().zip(&before[self.first[row]..]);
-            for (factor, known) in known {
-                rest[0] -= factor * known;
+        for (index, row) in self.rows.iter().enumerate() {
+            let (own, mut below) = self.elements[row.start..].split_at_mut(row.end - index);
+            let Some((pivot, own)) = own.split_first_mut() else {
+                return;
+            };
+            let (known, unknown) = self.vector.split_at_mut(index + 1);
+            let next = self.rows[index + 1..row.end].iter().zip(unknown);
+            for (place, (next, unknown)) in next.enumerate() {
+                let factor = own[place] / *pivot;
+                *unknown -= factor * known[index];
+                // From the end on: forwards these few elements would be taken in twos, others than those just stored.
+                for column in (place..own.len()).rev() {
+                    below[column - place] -= factor * own[column];
+                }
+                own[place] = factor;
+                below = &mut below[next.end - (index + 1 + place)..];
             }
         }
-        for row in (0..self.first.len()).rev() {
-            self.vector[row] /= self.diagonal[row];
-            let elements = self.start[row]..self.start[row] + row - self.first[row];
-            let (before, rest) = self.vector.split_at_mut(row);
-            let unknown = before[self.first[row]..].iter_mut();
-            for (unknown, element) in unknown.zip(&self.upper[elements]) {
-                *unknown -= element * rest[0];
+        self.substitute();
+    }
+
+    /// Solves for another right-hand side with the factors.
+    pub(crate) fn solve_again(&mut self) {
+        for (index, row) in self.rows.iter().enumerate() {
+            let factors = &self.elements[row.start + 1..row.start + row.end - index];
+            let (known, unknown) = self.vector.split_at_mut(index + 1);
+            for (unknown, factor) in unknown.iter_mut().zip(factors) {
+                *unknown -= factor * known[index];
             }
+        }
+        self.substitute();
+    }
+
+    /// Finds the unknowns from the last one on.
+    fn substitute(&mut self) {
+        for (index, row) in self.rows.iter().enumerate().rev() {
+            let elements = &self.elements[row.start..row.start + row.end - index];
+            let (value, known) = (self.vector[index], &self.vector[index + 1..row.end]);
+            let taken = elements[1..].iter().zip(known).rev();
+            self.vector[index] = taken.fold(value / elements[0], |value, (factor, known)| {
+                value - factor * known
+            });
         }
     }
 }
@@ -160,7 +128,7 @@ mod tests {
     fn reference_elimination_within_a_profile() {
         // Two towers of three floors that touch on the first and the third, level by level.
         let n = 6;
-        let mut profile = Profile::with_capacity(n, 8);
+        let mut profile = Profile::with_capacity(n, 3 * n);
         let joined = [(0, 1), (0, 2), (1, 3), (2, 4), (3, 5), (4, 5)];
         profile.begin(n);
         for (one, other) in joined {
@@ -169,26 +137,26 @@ mod tests {
         profile.lay_out();
         let element = |row: usize, column: usize| {
             let (row, column) = (row as f64, column as f64);
-            -1.0 - 0.3 * row - 0.1 * column * column
+            -1.0 - 0.3 * (row + column) - 0.1 * row * column
         };
         let mut matrix = nalgebra::DMatrix::zeros(n, n);
         for (one, other) in joined {
-            for (row, column) in [(one, other), (other, one)] {
-                profile.add(row, column, element(row, column));
-                matrix[(row, column)] = element(row, column);
-            }
+            profile.add(one, other, element(one, other));
+            matrix[(one, other)] = element(one, other);
+            matrix[(other, one)] = element(one, other);
         }
         let wanted = nalgebra::DVector::from_fn(n, |row, _| 1.0 - 0.7 * row as f64);
         for row in 0..n {
-            profile.diagonal[row] = 20.0 + row as f64;
-            matrix[(row, row)] = profile.diagonal[row];
+            matrix[(row, row)] = 20.0 + row as f64;
+            profile.add(row, row, matrix[(row, row)]);
         }
         let right = &matrix * &wanted;
-        profile.factorize();
-        profile.vector.copy_from_slice(right.as_slice());
-        profile.solve();
-        for (found, wanted) in profile.vector.iter().zip(&wanted) {
-            assert!((found - wanted).abs() < 1e-13, "{found} {wanted}");
+        for solve in [Profile::solve, Profile::solve_again] {
+            profile.vector.copy_from_slice(right.as_slice());
+            solve(&mut profile);
+            for (found, wanted) in profile.vector.iter().zip(&wanted) {
+                assert!((found - wanted).abs() < 1e-13, "{found} {wanted}");
+            }
         }
     }
 }

@@ -65,6 +65,13 @@ impl<Column> Node<Column> {
     }
 }
 
+impl<Column> Node<Column> {
+    /// 1 for a structure, 0 for a wall: walls do not feel inertia.
+    pub(crate) fn mobile(&self) -> f64 {
+        if self.is_wall() { 0.0 } else { 1.0 }
+    }
+}
+
 impl<Column: RestoringForce> Node<Column> {
     /// Acceleration \[m/s²\] of a structure of one storey in equilibrium; a wall has none.
     pub(crate) fn acceleration(&self, state: &State, ground: f64) -> f64 {

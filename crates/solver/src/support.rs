@@ -164,7 +164,7 @@ impl<Column: RestoringForce> Row<Column> {
         let mut memories = Vec::with_capacity(states.len());
         for (index, node) in self.nodes().iter().enumerate() {
             let drift = self.drift(index, &states);
-            let response = node.column.respond(drift, Column::Memory::default());
+            let response = node.column.respond(drift, node.column.untouched());
             states[index].restoring_force = response.force;
             memories.push(response.memory);
         }

@@ -50,8 +50,9 @@ pub(crate) struct Trial<Memory> {
     pub(crate) above: f64,
 }
 
-impl<Memory: Copy + Default> Trial<Memory> {
-    pub(crate) fn new() -> Self {
+impl<Memory: Copy> Trial<Memory> {
+    /// Of a floor whose columns have this memory.
+    pub(crate) fn new(memory: Memory) -> Self {
         Self {
             acceleration: 0.0,
             predicted: (0.0, 0.0),
@@ -61,10 +62,10 @@ impl<Memory: Copy + Default> Trial<Memory> {
             response: Response {
                 force: 0.0,
                 tangent: 0.0,
-                memory: Memory::default(),
+                memory,
             },
             approach_speed: None,
-            memory: Memory::default(),
+            memory,
             force_from_left: 0.0,
             force_from_right: 0.0,
             residual: 0.0,

@@ -3,12 +3,14 @@
 pub(crate) mod record;
 mod structure;
 
+use std::fmt::Display;
+
 use crate::{Method, Scene, SceneError, Structure};
 
-/// Refuses a value that is not `valid`.
+/// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
 fn require(
     valid: bool,
-    place: String,
+    place: impl Display,
     found: f64,
     allowed: &'static str,
 ) -> Result<(), SceneError> {
@@ -16,7 +18,7 @@ fn require(
         Ok(())
     } else {
         Err(SceneError::OutOfRange {
-            place,
+            place: place.to_string(),
             found,
             allowed,
         })
@@ -29,7 +31,7 @@ const FINITE: &str = "a finite number";
 
 /// Refuses the first field that cannot be modelled, in the order of the file.
 pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
-    named("name".into(), &scene.name, "a name, for tables and figures")?;
+    named("name", &scene.name, "a name, for tables and figures")?;
     record::check(&scene.record)?;
     if scene.structures.is_empty() {
         return Err(SceneError::NoStructures);
@@ -54,15 +56,16 @@ fn check_arrivals(scene: &Scene) -> Result<(), SceneError> {
         });
     }
     for (index, &arrival) in arrivals.iter().enumerate() {
-        let place = format!("arrivals_s[{index}]");
+        let place = format_args!("arrivals_s[{index}]");
         require(arrival >= 0.0, place, arrival, NOT_NEGATIVE)?;
     }
     Ok(())
 }
 
 /// Refuses a name without a letter.
-fn named(place: String, name: &str, allowed: &'static str) -> Result<(), SceneError> {
+fn named(place: impl Display, name: &str, allowed: &'static str) -> Result<(), SceneError> {
     if name.trim().is_empty() {
+        let place = place.to_string();
         return Err(SceneError::NoName { place, allowed });
     }
     Ok(())
@@ -73,15 +76,15 @@ pub(crate) fn check_method(scene: &Scene) -> Result<(), SceneError> {
     if let Method::Accuracy(accuracy) = scene.method {
         let valid = accuracy > 0.0 && accuracy < 1.0;
         let allowed = "a number > 0 and < 1, such as 0.01 for 1 %";
-        require(valid, "method.accuracy".into(), accuracy, allowed)?;
+        require(valid, "method.accuracy", accuracy, allowed)?;
     }
     if let Some(duration) = scene.duration_s {
-        require(duration > 0.0, "duration_s".into(), duration, POSITIVE)?;
+        require(duration > 0.0, "duration_s", duration, POSITIVE)?;
     }
     let Some(dt) = scene.method.time_step() else {
         return Ok(());
     };
-    let place = format!("method.{}.time_step_s", scene.method.name());
+    let place = format_args!("method.{}.time_step_s", scene.method.name());
     require(dt > 0.0, place, dt, POSITIVE)?;
     match scene.duration_s {
         Some(duration) => check_steps(scene, dt, duration),
@@ -110,14 +113,14 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
 const MOST_STEPS: f64 = 1e8;
 
 fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> {
-    let place = || "duration_s".to_string();
+    let place = "duration_s";
     let steps = duration / dt;
     let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
     let allowed = "a whole number of the method's time_step_s, at least 1";
-    require(whole, place(), duration, allowed)?;
+    require(whole, place, duration, allowed)?;
     let few = steps * n_floors(scene) as f64 <= MOST_STEPS;
     let allowed = "a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s";
-    require(few, place(), duration, allowed)
+    require(few, place, duration, allowed)
 }
 
 /// Number of floors of all structures, of which each wall is one.
@@ -144,7 +147,7 @@ fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
     for (index, contact) in contacts.iter().enumerate() {
         require(
             contact.gap_m >= 0.0,
-            format!("contacts[{index}].gap_m"),
+            format_args!("contacts[{index}].gap_m"),
             contact.gap_m,
             NOT_NEGATIVE,
         )?;

@@ -1,5 +1,8 @@
 //! What looks wrong in a scene that could be right: values far from those of buildings and earthquakes.
 
+mod row;
+mod storeys;
+
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -87,6 +90,7 @@ impl Prepared {
                 ),
             );
         }
+        row::doubt(self, &mut doubts);
         doubts.0
     }
 
@@ -160,6 +164,7 @@ impl Prepared {
 
 fn doubt_a_building(index: usize, building: &Building, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].building{field}");
+    storeys::doubt(index, building, doubts);
     for (storey, one) in building.storeys.iter().enumerate() {
         doubts.unless(
             (1e3..=1e9).contains(&one.mass_kg),
@@ -214,6 +219,21 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
             ),
             "0.03 to 10 s",
         ),
+    );
+    if let Some(height) = sdof.height_m {
+        doubts.unless(
+            (0.2..=500.0).contains(&height),
+            place("height_m"),
+            (
+                format!("{} m", digits(height)),
+                "0.2 to 500 m, of the mass over the ground",
+            ),
+        );
+    }
+    storeys::doubt_the_yielding(
+        &place("yield_drift_ratio"),
+        (&sdof.columns(), sdof.height_m),
+        doubts,
     );
     doubts.unless(
         ratio <= 0.3,

@@ -1,6 +1,10 @@
 //! The floors of a scene: what the nodes of its row are called, and which of them face each other.
 
+mod levels;
+
 use pounding_solver::Levels;
+
+use levels::elevations;
 
 use crate::{Columns, Scene, SceneError, Structure};
 
@@ -24,7 +28,7 @@ pub struct Floor {
     pub structure: usize,
     /// Storey below it, counted from 1; nothing for a structure of one storey and a wall.
     pub storey: Option<usize>,
-    /// Name for tables: that of the structure, and the storey.
+    /// Name for tables: that of the structure, and the storey; of a wall that faces several floors, and the level.
     pub name: String,
     /// Height above the ground \[m\], where it is known.
     pub elevation_m: Option<f64>,
@@ -91,27 +95,14 @@ impl Floors {
     /// Of a scene whose structures were checked.
     ///
     /// # Errors
-    /// [`SceneError::LevelsDiffer`] where a floor would hit the columns of a neighbour.
+    /// [`SceneError::LevelsDiffer`] where a floor would hit the columns of a neighbour, [`SceneError::NotFacing`] and
+    /// [`SceneError::NoLevels`] where a contact names levels at which nothing can touch.
     pub(crate) fn of(scene: &Scene) -> Result<Self, SceneError> {
-        let elevations: Vec<_> = scene.structures.iter().map(elevations).collect();
-        let known = Heights::of(scene, &elevations);
-        if known == Heights::Known {
-            check_levels(scene, &elevations)?;
-        }
-        let levels = Levels::at(&levels_of(scene, &elevations, known));
-        let floor = |node: usize| {
-            let (structure, storey) = levels.place(node);
-            floor(&scene.structures[structure], (structure, storey))
-        };
+        let levels = levels::of(scene)?;
         let contacts = scene.contacts.iter().flatten().enumerate();
         let mut facing = Vec::new();
         for (contact, one) in contacts {
-            let chosen = |node: &(usize, usize)| {
-                let level = levels.level(node.0) + 1;
-                one.levels
-                    .as_ref()
-                    .is_none_or(|levels| levels.contains(&level))
-            };
+            let chosen = |node: &(usize, usize)| levels::lets_touch(one, levels.level(node.0));
             let at_levels = levels.facing(contact).filter(chosen);
             facing.extend(at_levels.map(|(left, right)| Facing {
                 contact,
@@ -122,7 +113,9 @@ impl Floors {
         facing.sort_by_key(|one: &Facing| one.left);
         Ok(Self {
             n_structures: scene.structures.len(),
-            all: (0..levels.n_nodes()).map(floor).collect(),
+            all: (0..levels.n_nodes())
+                .map(|node| floor(scene, &levels, node))
+                .collect(),
             facing,
             levels,
         })
@@ -144,14 +137,13 @@ impl Floors {
     }
 
     /// Number of the storey below a floor, from 1; of a wall that of the level at which it stands.
-    pub(crate) fn level_of(&self, floor: usize) -> String {
-        let storey = self.all[floor].storey;
-        let level = if self.all[floor].is_wall() {
+    pub fn storey_of(&self, floor: usize) -> usize {
+        let Floor { storey, .. } = self.all[floor];
+        if self.all[floor].is_wall() {
             self.levels.level(floor) + 1
         } else {
             storey.unwrap_or(1)
-        };
-        level.to_string()
+        }
     }
 
     /// The floor below, in the same building; nothing for one that stands on the ground.
@@ -164,6 +156,13 @@ impl Floors {
     /// Floors that can touch, in the order of the row's pairs.
     pub fn facing(&self) -> &[Facing] {
         &self.facing
+    }
+
+    /// Pairs, contact by contact from the left, each from the ground up.
+    pub fn pairs_by_contact(&self) -> Vec<usize> {
+        let mut pairs: Vec<usize> = (0..self.facing.len()).collect();
+        pairs.sort_by_key(|pair| self.facing[*pair].contact);
+        pairs
     }
 
     /// Names of the left and the right floor of a pair.
@@ -211,126 +210,9 @@ impl Floors {
     }
 }
 
-/// Whether floors are told apart by their heights or counted from the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Heights {
-    /// All heights are given, and some structure has several storeys.
-    Known,
-    /// Storeys of one number are taken to be level.
-    Counted,
-}
-
-impl Heights {
-    fn of(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Self {
-        let storeys = |one: &Structure| matches!(one, Structure::Building(_));
-        let given = |(one, heights): (&Structure, &Option<Vec<f64>>)| {
-            heights.is_some() || matches!(one, Structure::Wall)
-        };
-        let all = scene.structures.iter().zip(elevations).all(given);
-        if all && scene.structures.iter().any(storeys) {
-            Self::Known
-        } else {
-            Self::Counted
-        }
-    }
-}
-
-/// Heights of the floors of a structure above the ground \[m\], where all are known; nothing for a wall.
-fn elevations(structure: &Structure) -> Option<Vec<f64>> {
-    match structure {
-        Structure::Sdof(sdof) => sdof.height_m.map(|height| vec![height]),
-        Structure::Building(building) => {
-            let mut top = 0.0;
-            let heights = building.storeys.iter().map(|storey| {
-                top += storey.height_m?;
-                Some(top)
-            });
-            heights.collect()
-        }
-        Structure::Wall => None,
-    }
-}
-
-/// Refuses floors that face no floor of a neighbour, up to the lower roof of the two.
-fn check_levels(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Result<(), SceneError> {
-    let n_contacts = scene.contacts.as_ref().map_or(0, Vec::len);
-    for contact in 0..n_contacts {
-        let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
-            continue;
-        };
-        let roof = |floors: &[f64]| floors.last().copied().unwrap_or(0.0);
-        let lower = roof(left).min(roof(right)) + EQUAL_HEIGHTS;
-        for (structure, own, others) in [(contact, left, right), (contact + 1, right, left)] {
-            let faces = |height: &f64| {
-                others
-                    .iter()
-                    .any(|other| (height - other).abs() <= EQUAL_HEIGHTS)
-            };
-            let below = own.iter().filter(|height| **height <= lower);
-            if let Some(height) = below.clone().find(|height| !faces(height)) {
-                return Err(SceneError::LevelsDiffer {
-                    contact,
-                    floor: scene.structures[structure].name().into(),
-                    height: *height,
-                    neighbour: scene.structures[2 * contact + 1 - structure].name().into(),
-                    others: others.clone(),
-                });
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Levels of the floors of every structure.
-fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -> Vec<Vec<usize>> {
-    let mut all: Vec<f64> = elevations.iter().flatten().flatten().copied().collect();
-    all.sort_by(f64::total_cmp);
-    all.dedup_by(|higher, lower| *higher - *lower <= EQUAL_HEIGHTS);
-    let level = |height: &f64| all.partition_point(|other| *other < height - EQUAL_HEIGHTS);
-    let own = |(structure, elevations): (&Structure, &Option<Vec<f64>>)| match (
-        structure, elevations, heights,
-    ) {
-        (Structure::Wall, ..) => Vec::new(),
-        (_, Some(elevations), Heights::Known) => elevations.iter().map(level).collect(),
-        (Structure::Building(building), ..) => (0..building.storeys.len()).collect(),
-        (Structure::Sdof(_), ..) => vec![0],
-    };
-    let structures = scene.structures.iter().zip(elevations);
-    let mut levels: Vec<Vec<usize>> = structures.map(own).collect();
-    for (wall, structure) in scene.structures.iter().enumerate() {
-        if matches!(structure, Structure::Wall) {
-            levels[wall] = levels_of_wall(scene, &levels, wall);
-        }
-    }
-    levels
-}
-
-/// A wall faces every floor beside it, but those that its contact does not let it touch; one that faces none stands on the
-/// ground.
-fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usize> {
-    let contacts = scene.contacts.as_deref().unwrap_or_default();
-    // Contact i lies between structures i and i + 1.
-    let sides = [
-        wall.checked_sub(1).map(|left| (left, left)),
-        Some((wall, wall + 1)),
-    ];
-    let mut faced = Vec::new();
-    for (contact, neighbour) in sides.into_iter().flatten() {
-        let Some(Structure::Sdof(_) | Structure::Building(_)) = scene.structures.get(neighbour)
-        else {
-            continue;
-        };
-        let levels_of_contact = contacts.get(contact).and_then(|one| one.levels.as_ref());
-        let chosen =
-            |level: &&usize| levels_of_contact.is_none_or(|chosen| chosen.contains(&(**level + 1)));
-        faced.extend(levels[neighbour].iter().filter(chosen));
-    }
-    faced.sort_unstable();
-    faced.dedup();
-    if faced.is_empty() { vec![0] } else { faced }
-}
-
-fn floor(structure: &Structure, (index, storey): (usize, usize)) -> Floor {
+fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
+    let (index, storey) = levels.place(node);
+    let structure = &scene.structures[index];
     let name = structure.name().to_string();
     match structure {
         Structure::Sdof(sdof) => Floor {
@@ -363,7 +245,10 @@ fn floor(structure: &Structure, (index, storey): (usize, usize)) -> Floor {
         Structure::Wall => Floor {
             structure: index,
             storey: None,
-            name,
+            name: match levels.of(index) {
+                [_] => name,
+                _ => format!("{name} {}", levels.level(node) + 1),
+            },
             elevation_m: None,
             made_of: None,
         },

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use pounding_motion::{Accelerogram, Declared, Record, RecordError, read_declared};
 use sha2::{Digest, Sha256};
@@ -66,7 +67,11 @@ impl GroundMotion {
         })
     }
 
-    fn of_formula(record: &RecordUse, generated: &Generated) -> Result<Self, SceneError> {
+    /// A motion from a formula, used as a scene says.
+    pub(crate) fn of_formula(
+        record: &RecordUse,
+        generated: &Generated,
+    ) -> Result<Self, SceneError> {
         check::record::check(record)?;
         let made = generated.record()?;
         let (record, scale) = used(record, made)?;
@@ -75,6 +80,36 @@ impl GroundMotion {
             scale,
             origin: None,
         })
+    }
+}
+
+/// A ground motion that scenes share: a sweep runs many under one.
+#[derive(Debug, Clone)]
+pub(crate) struct SharedMotion {
+    pub(crate) record: Arc<Record>,
+    pub(crate) scale: f64,
+    pub(crate) origin: Option<Arc<Origin>>,
+}
+
+impl SharedMotion {
+    /// The same, multiplied once more by `factor`, which comes from `record.scale`.
+    pub(crate) fn scaled(&self, factor: f64) -> Result<Self, SceneError> {
+        let record = self.record.scaled(factor).map_err(at("record.scale"))?;
+        Ok(Self {
+            record: Arc::new(record),
+            scale: self.scale * factor,
+            origin: self.origin.clone(),
+        })
+    }
+}
+
+impl From<GroundMotion> for SharedMotion {
+    fn from(motion: GroundMotion) -> Self {
+        Self {
+            record: Arc::new(motion.record),
+            scale: motion.scale,
+            origin: motion.origin.map(Arc::new),
+        }
     }
 }
 
@@ -104,12 +139,15 @@ impl Origin {
 
 /// SHA-256 of some bytes in hexadecimal digits.
 pub(crate) fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes)
-        .iter()
-        .fold(String::new(), |mut digits, byte| {
-            write!(digits, "{byte:02x}").expect("a string takes all");
-            digits
-        })
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+/// Bytes in hexadecimal digits.
+pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut digits, byte| {
+        write!(digits, "{byte:02x}").expect("a string takes all");
+        digits
+    })
 }
 
 /// Names the field of a scene that asks for what is refused.

@@ -42,12 +42,14 @@ mod reproduce;
 mod review;
 mod savings;
 mod scene;
+mod scene_error;
 mod schema;
 pub mod second_route;
 mod separation;
 mod spectrum;
 mod study;
 mod suite;
+mod sweep;
 mod tables;
 mod trade;
 mod unneeded;
@@ -65,8 +67,8 @@ pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
 pub use completed::Completed;
 pub use contenders::StepMethod;
 pub use doubt::Doubt;
-pub use effects::{Effect, Effects, FloorEffects, Known, ROBUST};
-pub use error::{SceneError, StudyError};
+pub use effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
+pub use error::StudyError;
 pub use examples::Examples;
 pub use extremes::{Axis, Edges, Extent, Extremes, Line, Map, Values};
 pub use fault::Fault;
@@ -94,7 +96,8 @@ pub use scene::{
     Method, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Storey,
     Structure, Unit,
 };
-pub use schema::scene_schema;
+pub use scene_error::SceneError;
+pub use schema::{scene_schema, sweep_schema};
 pub use separation::{Rule, Separation};
 pub use spectrum::{
     Shown, SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
@@ -102,6 +105,11 @@ pub use spectrum::{
 };
 pub use study::{Output, Study, StudyFile};
 pub use suite::{Motion, Vertical, files_in};
+pub use sweep::{
+    Batch, Between, Directions, Grid, Joined, LogNormal, Normal, Outputs, PairQuantity, Parts,
+    PlaceError, Records, RefusedScene, SampleMethod, Samples, SceneOf, Shard, Spacing, Spread,
+    StructureQuantity, Sweep, SweepError, SweepFile, Vary, compresses, merge,
+};
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};

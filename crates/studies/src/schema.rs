@@ -1,19 +1,25 @@
-//! The form of a scene file, for editors.
+//! The form of the files of scenes and sweeps, for editors.
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::{RecursiveTransform, Transform};
-use schemars::{Schema, SchemaGenerator};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 
-use crate::Scene;
+use crate::{Scene, SweepFile};
 
 /// The JSON Schema (2020-12) of a scene file, made from the types that read it.
-///
-/// # Panics
-/// Never: a schema is made of text and numbers.
 pub fn scene_schema() -> String {
+    schema_of::<Scene>()
+}
+
+/// The JSON Schema (2020-12) of a sweep file, made from the types that read it.
+pub fn sweep_schema() -> String {
+    schema_of::<SweepFile>()
+}
+
+fn schema_of<File: JsonSchema>() -> String {
     let settings = SchemaSettings::draft2020_12();
     let generator = SchemaGenerator::new(settings);
-    let mut schema = generator.into_root_schema_for::<Scene>();
+    let mut schema = generator.into_root_schema_for::<File>();
     RecursiveTransform(plain).transform(&mut schema);
     let mut text = serde_json::to_string_pretty(&schema).expect("a schema is JSON");
     text.push('\n');

@@ -11,6 +11,8 @@ use crate::{Floor, Outcome, Prepared, StudyError};
 pub struct Separation {
     /// Index of the structure on the left.
     pub left: usize,
+    /// Level of the floors that need most, counted from 1 for the lowest, as `levels` of contacts count.
+    pub at_level: usize,
     /// Width below which the neighbours touch \[m\]: at the level that needs most, the largest closing of the gap while every structure stands alone.
     pub required: f64,
     /// When it is needed \[s\].
@@ -140,6 +142,7 @@ impl Prepared {
             let sides = [one, other].map(|index| &floors.all()[index]);
             let at_level = Separation {
                 left,
+                at_level: floors.levels().level(one) + 1,
                 required,
                 time,
                 peaks: [one, other].map(|index| peaks.of(index).displacement.value.abs()),

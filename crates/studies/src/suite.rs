@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pounding_motion::{Direction, components};
 
-use crate::{FileUse, Prepared, Scene, Source, StudyError};
+use crate::{FileUse, GroundMotion, Prepared, RecordUse, Scene, Source, StudyError};
 
 /// One ground motion of a folder: a file, or one component of a file that holds several.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +50,11 @@ impl Motion {
             .collect())
     }
 
+    /// Every ground motion of a file: one, or one of each component.
+    pub fn in_file(path: &Path) -> Vec<Self> {
+        of_file(path)
+    }
+
     /// The scene under this motion, reversed or not; processed and scaled as the scene says.
     ///
     /// It runs to the end of the record and two periods beyond, whatever duration the scene has for its own record. What the scene
@@ -64,7 +69,36 @@ impl Motion {
         let mut scene = scene.clone();
         scene.duration_s = None;
         scene.record.reversed = reversed;
-        let of_scene = match &scene.record.source {
+        self.where_unsaid(&scene.record.clone(), |source| {
+            scene.record.source = source;
+            Prepared::new(&scene, Path::new(""))
+        })
+    }
+
+    /// The motion used as `record` says, but for its source; and that use with this motion as its source.
+    ///
+    /// # Errors
+    /// Those of [`GroundMotion::of`].
+    pub(crate) fn used_as(
+        &self,
+        record: &RecordUse,
+        scene: &str,
+    ) -> Result<(RecordUse, GroundMotion), StudyError> {
+        let mut record = record.clone();
+        let motion = self.where_unsaid(&record.clone(), |source| {
+            record.source = source;
+            GroundMotion::of(&record, Path::new(""), scene)
+        })?;
+        Ok((record, motion))
+    }
+
+    /// Tries this motion as a source, with as much of what `record` declares of its own file as this one does not say.
+    fn where_unsaid<T>(
+        &self,
+        record: &RecordUse,
+        mut attempt: impl FnMut(Source) -> Result<T, StudyError>,
+    ) -> Result<T, StudyError> {
+        let of_scene = match &record.source {
             Source::File(file) => file.clone(),
             Source::Generated(_) => FileUse::default(),
         };
@@ -73,10 +107,7 @@ impl Motion {
             component: self.component.clone(),
             ..of_scene
         };
-        file.where_unsaid(|file| {
-            scene.record.source = Source::File(file.clone());
-            Prepared::new(&scene, Path::new(""))
-        })
+        file.where_unsaid(|file| attempt(Source::File(file.clone())))
     }
 
     /// Name for tables: that of the file, and the component.

@@ -193,3 +193,34 @@ fn reference_ranges_are_those_of_changed_records() {
     }
     assert!(moved, "one per cent moves some of them by more than five");
 }
+
+/// A record made slower was cut at the duration of the scene, so that what happens at its end did not.
+#[test]
+fn issue_a_slower_record_runs_to_its_end() {
+    // The ground begins to move 0.1 s before the end, and the gap closes 0.07 to 0.08 s later: beyond three seconds in the slower record.
+    let sample = |index: usize| if index < 290 { 0.0 } else { 8.0 };
+    let rows = (0..=300).map(|index| format!("{},{}\n", index as f64 * 0.01, sample(index)));
+    let rows: String = rows.collect();
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("late.csv");
+    std::fs::write(&path, format!("time_s,acceleration_m_per_s2\n{rows}")).expect("a file");
+    let text = r#"
+        name = "late"
+        duration_s = 3
+        record.file = "late.csv"
+        structures = [
+          { sdof = { name = "slow", mass_kg = 2e5, period_s = 0.6, damping.ratio = 0.05 } },
+          { sdof = { name = "quick", mass_kg = 2e5, period_s = 0.25, damping.ratio = 0.05 } },
+        ]
+        contacts = [{ gap_m = 0.005, law.stereomechanical.restitution = 0.6 }]
+    "#;
+    let scene = Scene::parse(text.as_bytes(), Path::new("late.toml")).expect("a scene");
+    let pair = Prepared::new(&scene, path.parent().expect("a folder")).expect("a good scene");
+    let effects = Effects::of(&pair).expect("it runs");
+    let both = [&effects.as_given[0], &effects.reversed[0]];
+    let hit = both.iter().find(|one| one.collisions.value > 0.0);
+    let collisions = hit.expect("they meet in one direction").collisions;
+    assert!(
+        collisions.low > 0.0,
+        "whatever the record's speed: {collisions:?}"
+    );
+}

@@ -187,8 +187,13 @@ fn travel_line(prepared: &Prepared) -> Option<String> {
     } else {
         "towards each other"
     };
+    let reversed = if prepared.scene().record.reversed {
+        "; record.reversed turns its shaking, not the way it travels"
+    } else {
+        ""
+    };
     Some(format!(
-        "ground: the motion travels along the row; of neighbours, the bases of {} and {} move farthest: {} mm {way}, at {} s",
+        "ground: the motion travels along the row{reversed}; of neighbours, the bases of {} and {} move farthest: {} mm {way}, at {} s",
         structures[left].name(),
         structures[left + 1].name(),
         short(largest.distance.abs() * 1e3),
@@ -277,9 +282,9 @@ fn pairs(prepared: &Prepared, limits: &Limits) -> String {
         ["Method's", "e"],
     ];
     let floors = prepared.floors();
-    let rows = floors.facing().iter().enumerate().map(|(index, facing)| {
+    let rows = floors.pairs_by_contact().into_iter().map(|index| {
         let [left, right] = floors.names(index);
-        let gap = contacts[facing.contact].gap_m;
+        let gap = contacts[floors.facing()[index].contact].gap_m;
         let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
         match limits.contacts.iter().find(|limit| limit.pair == index) {
             Some(limit) => row.extend(contact_numbers(limit)),

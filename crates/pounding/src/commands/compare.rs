@@ -16,7 +16,8 @@ Examples:
   pounding compare today.toml wider-gap.toml other-law.toml
   pounding compare today.toml wider-gap.toml --json > both.json
 
-Structures and pairs are matched from the left.";
+Structures are matched from the left, the floors of buildings and the pairs
+between them storey by storey.";
 
 /// What is asked of `compare`.
 #[derive(Debug, clap::Args)]
@@ -60,12 +61,64 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let mut names = names(&runs).into_iter();
     let mut rows = vec![row("Scene", &runs, |_| names.next().unwrap_or_default())];
     rows.extend(of_runs(&runs));
-    let most = |count: fn(&Run) -> usize| runs.iter().map(count).max().unwrap_or(0);
-    let structures = most(|run| run.prepared.floors().all().len());
-    let pairs = most(|run| run.prepared.floors().facing().len());
-    rows.extend((0..structures).flat_map(|index| of_structure(&runs, index)));
-    rows.extend((0..pairs).flat_map(|index| of_pair(&runs, index)));
+    let (structures, pairs) = (places(&runs, floor_places), places(&runs, pair_places));
+    let words = |what: &str, place: &At, all: &[At]| {
+        let several = all.iter().any(|one| one.0 == place.0 && one != place);
+        let floor = format!(", floor {}", place.1 + 1);
+        let floor = if several { floor.as_str() } else { "" };
+        format!("{what} {}{floor}", place.0 + 1)
+    };
+    for place in &structures {
+        rows.extend(of_structure(
+            &runs,
+            *place,
+            &words("Structure", place, &structures),
+        ));
+    }
+    for place in &pairs {
+        rows.extend(of_pair(&runs, *place, &words("Pair", place, &pairs)));
+    }
     Ok(side_by_side(&rows))
+}
+
+/// Where a floor or a pair stands, whatever its number in a run: the structure or the contact from the left, and the storey, of
+/// a wall the level; both from 0.
+type At = (usize, usize);
+
+/// All places of all runs, from the left, each from the ground up.
+fn places(runs: &[Run], of_run: fn(&Run) -> Vec<At>) -> Vec<At> {
+    let all: BTreeSet<At> = runs.iter().flat_map(of_run).collect();
+    all.into_iter().collect()
+}
+
+/// Places of the floors of a run, in its order.
+fn floor_places(run: &Run) -> Vec<At> {
+    let floors = run.prepared.floors();
+    let place = |index: usize| (floors.all()[index].structure, floors.storey_of(index) - 1);
+    (0..floors.all().len()).map(place).collect()
+}
+
+/// Places of the pairs of a run, in its order: the storey is that of the left neighbour, or beside a wall that of the right one.
+fn pair_places(run: &Run) -> Vec<At> {
+    let floors = run.prepared.floors();
+    let facing = floors.facing().iter();
+    let place = facing.map(|one| {
+        let wall = floors.all()[one.left].is_wall();
+        let floor = if wall { one.right } else { one.left };
+        (one.contact, floors.storey_of(floor) - 1)
+    });
+    place.collect()
+}
+
+/// The floor that a run has at a place, and its number.
+fn floor_at(run: &Run, place: At) -> Option<(usize, &Floor)> {
+    let index = floor_places(run).iter().position(|one| *one == place)?;
+    Some((index, &run.prepared.floors().all()[index]))
+}
+
+/// The number of the pair that a run has at a place.
+fn pair_at(run: &Run, place: At) -> Option<usize> {
+    pair_places(run).iter().position(|one| *one == place)
 }
 
 fn run(path: &Path, measure: bool) -> Result<Run, StudyError> {
@@ -146,66 +199,78 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
     ]
 }
 
-fn of_structure(runs: &[Run], index: usize) -> Vec<Vec<String>> {
-    let named = |run: &Run| {
-        let floors = run.prepared.floors().all();
-        floors
-            .get(index)
-            .map_or(NONE.into(), |one| one.name.clone())
-    };
-    let number = |name: &str, value: &dyn Fn(&Run, &Floor) -> Option<f64>| {
+fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
+    let number = |name: &str, value: &dyn Fn(&Run, usize, &Floor) -> Option<f64>| {
         row(name, runs, |run| {
-            let structure = run.prepared.floors().all().get(index);
-            let value = structure.and_then(|structure| value(run, structure));
+            let there = floor_at(run, place);
+            let value = there.and_then(|(index, floor)| value(run, index, floor));
             value.map_or(NONE.into(), short)
         })
     };
     let moves = |floor: &Floor| (!floor.is_wall()).then_some(());
-    vec![
-        row(&format!("Structure {}", index + 1), runs, named),
-        number("  period [s]", &|run, floor| {
+    let mut rows = vec![
+        row(heading, runs, |run| {
+            floor_at(run, place).map_or(NONE.into(), |(_, floor)| floor.name.clone())
+        }),
+        number("  period [s]", &|run, _, floor| {
             Some(floor.oscillation(run.prepared.scene())?.0)
         }),
-        number("  peak displacement [mm]", &|run, structure| {
-            moves(structure)?;
+        number("  peak displacement [mm]", &|run, index, floor| {
+            moves(floor)?;
             Some(1e3 * run.review.outcome.peaks.of(index).displacement.value)
         }),
-        number("  residual at end [mm]", &|run, structure| {
-            moves(structure)?;
+        number("  residual at end [mm]", &|run, index, floor| {
+            moves(floor)?;
             Some(1e3 * run.review.outcome.last.of(index))
         }),
-        number("  peak acceleration [g]", &|run, structure| {
-            moves(structure)?;
+        number("  peak acceleration [g]", &|run, index, floor| {
+            moves(floor)?;
             let gravity = run.prepared.scene().record.gravity_m_per_s2;
             Some(run.review.outcome.accelerations[index].value / gravity)
         }),
-        number("  peak shear [kN]", &|run, structure| {
-            moves(structure)?;
+        number("  peak shear [kN]", &|run, index, floor| {
+            moves(floor)?;
             Some(1e-3 * run.review.outcome.peaks.of(index).restoring_force.value)
         }),
-        number("  transferred momentum [kN·s]", &|run, _| {
+        number("  transferred momentum [kN·s]", &|run, index, _| {
             Some(1e-3 * run.review.outcome.momentum.of(index))
         }),
-    ]
+    ];
+    let is_storey =
+        |run: &Run| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
+    if runs.iter().any(is_storey) {
+        let drifts = number("  peak storey drift [mm]", &|run, index, floor| {
+            floor.storey?;
+            Some(1e3 * run.review.outcome.peaks.of(index).drift().value)
+        });
+        rows.insert(3, drifts);
+    }
+    rows
 }
 
-fn of_pair(runs: &[Run], pair: usize) -> Vec<Vec<String>> {
+fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
+    let index = |run: &Run| pair_at(run, place);
     let gap = |run: &Run| {
-        let contacts = run.prepared.scene().contacts.as_ref()?;
-        contacts.get(pair).map(|contact| 1e3 * contact.gap_m)
+        let contact = run.prepared.scene().contacts.iter().flatten().nth(place.0);
+        index(run).zip(contact).map(|(_, one)| 1e3 * one.gap_m)
     };
     let number = |name: &str, value: &dyn Fn(&PairOutcome) -> Option<f64>| {
         row(name, runs, |run| {
-            value(&run.review.outcome.of_pair(pair)).map_or(NONE.into(), short)
+            let outcome = index(run).map(|index| run.review.outcome.of_pair(index));
+            let value = outcome.and_then(|outcome| value(&outcome));
+            value.map_or(NONE.into(), short)
         })
     };
     vec![
-        row(&format!("Pair {}, gap [mm]", pair + 1), runs, |run| {
+        row(heading, runs, |run| {
+            let names = index(run).map(|index| run.prepared.floors().names(index));
+            names.map_or(NONE.into(), |[left, right]| format!("{left} – {right}"))
+        }),
+        row("  gap [mm]", runs, |run| {
             gap(run).map_or(NONE.into(), short)
         }),
-        row("  collisions", runs, |run| match gap(run) {
-            Some(_) => collisions(run, pair),
-            None => NONE.into(),
+        row("  collisions", runs, |run| {
+            index(run).map_or(NONE.into(), |index| collisions(run, index))
         }),
         number("  first [s]", &|pair| Some(pair.first?.start)),
         number("  largest impulse [kN·s]", &|pair| {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pounding::studies::{
-    Method, Prepared, Rule, Scene, Separation, StudyError, digits, rounded_up,
+    Contact, Method, Prepared, Rule, Scene, Separation, Structure, StudyError, digits, rounded_up,
 };
 use serde_json::json;
 
@@ -16,7 +16,9 @@ Examples:
   pounding gap scene.toml --records records --csv > gaps.csv
 
 The gaps and contact laws of the scene do not matter: the width is the largest
-closing of the gap while every structure stands alone, by the exact method.
+closing of the gap while every structure stands alone, by the exact method, at
+the level that needs most of those at which floors can touch (`levels` of a
+contact).
 
 Vertical components are left out: by the name that a file gives its component,
 such as UP, UD, V, Z or DWN (of an AT2 file the direction in its title), and
@@ -40,6 +42,9 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
+/// A gap that no start of a scene closes \[m\].
+const WIDE: f64 = 1e6;
+
 /// The widths under one motion in one direction.
 type Line = suite::Line<Vec<Separation>>;
 
@@ -55,9 +60,14 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
             scene.structures.len()
         ));
     }
-    // What does not matter must not be refused, nor searched for.
+    // What does not matter must not be refused, nor searched for; of contacts it is their levels that do.
+    let wide = |one: &Contact| Contact {
+        gap_m: WIDE,
+        ..one.clone()
+    };
+    let contacts = scene.contacts.as_ref();
     let apart = Scene {
-        contacts: None,
+        contacts: contacts.map(|all| all.iter().map(wide).collect()),
         method: Method::EXACT,
         ..scene.clone()
     };
@@ -92,9 +102,19 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
-    parts.push(paragraph("Notes", NOTES));
+    let levels = has_storeys(scene).then_some(LEVELS);
+    let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
+    let notes = [Some(NOTES), levels, travels];
+    let notes: Vec<&str> = notes.into_iter().flatten().collect();
+    parts.push(paragraph("Notes", &notes.join("\n")));
     parts.join("\n")
 }
+
+const LEVELS: &str = "Level: that of the floors that need most and whose displacements the rules take, counted from 1 for the lowest; \
+                      only floors that the scene lets touch count (`levels` of a contact).";
+
+const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in what a gap needs, while the rules know \
+                       displacements relative to each structure's own ground alone.";
 
 const NOTES: &str = "Needs: the largest closing of the gap while every structure stands alone, by the exact method. Rules: from the \
                      peak displacements of both structures under the same record; EC 8 is SRSS, 0.7 times that where \
@@ -103,16 +123,6 @@ const NOTES: &str = "Needs: the largest closing of the gap while every structure
 
 /// The table of one gap.
 fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
-    let header = [
-        ["Record", ""],
-        ["Needs", "[mm]"],
-        ["at", "[s]"],
-        ["ABS", "[mm]"],
-        ["SRSS", "[mm]"],
-        ["DDC", "[mm]"],
-        ["EC 8", "[mm]"],
-        ["ASCE 7", "[mm]"],
-    ];
     let mut all = Vec::new();
     let mut rows = Vec::new();
     let mut left = gap;
@@ -122,13 +132,7 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
         };
         left = separation.left;
         all.push(*separation);
-        let mut row = vec![
-            line.name(),
-            format!("{} ", millimetres(separation.required)),
-            digits((separation.time * 1e3).round() * 1e-3),
-        ];
-        row.extend(Rule::ALL.map(|rule| marked(rule.width(separation), separation.required)));
-        rows.push(row);
+        rows.push((line.name(), *separation));
     }
     let [one, other] = names(scene, left);
     let own = scene
@@ -147,9 +151,41 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
                 ))
             )
         ),
-        table(&header, &rows),
+        widths(&rows, has_storeys(scene)),
         paragraph("Result", &result(&all, own.map(|own| own.gap_m)))
     )
+}
+
+/// Whether floors stand at several levels.
+fn has_storeys(scene: &Scene) -> bool {
+    let is_building = |one: &Structure| matches!(one, Structure::Building(_));
+    scene.structures.iter().any(is_building)
+}
+
+/// What a gap needs under every record, of buildings with the level that decides.
+fn widths(rows: &[(String, Separation)], levels: bool) -> String {
+    let mut header = vec![
+        ["Record", ""],
+        ["Needs", "[mm]"],
+        ["at", "[s]"],
+        ["ABS", "[mm]"],
+        ["SRSS", "[mm]"],
+        ["DDC", "[mm]"],
+        ["EC 8", "[mm]"],
+        ["ASCE 7", "[mm]"],
+    ];
+    if levels {
+        header.insert(1, ["Level", ""]);
+    }
+    let row = |(name, one): &(String, Separation)| {
+        let mut row = vec![name.clone()];
+        row.extend(levels.then(|| one.at_level.to_string()));
+        row.push(format!("{} ", millimetres(one.required)));
+        row.push(digits((one.time * 1e3).round() * 1e-3));
+        row.extend(Rule::ALL.map(|rule| marked(rule.width(one), one.required)));
+        row
+    };
+    table(&header, &rows.iter().map(row).collect::<Vec<_>>())
 }
 
 /// A width, marked where it is too narrow.
@@ -228,12 +264,13 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
         .iter()
         .find_map(|line| line.found.as_ref().ok()?.first());
     let names_of_numbers = found.into_iter().flat_map(numbers).map(|(name, _)| name);
-    let header = ["record", "reversed", "left", "right"].into_iter();
+    let header = ["record", "reversed", "left", "right", "level"].into_iter();
     let header = header.chain(names_of_numbers).chain(["refused"]);
     let header: Vec<String> = header.map(String::from).collect();
     let row = |line: &Line, one: &Separation| {
         let [left, right] = names(scene, one.left);
-        let row = [&line.motion, &line.reversed.to_string(), left, right];
+        let (reversed, level) = (line.reversed.to_string(), one.at_level.to_string());
+        let row = [&line.motion, &reversed, left, right, &level];
         let mut row = row.map(String::from).to_vec();
         row.extend(numbers(one).map(|(_, number)| number.to_string()));
         row.push(String::new());
@@ -254,7 +291,7 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
 fn json_of(scene: &Scene, lines: &[Line]) -> String {
     let separation = |one: &Separation| {
         let [left, right] = names(scene, one.left);
-        let mut gap = json!({"left": left, "right": right});
+        let mut gap = json!({"left": left, "right": right, "level": one.at_level});
         for (name, number) in numbers(one) {
             gap[name] = json!(number);
         }

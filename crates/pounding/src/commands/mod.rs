@@ -10,10 +10,12 @@ mod export;
 mod gap;
 mod init;
 mod laws;
+mod merge;
 mod motion;
 mod run;
 mod schema;
 mod suite;
+mod sweep;
 
 use std::path::Path;
 
@@ -54,6 +56,10 @@ enum Command {
     Run(run::Arguments),
     /// Run several scenes and print them side by side.
     Compare(compare::Arguments),
+    /// Run a scene with many values of its fields, into a table.
+    Sweep(sweep::Arguments),
+    /// Join the shards of a sweep.
+    Merge(merge::Arguments),
     /// Find how wide gaps must be under a folder of records.
     Gap(gap::Arguments),
     /// Write a scene as a script for OpenSees, to check this program.
@@ -66,9 +72,8 @@ enum Command {
     Laws(laws::Arguments),
     /// Print what a contact law and a method deliver to a free impact.
     Certify(certify::Arguments),
-    /// Print the JSON Schema of a scene file, for editors.
-    #[command(after_help = schema::EXAMPLES)]
-    Schema,
+    /// Print the JSON Schema of a scene or sweep file, for editors.
+    Schema(schema::Arguments),
     /// Print a script that lets a shell complete commands.
     Completions(completions::Arguments),
 }
@@ -101,12 +106,14 @@ impl Program {
             Command::Check(asked) => check::answer(asked),
             Command::Run(asked) => run::answer(asked),
             Command::Compare(asked) => compare::answer(asked),
+            Command::Sweep(asked) => sweep::answer(asked),
+            Command::Merge(asked) => merge::answer(asked),
             Command::Gap(asked) => gap::answer(asked),
             Command::Export(asked) => export::answer(asked),
             Command::Advise(asked) => advise::answer(asked),
             Command::Laws(asked) => Ok(laws::answer(asked)),
             Command::Certify(asked) => certify::answer(asked),
-            Command::Schema => Ok(schema::answer()),
+            Command::Schema(asked) => Ok(schema::answer(asked)),
             Command::Completions(asked) => Ok(completions::answer(asked)),
         };
         Ok(text?)

@@ -46,8 +46,8 @@ pub(crate) struct Arguments {
     model: How,
     /// Also say what pounding does to every storey, against the same building
     /// alone, in both directions of shaking, and what 1 % of the record changes:
-    /// 24 exact runs.
-    #[arg(long, conflicts_with = "records")]
+    /// 24 exact runs, whatever the method of the scene. Of one record at a time.
+    #[arg(long)]
     effects: bool,
     #[command(flatten)]
     suite: Suite,
@@ -78,10 +78,12 @@ struct Suite {
     /// Run the scene under every record of a folder instead of its own.
     #[arg(long, value_name = "FOLDER")]
     records: Option<PathBuf>,
-    /// Shake in both directions.
+    /// Shake in both directions, each record of --records; of one record
+    /// `record.reversed` of the scene says the direction, and --effects has both.
     #[arg(long, requires = "records")]
     both: bool,
-    /// Print a table for a program, SI units.
+    /// Print a table for a program, SI units, of --records; of one record --json
+    /// does, or --out.
     #[arg(long, requires = "records")]
     csv: bool,
 }
@@ -119,6 +121,9 @@ impl Arguments {
 /// Runs a scene; returns the summary.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     if let Some(folder) = &asked.suite.records {
+        if asked.effects {
+            return Err(EFFECTS_OF_ONE.into());
+        }
         return batch::answer(asked, folder);
     }
     let path = &asked.scene;
@@ -135,7 +140,11 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let measure = !asked.model.no_error;
     let _waiting = Waiting::new("running");
     let effects = asked.effects.then(|| Effects::of(&prepared));
-    let effects = effects.transpose().map_err(refused)?;
+    let effects = effects.transpose().map_err(|error| {
+        let is_exact = prepared.scene().method.time_step().is_none();
+        let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
+        format!("{}{hint}", refused(error))
+    })?;
     let Some(out) = &asked.results.out else {
         let review = prepared.review(measure).map_err(refused)?;
         return Ok(printed(asked.json, (&prepared, effects), &review));
@@ -154,6 +163,10 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         )
     })
 }
+
+const EFFECTS_OF_ONE: &str = "--effects takes one record at a time, 24 runs of it, and --records a folder: run the folder without --effects, \
+                              name the record that matters in the scene (record.file), and run that with --effects";
+const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// What is printed of a run.
 fn printed(

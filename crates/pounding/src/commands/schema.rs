@@ -1,16 +1,30 @@
-//! `pounding schema`: the form of a scene file, for editors.
+//! `pounding schema`: the form of a scene or sweep file, for editors.
 
-use pounding::studies::scene_schema;
+use pounding::studies::{scene_schema, sweep_schema};
 
-pub(crate) const EXAMPLES: &str = "\
-Example:
+const EXAMPLES: &str = "\
+Examples:
   pounding schema > scene.schema.json
+  pounding schema --sweep > sweep.schema.json
 
 Most editors complete and check a TOML scene that begins with
   #:schema scene.schema.json
 and a JSON scene by a setting of their own.";
 
-/// The JSON Schema of a scene.
-pub(crate) fn answer() -> String {
-    scene_schema()
+/// What is asked of `schema`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Of a sweep instead of a scene.
+    #[arg(long)]
+    sweep: bool,
+}
+
+/// The JSON Schema.
+pub(crate) fn answer(asked: &Arguments) -> String {
+    if asked.sweep {
+        sweep_schema()
+    } else {
+        scene_schema()
+    }
 }

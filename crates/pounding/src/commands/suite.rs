@@ -48,10 +48,10 @@ impl<T> Ran<T> {
 }
 
 /// Whether Ctrl-C was pressed.
-static STOPPED: AtomicBool = AtomicBool::new(false);
+pub(super) static STOPPED: AtomicBool = AtomicBool::new(false);
 
 /// From now on Ctrl-C lets runs end that have begun, and begins no other; pressed again it ends the program.
-fn stop_when_asked() {
+pub(super) fn stop_when_asked() {
     let asked = ctrlc::set_handler(|| {
         if STOPPED.swap(true, Ordering::Relaxed) {
             #[expect(clippy::exit, reason = "asked for twice")]

@@ -24,8 +24,9 @@ pub(super) fn structures(
         ["Ductility", "", ""],
         ["Transf.", "momentum", "[kN·s]"],
     ];
-    let floors = prepared.floors().all().iter().enumerate();
-    let rows = floors.flat_map(|(index, floor)| {
+    let floors = prepared.floors();
+    let rows = floors.by_structure().flat_map(|index| {
+        let floor = &floors.all()[index];
         let errors = errors.map(|errors| structure_errors(errors.structures[index], floor));
         let row = structure_row((prepared.scene(), floor), index, outcome);
         std::iter::once(row).chain(errors)
@@ -46,8 +47,10 @@ pub(super) fn motions(
         ["at", "[s]", ""],
     ];
     let gravity = prepared.scene().record.gravity_m_per_s2;
-    let floors = prepared.floors().all().iter().enumerate();
-    let moving = floors.filter(|(_, floor)| !floor.is_wall());
+    let floors = prepared.floors();
+    let floor = |index: usize| (index, &floors.all()[index]);
+    let moving = floors.by_structure().map(floor);
+    let moving = moving.filter(|(_, floor)| !floor.is_wall());
     let rows = moving.flat_map(|(index, floor)| {
         let peak = outcome.accelerations[index];
         let row = vec![
@@ -205,19 +208,42 @@ pub(super) fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunE
         ["Peak", "force", "[kN]"],
         ["at", "[s]", ""],
     ];
-    let rows = floors
-        .facing()
-        .iter()
-        .enumerate()
-        .flat_map(|(index, facing)| {
-            let [left, right] = floors.names(index);
-            let gap = contacts[facing.contact].gap_m;
-            let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
-            row.extend(pair_numbers(&outcome.of_pair(index)));
-            let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
-            std::iter::once(row).chain(errors)
-        });
-    table(&header, &rows.collect::<Vec<_>>())
+    let rows = floors.pairs_by_contact().into_iter().flat_map(|index| {
+        let [left, right] = floors.names(index);
+        let gap = contacts[floors.facing()[index].contact].gap_m;
+        let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
+        row.extend(pair_numbers(&outcome.of_pair(index)));
+        let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
+        std::iter::once(row).chain(errors)
+    });
+    let table = table(&header, &rows.collect::<Vec<_>>());
+    let leaning = leaning(floors, outcome);
+    if leaning.is_empty() {
+        return table;
+    }
+    format!("{table}\n{}", paragraph("Leaning", &leaning))
+}
+
+/// Pairs that lean on each other; nothing where none does.
+fn leaning(floors: &Floors, outcome: &Outcome) -> String {
+    let said = |pair: usize| {
+        let one = outcome.of_pair(pair).leaning()?;
+        let [left, right] = floors.names(pair);
+        Some(format!(
+            "{left} – {right} for {} s from {} s on",
+            short(one.end - one.start),
+            instant(one.start)
+        ))
+    };
+    let pairs = floors.pairs_by_contact().into_iter();
+    let said: Vec<String> = pairs.filter_map(said).collect();
+    if said.is_empty() {
+        return String::new();
+    }
+    format!(
+        "touches of more than 0.25 s are pushes, and their impulses no measure of a blow: {}",
+        said.join("; ")
+    )
 }
 
 /// Collisions of a pair: number, time and impulse of the first, largest impulse, and force with its time.

@@ -11,8 +11,7 @@ use crate::runs::printed;
 #[test]
 fn issue_no_example_is_broken_at_80_columns() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let commands =
-        "advise certify check compare completions demo export gap init laws run schema motion";
+    let commands = "advise certify check compare completions demo export gap init laws merge run schema sweep motion";
     let of_motion = ["info", "convert", "spectrum"].map(|command| vec!["motion", command]);
     let commands = commands.split(' ').map(|command| vec![command]);
     for command in commands.chain(of_motion) {
@@ -50,8 +49,10 @@ fn reference_help() {
         "gap",
         "init",
         "laws",
+        "merge",
         "run",
         "schema",
+        "sweep",
     ] {
         let help = pounding(here, &[command, "--help"]);
         let help = printed(&help);

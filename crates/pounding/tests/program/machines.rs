@@ -109,7 +109,7 @@ fn limit_fields_have_one_name() {
         assert_eq!(field.as_f64(), value, "{quantity}");
         compared += 1;
     }
-    assert_eq!(compared, 10, "numbers of a pair");
+    assert_eq!(compared, 11, "numbers of a pair");
 }
 
 #[test]

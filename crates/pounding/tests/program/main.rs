@@ -18,7 +18,10 @@ mod results;
 mod runs;
 mod scenes;
 mod schema;
+mod storeys;
 mod suites;
+mod sweep_refusals;
+mod sweeps;
 
 use std::fs;
 use std::path::{Path, PathBuf};

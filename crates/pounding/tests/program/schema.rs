@@ -23,7 +23,11 @@ const WORDS_ONLY: [&str; 6] = [
 
 impl Schema {
     fn of_scenes() -> Self {
-        let ended = pounding(Path::new(env!("CARGO_MANIFEST_DIR")), &["schema"]);
+        Self::printed_by(&["schema"])
+    }
+
+    fn printed_by(command: &[&str]) -> Self {
+        let ended = pounding(Path::new(env!("CARGO_MANIFEST_DIR")), command);
         assert_eq!(
             (ended.code, ended.stderr.as_str()),
             (0, ""),
@@ -271,5 +275,36 @@ fn extreme_what_has_another_form_does_not_keep_to_the_schema() {
         ),
     ] {
         assert!(!schema.faults(&scene).is_empty(), "{what} is found");
+    }
+}
+
+#[test]
+fn limit_sweeps_keep_to_their_schema() {
+    let schema = Schema::printed_by(&["schema", "--sweep"]);
+    let text = fs::read_to_string("../../studies/sweeps/gap-and-period.json").expect("a sweep");
+    let good: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(schema.faults(&good), [""; 0]);
+    let mut inline = good.clone();
+    inline["scene"] = crate::good_scene();
+    inline["records"] = json!(["a.csv", "folder"]);
+    assert_eq!(schema.faults(&inline), [""; 0]);
+    for (place, value) in [
+        ("/scene", json!(3)),
+        ("/scene", json!({"name": "x"})),
+        ("/vary/0/grid/spacing", json!("cubic")),
+        ("/vary/0/grid", json!({"from": 0.0})),
+        ("/samples/method", json!("halton")),
+        ("/directions", json!("left")),
+        ("/outputs/pairs/0", json!("collision")),
+    ] {
+        let mut bad = good.clone();
+        let (parent, key) = place.rsplit_once('/').expect("a place");
+        let parent = bad.pointer_mut(parent).expect("it is there");
+        if let Value::Array(items) = parent {
+            items[0] = value.clone();
+        } else {
+            parent[key] = value.clone();
+        }
+        assert!(!schema.faults(&bad).is_empty(), "{place}: {value}");
     }
 }

@@ -26,7 +26,7 @@ fn column(name: &str) -> Vec<(f64, f64)> {
 
 /// Largest distance of the forces \[N\].
 fn distance<Column: RestoringForce>(column: Column, table: &[(f64, f64)]) -> f64 {
-    let mut memory = Column::Memory::default();
+    let mut memory = column.untouched();
     let mut largest: f64 = 0.0;
     for (drift, force) in table {
         let response = column.respond(*drift, memory);

@@ -11,6 +11,8 @@ pub(crate) struct Columns(pub(crate) Hysteresis);
 impl RestoringForce for Columns {
     type Memory = ();
 
+    fn untouched(&self) {}
+
     fn respond(&self, displacement: f64, (): ()) -> Response<()> {
         Response {
             force: self.0.stiffness * displacement,

@@ -185,7 +185,11 @@ fn reference_forces_follow_the_loop() {
         let (row, _) = row(&towers(column), DAMPING, facing(0.01, STEREOMECHANICAL));
         let mut loops = Loops {
             row: &row,
-            memories: vec![Column::Memory::default(); row.nodes().len()],
+            memories: row
+                .nodes()
+                .iter()
+                .map(|node| node.column.untouched())
+                .collect(),
             off: 0.0,
             most: 0.0,
         };

@@ -1,34 +1,76 @@
 //! Checks a structure, field by field.
 
+use std::fmt::{self, Display};
+
 use super::{FINITE, NOT_NEGATIVE, POSITIVE, named, require};
 use crate::{Building, Columns, Damping, SceneError, Sdof, Structure};
 
-/// Names a field of a structure.
-type Place<'a> = &'a dyn Fn(&str) -> String;
+/// A structure, or a storey of it, whose fields have names.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    structure: usize,
+    /// In the words of a file.
+    kind: &'static str,
+    storey: Option<usize>,
+}
+
+impl Place {
+    fn field(self, name: &str) -> Field<'_> {
+        Field { of: self, name }
+    }
+}
+
+/// A field of a structure.
+#[derive(Debug, Clone, Copy)]
+struct Field<'a> {
+    of: Place,
+    name: &'a str,
+}
+
+impl Display for Field<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Place {
+            structure,
+            kind,
+            storey,
+        } = self.of;
+        write!(formatter, "structures[{structure}].{kind}.")?;
+        if let Some(storey) = storey {
+            write!(formatter, "storeys[{storey}].")?;
+        }
+        formatter.write_str(self.name)
+    }
+}
 
 const NAME: &str = "a name, by which results tell structures";
 
 /// Refuses the first field of a structure that cannot be modelled.
 pub(super) fn check(index: usize, structure: &Structure) -> Result<(), SceneError> {
+    let place = |kind| Place {
+        structure: index,
+        kind,
+        storey: None,
+    };
     match structure {
-        Structure::Sdof(sdof) => {
-            check_sdof(sdof, &|field| format!("structures[{index}].sdof.{field}"))
-        }
-        Structure::Building(building) => check_building(building, &|field| {
-            format!("structures[{index}].building.{field}")
-        }),
+        Structure::Sdof(sdof) => check_sdof(sdof, place("sdof")),
+        Structure::Building(building) => check_building(building, place("building")),
         Structure::Wall => Ok(()),
     }
 }
 
-fn check_sdof(structure: &Sdof, place: Place<'_>) -> Result<(), SceneError> {
-    named(place("name"), &structure.name, NAME)?;
+fn check_sdof(structure: &Sdof, place: Place) -> Result<(), SceneError> {
+    named(place.field("name"), &structure.name, NAME)?;
     let (m, columns) = (structure.mass_kg, structure.columns());
-    require(m > 0.0, place("mass_kg"), m, POSITIVE)?;
+    require(m > 0.0, place.field("mass_kg"), m, POSITIVE)?;
     check_stiffness(&columns, place)?;
     if let Damping::Modes { modes, .. } = structure.damping {
         let allowed = "damping of a structure of one storey: a ratio, rayleigh or two_frequencies";
-        return require(false, place("damping.modes"), number(modes[0]), allowed);
+        return require(
+            false,
+            place.field("damping.modes"),
+            number(modes[0]),
+            allowed,
+        );
     }
     check_damping(&structure.damping, place)?;
     let found = structure.damping_ratio();
@@ -36,7 +78,7 @@ fn check_sdof(structure: &Sdof, place: Place<'_>) -> Result<(), SceneError> {
                    side of it, give one";
     require(
         found >= 0.0,
-        place("damping.two_frequencies"),
+        place.field("damping.two_frequencies"),
         found,
         allowed,
     )?;
@@ -49,13 +91,16 @@ fn check_sdof(structure: &Sdof, place: Place<'_>) -> Result<(), SceneError> {
     check_start(start, place)
 }
 
-fn check_building(building: &Building, place: Place<'_>) -> Result<(), SceneError> {
-    named(place("name"), &building.name, NAME)?;
+fn check_building(building: &Building, place: Place) -> Result<(), SceneError> {
+    named(place.field("name"), &building.name, NAME)?;
     for (index, storey) in building.storeys.iter().enumerate() {
-        let place: Place<'_> = &|field| place(&format!("storeys[{index}].{field}"));
+        let place = Place {
+            storey: Some(index),
+            ..place
+        };
         require(
             storey.mass_kg > 0.0,
-            place("mass_kg"),
+            place.field("mass_kg"),
             storey.mass_kg,
             POSITIVE,
         )?;
@@ -74,11 +119,11 @@ fn check_building(building: &Building, place: Place<'_>) -> Result<(), SceneErro
     let found = building.dampings().into_iter().fold(0.0, least);
     let allowed = "damping that takes energy in every storey and floor; closer ratios, or modes or frequencies further apart, \
                    give some";
-    require(found >= 0.0, place("damping"), found, allowed)
+    require(found >= 0.0, place.field("damping"), found, allowed)
 }
 
 /// Refuses modes that the building does not have.
-fn check_modes(building: &Building, place: Place<'_>) -> Result<(), SceneError> {
+fn check_modes(building: &Building, place: Place) -> Result<(), SceneError> {
     let Damping::Modes { modes, .. } = building.damping else {
         return Ok(());
     };
@@ -88,7 +133,7 @@ fn check_modes(building: &Building, place: Place<'_>) -> Result<(), SceneError> 
     let valid = (1..=most).contains(&first);
     require(
         valid,
-        place("damping.modes.modes[0]"),
+        place.field("damping.modes.modes[0]"),
         number(first),
         allowed,
     )?;
@@ -96,7 +141,7 @@ fn check_modes(building: &Building, place: Place<'_>) -> Result<(), SceneError> 
     let valid = (first + 1..=most).contains(&second);
     require(
         valid,
-        place("damping.modes.modes[1]"),
+        place.field("damping.modes.modes[1]"),
         number(second),
         allowed,
     )
@@ -107,57 +152,74 @@ fn number(count: usize) -> f64 {
     count as f64
 }
 
-fn check_stiffness(columns: &Columns, place: Place<'_>) -> Result<(), SceneError> {
+fn check_stiffness(columns: &Columns, place: Place) -> Result<(), SceneError> {
     let k = columns.stiffness_n_per_m;
-    require(k > 0.0, place("stiffness_n_per_m"), k, POSITIVE)
+    require(k > 0.0, place.field("stiffness_n_per_m"), k, POSITIVE)
 }
 
-fn check_height(height: Option<f64>, place: Place<'_>) -> Result<(), SceneError> {
+fn check_height(height: Option<f64>, place: Place) -> Result<(), SceneError> {
     let Some(height) = height else { return Ok(()) };
-    require(height > 0.0, place("height_m"), height, POSITIVE)
+    require(height > 0.0, place.field("height_m"), height, POSITIVE)
 }
 
-fn check_yielding(columns: &Columns, place: Place<'_>) -> Result<(), SceneError> {
+fn check_yielding(columns: &Columns, place: Place) -> Result<(), SceneError> {
     if let Some(force) = columns.yield_force_n {
-        require(force > 0.0, place("yield_force_n"), force, POSITIVE)?;
+        require(force > 0.0, place.field("yield_force_n"), force, POSITIVE)?;
     }
     if let Some(ratio) = columns.hardening_ratio {
         let allowed = "a number >= 0 and < 1";
         let valid = (0.0..1.0).contains(&ratio);
-        require(valid, place("hardening_ratio"), ratio, allowed)?;
+        require(valid, place.field("hardening_ratio"), ratio, allowed)?;
     }
     if let Some(smooth) = columns.bouc_wen {
         let valid = (1..=20).contains(&smooth.exponent);
         let found = f64::from(smooth.exponent);
-        require(valid, place("bouc_wen.exponent"), found, "1 to 20")?;
+        require(valid, place.field("bouc_wen.exponent"), found, "1 to 20")?;
         let valid = (0.0..=1.0).contains(&smooth.beta);
-        require(valid, place("bouc_wen.beta"), smooth.beta, "0 to 1")?;
+        require(valid, place.field("bouc_wen.beta"), smooth.beta, "0 to 1")?;
     }
     Ok(())
 }
 
-fn check_start((displacement, velocity): (f64, f64), place: Place<'_>) -> Result<(), SceneError> {
-    require(true, place("initial_displacement_m"), displacement, FINITE)?;
-    require(true, place("initial_velocity_m_per_s"), velocity, FINITE)
+fn check_start((displacement, velocity): (f64, f64), place: Place) -> Result<(), SceneError> {
+    require(
+        true,
+        place.field("initial_displacement_m"),
+        displacement,
+        FINITE,
+    )?;
+    require(
+        true,
+        place.field("initial_velocity_m_per_s"),
+        velocity,
+        FINITE,
+    )
 }
 
-fn check_damping(damping: &Damping, place: Place<'_>) -> Result<(), SceneError> {
+fn check_damping(damping: &Damping, place: Place) -> Result<(), SceneError> {
     let check_ratios = |of: &str, ratios: [f64; 2]| {
         for (index, ratio) in ratios.into_iter().enumerate() {
-            let place = place(&format!("damping.{of}.ratios[{index}]"));
-            require(ratio >= 0.0, place, ratio, NOT_NEGATIVE)?;
+            let name = format!("damping.{of}.ratios[{index}]");
+            require(ratio >= 0.0, place.field(&name), ratio, NOT_NEGATIVE)?;
         }
         Ok(())
     };
     match *damping {
-        Damping::Ratio(ratio) => require(ratio >= 0.0, place("damping.ratio"), ratio, NOT_NEGATIVE),
+        Damping::Ratio(ratio) => require(
+            ratio >= 0.0,
+            place.field("damping.ratio"),
+            ratio,
+            NOT_NEGATIVE,
+        ),
         Damping::Rayleigh {
             alpha_per_s,
             beta_s,
         } => {
-            for (field, found) in [("alpha_per_s", alpha_per_s), ("beta_s", beta_s)] {
-                let place = place(&format!("damping.rayleigh.{field}"));
-                require(found >= 0.0, place, found, NOT_NEGATIVE)?;
+            for (field, found) in [
+                ("damping.rayleigh.alpha_per_s", alpha_per_s),
+                ("damping.rayleigh.beta_s", beta_s),
+            ] {
+                require(found >= 0.0, place.field(field), found, NOT_NEGATIVE)?;
             }
             Ok(())
         }
@@ -165,11 +227,13 @@ fn check_damping(damping: &Damping, place: Place<'_>) -> Result<(), SceneError> 
             frequencies_hz: [first, second],
             ratios,
         } => {
-            let frequency =
-                |index| place(&format!("damping.two_frequencies.frequencies_hz[{index}]"));
-            require(first > 0.0, frequency(0), first, POSITIVE)?;
+            let [lower, upper] = [
+                "damping.two_frequencies.frequencies_hz[0]",
+                "damping.two_frequencies.frequencies_hz[1]",
+            ];
+            require(first > 0.0, place.field(lower), first, POSITIVE)?;
             let allowed = "a finite number above the first frequency";
-            require(second > first, frequency(1), second, allowed)?;
+            require(second > first, place.field(upper), second, allowed)?;
             check_ratios("two_frequencies", ratios)
         }
         Damping::Modes { ratios, .. } => check_ratios("modes", ratios),

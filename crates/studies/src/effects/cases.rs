@@ -94,6 +94,8 @@ impl Case {
         let changed = prepared.under(|record| self.change(record))?;
         let scene = Scene {
             name: format!("{}{}", changed.scene().name, self.words()),
+            // A slower record takes longer; a run that ends before it would compare another part of it.
+            duration_s: Some(prepared.duration() * self.stretch.max(1.0)),
             method: Method::Exact {
                 tolerance: self.tolerance,
                 simultaneous_impacts: simultaneous_impacts(prepared.method()),

@@ -21,8 +21,8 @@ impl Effects {
         for floor in floors.by_structure() {
             for (direction, all) in self.directions() {
                 let structure = floors.all()[floor].structure;
-                let place = [(structure + 1).to_string(), floors.level_of(floor)];
-                rows.push(row(&place, direction, &all[floor]));
+                let place = [structure + 1, floors.storey_of(floor)];
+                rows.push(row(place, direction, &all[floor]));
             }
         }
         to_csv(&header(), &rows)
@@ -48,8 +48,8 @@ fn known_columns(name: &str) -> [String; 5] {
     ["", "_error", "_low", "_high", "_robust"].map(|end| format!("{name}{end}"))
 }
 
-fn row(place: &[String; 2], direction: &str, effects: &FloorEffects) -> Vec<String> {
-    let mut row = place.to_vec();
+fn row(place: [usize; 2], direction: &str, effects: &FloorEffects) -> Vec<String> {
+    let mut row = place.map(|number| number.to_string()).to_vec();
     row.extend([effects.name.clone(), direction.into()]);
     for known in [
         effects.collisions,

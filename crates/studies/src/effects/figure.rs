@@ -12,10 +12,10 @@ const PANELS: [&str; 3] = ["Drift", "Shear", "Acceleration"];
 const APART: f64 = 0.16;
 
 impl Effects {
-    /// The figure with its caption; nothing for a row without storeys, such as two walls.
+    /// The figure with its caption; nothing where nothing touches.
     pub(crate) fn figure(&self, prepared: &Prepared) -> Option<(Figure, String)> {
         let floors = self.shown(prepared);
-        if floors.is_empty() {
+        if floors.is_empty() || !self.touch() {
             return None;
         }
         let all = prepared.floors().all().iter();

@@ -16,6 +16,10 @@ use cases::{Answer, Case, cases};
 /// A change of the record [of one per cent](Effects) that moves a number by no more than this part of it leaves it robust \[–\].
 pub const ROBUST: f64 = 0.05;
 
+/// What is said of effects where [nothing touches](Effects::touch).
+pub const NOTHING_TOUCHES: &str = "nothing touches, in neither direction of shaking and under no change of the record by one per cent, so that \
+                                   every storey moves as it does alone";
+
 /// What pounding does to the storeys of a row, in both directions of shaking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Effects {
@@ -30,9 +34,9 @@ pub struct Effects {
 pub struct FloorEffects {
     /// Its name; of a floor of a building that of the building and the number of the storey.
     pub name: String,
-    /// Collisions on either side of the floor; several where one meeting has several impacts.
+    /// Collisions on either side of the floor, both sides counted together; several where one meeting has several impacts.
     pub collisions: Known,
-    /// Sum of their impulses \[N·s\].
+    /// Sum of their impulses \[N·s\], those from the left and from the right without sign.
     pub impulse_n_s: Known,
     /// The largest of them \[N·s\].
     pub largest_impulse_n_s: Known,
@@ -119,7 +123,8 @@ impl Effect {
 
 impl Effects {
     /// Runs a scene with its contacts and with none, in both directions, as it is and under its record changed by one per
-    /// cent: weaker, stronger, faster and slower; 24 exact runs, all of the duration of the scene.
+    /// cent: weaker, stronger, faster and slower; 24 exact runs, all of the duration of the scene but those of the slower record, which last
+    /// as much longer.
     ///
     /// # Errors
     /// [`StudyError::Run`] when one of them ends early, [`StudyError::Broken`] when it breaks a law of mechanics.
@@ -153,6 +158,12 @@ impl Effects {
         let both = [&self.as_given[floor], &self.reversed[floor]];
         both.iter()
             .any(|one| one.drift_m.is_some() || one.collisions.high > 0.0)
+    }
+
+    /// Whether anything touches, in any of the runs.
+    pub fn touch(&self) -> bool {
+        let mut floors = self.as_given.iter().chain(&self.reversed);
+        floors.any(|one| one.collisions.high > 0.0)
     }
 
     /// Largest error of all amplifications \[–\].

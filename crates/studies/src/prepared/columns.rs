@@ -13,6 +13,10 @@ impl RestoringForce for Mixed {
     /// Of sharp columns the drift is not used, and the elastic part holds the plastic one.
     type Memory = Bent;
 
+    fn untouched(&self) -> Bent {
+        Bent::default()
+    }
+
     #[inline]
     fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
         match self {

@@ -4,6 +4,7 @@ mod columns;
 mod model;
 mod pair_outcome;
 mod run;
+mod side_by_side;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,11 +14,13 @@ use pounding_solver::{Clock, Integrator};
 
 use crate::advice::{Advice, Goal, advise};
 use crate::floors::{Floor, Floors};
+use crate::ground_motion::SharedMotion;
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
 pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Asked, Audited, Recorders};
 pub use run::{Balance, Outcome};
+pub(crate) use side_by_side::side_by_side;
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]
@@ -32,7 +35,7 @@ pub struct Prepared {
     unstable: Option<SceneError>,
     floors: Floors,
     model: Model,
-    record: Record,
+    record: Arc<Record>,
     /// What the source of the record was multiplied by.
     scale: f64,
     /// The file that the record came from; nothing for one from a formula.
@@ -77,7 +80,7 @@ impl Prepared {
     ) -> Result<Self, StudyError> {
         check::scene(scene).map_err(|source| in_scene(scene, source))?;
         let motion = GroundMotion::of(&scene.record, base, &scene.name)?;
-        Self::of_checked(scene, motion, done)
+        Self::of_checked(scene, motion.into(), done)
     }
 
     /// Checks a scene that is shaken with a record at hand; the file that the scene names is not opened.
@@ -93,6 +96,15 @@ impl Prepared {
             file: record,
         };
         let motion = GroundMotion::of_file(&scene.record, origin).map_err(in_scene)?;
+        Self::of_checked(scene, motion.into(), &|_| ())?.enforced()
+    }
+
+    /// Checks a scene that is shaken by a ground motion at hand, whatever its `record` names.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`] but of reading.
+    pub(crate) fn shaken(scene: &Scene, motion: SharedMotion) -> Result<Self, StudyError> {
+        check::scene(scene).map_err(|source| in_scene(scene, source))?;
         Self::of_checked(scene, motion, &|_| ())?.enforced()
     }
 
@@ -104,11 +116,11 @@ impl Prepared {
 
     fn of_checked(
         scene: &Scene,
-        GroundMotion {
+        SharedMotion {
             record,
             scale,
             origin,
-        }: GroundMotion,
+        }: SharedMotion,
         done: &(impl Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
@@ -134,7 +146,7 @@ impl Prepared {
             model,
             record,
             scale,
-            origin: origin.map(Arc::new),
+            origin,
             clock: method.clock(duration),
             integrator: method.integrator(),
         };
@@ -182,7 +194,7 @@ impl Prepared {
             scene: scene.clone(),
             floors,
             model,
-            record,
+            record: Arc::new(record),
             ..self.clone()
         };
         varied.with_any_method(scene.method)
@@ -321,7 +333,7 @@ impl Prepared {
     ) -> Result<Self, StudyError> {
         let record = change(&self.record).map_err(|error| in_scene(&self.scene, error.into()))?;
         Ok(Self {
-            record,
+            record: Arc::new(record),
             ..self.clone()
         })
     }

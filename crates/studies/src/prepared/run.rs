@@ -253,7 +253,7 @@ impl Prepared {
             .map_err(|error| self.ended(error))
     }
 
-    fn excitation(&self) -> Excitation<'_> {
+    pub(super) fn excitation(&self) -> Excitation<'_> {
         Excitation::new(self.record.time_step(), self.record.samples())
             .expect("a record has samples and a time step > 0")
     }

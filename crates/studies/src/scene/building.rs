@@ -105,6 +105,10 @@ enum WordsError {
     #[error("storeys: found {0}, allowed are 1 to 200; `repeat` counts too")]
     Storeys(usize),
     #[error(
+        "storeys[{0}].repeat: found 0, allowed a whole number from 1; leave the storey out instead"
+    )]
+    NoRepeat(usize),
+    #[error(
         "storeys[{0}]: found no `stiffness_n_per_m`, which must be there, or the building's `period_s` instead; add one of them"
     )]
     NoStiffness(usize),
@@ -129,9 +133,12 @@ impl TryFrom<Words> for Building {
     type Error = WordsError;
 
     fn try_from(words: Words) -> Result<Self, WordsError> {
+        if let Some(storey) = words.storeys.iter().position(|one| one.repeat == 0) {
+            return Err(WordsError::NoRepeat(storey));
+        }
         let count = words.storeys.iter().map(|one| one.repeat);
         let count = count.fold(0_usize, usize::saturating_add);
-        if !(1..=MOST_STOREYS).contains(&count) || words.storeys.iter().any(|one| one.repeat == 0) {
+        if !(1..=MOST_STOREYS).contains(&count) {
             return Err(WordsError::Storeys(count));
         }
         let stiffnesses = words.stiffnesses()?;

@@ -121,7 +121,8 @@ pub struct Contact {
     /// The contact law.
     #[serde(deserialize_with = "choice::one")]
     pub law: ContactLaw,
-    /// Levels at which floors can touch, counted from 1 for the lowest; absent where all that face each other can.
+    /// Levels at which floors can touch, counted from 1 for the lowest, at least one; absent where all that face each other can.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 1), inner(range(min = 1)))]
     pub levels: Option<Vec<usize>>,
 }

@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use pounding::studies::{
-    Doubt, Errors, PairOutcome, PairSummary, Prepared, Quantity, Review, Scene, StructureSummary,
-    StudyError, digits,
+    CollisionSummary, Doubt, Errors, PairOutcome, PairSummary, Prepared, Quantity, Review, Scene,
+    StructureSummary, StudyError, digits,
 };
 
 use super::{Arguments, Printed};
@@ -61,6 +61,15 @@ impl Found {
     fn force(&self) -> Option<f64> {
         let forces = self.pairs.iter().filter_map(|pair| pair.peak_force_n);
         forces.max_by(f64::total_cmp)
+    }
+
+    /// The pair with the largest impulse, where anything touches.
+    fn hardest(&self) -> Option<&PairSummary> {
+        let hits = self.pairs.iter();
+        let hits = hits.filter_map(|pair| Some((pair.largest?.impulse_n_s, pair)));
+        // Of equal ones the first.
+        let harder = |most: (f64, _), next: (f64, _)| if next.0 > most.0 { next } else { most };
+        hits.reduce(harder).map(|(_, pair)| pair)
     }
 
     /// Whether exact motion touches, where this run does not.
@@ -139,7 +148,14 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     if !unusual.is_empty() {
         parts.push(paragraph("Unusual", &unusual.join("\n")));
     }
-    parts.push(paragraph("Notes", NOTES));
+    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+    let several = found.into_iter().any(|found| found.pairs.len() > 1);
+    let notes = if several {
+        format!("{NOTES}\n{OF_PAIRS}")
+    } else {
+        NOTES.into()
+    };
+    parts.push(paragraph("Notes", &notes));
     parts.join("\n")
 }
 
@@ -161,6 +177,8 @@ fn unusual(lines: &[Line]) -> Vec<String> {
     said
 }
 
+const OF_PAIRS: &str = "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
+
 const NOTES: &str = "Scale: what the record was multiplied by. Impulse, force and displ.: the largest of all collisions and structures; \
                      force, of the laws that have one. Error: the largest distance of a \
                      printed number from the exact run; ! marks a run with warnings, which a run of that record alone prints. \
@@ -178,7 +196,7 @@ fn runs(scene: &Scene, lines: &[Line]) -> String {
         ["Displ.", "[mm]"],
         ["Error", ""],
     ];
-    let row = |line: &Line| {
+    let rows = |line: &Line| {
         let found = line.found.as_ref().ok()?;
         let PairOutcome {
             collisions,
@@ -187,7 +205,7 @@ fn runs(scene: &Scene, lines: &[Line]) -> String {
             ..
         } = found.all;
         let mark = if found.warnings.is_empty() { "" } else { "!" };
-        Some(vec![
+        let row = vec![
             line.name(),
             short(found.pga / scene.record.gravity_m_per_s2),
             short(found.scale),
@@ -201,17 +219,33 @@ fn runs(scene: &Scene, lines: &[Line]) -> String {
                 .map_or(NONE.into(), |force| short(force / 1e3)),
             short(1e3 * found.displacement()),
             format!("{}{mark}", found.error.map_or(found.why.into(), percent)),
-        ])
+        ];
+        let several = found.pairs.len() > 1;
+        let hardest = found.hardest().filter(|_| several).map(|pair| {
+            let mut row = vec![format!("  at {}", between(pair))];
+            row.resize(header.len(), String::new());
+            row
+        });
+        Some(std::iter::once(row).chain(hardest))
     };
-    table(&header, &lines.iter().filter_map(row).collect::<Vec<_>>())
+    let rows = lines.iter().filter_map(rows).flatten();
+    table(&header, &rows.collect::<Vec<_>>())
+}
+
+/// A pair by its names; that its largest impulse is a push, where it is.
+fn between(pair: &PairSummary) -> String {
+    let start = |one: Option<CollisionSummary>| one.map(|one| one.start_s.to_bits());
+    let leans = pair.leaning.is_some() && start(pair.leaning) == start(pair.largest);
+    let leans = if leans { " (leaning)" } else { "" };
+    format!("{} – {}{leans}", pair.left, pair.right)
 }
 
 /// Under how many motions they touch, and where hardest.
 fn result(lines: &[Line]) -> String {
     let found = lines.iter().filter(|line| line.found.is_ok()).count();
     let hits = lines.iter().filter_map(|line| {
-        let largest = line.found.as_ref().ok()?.all.largest?;
-        Some((line, largest.impulse))
+        let hardest = line.found.as_ref().ok()?.hardest()?;
+        Some((line, hardest, hardest.largest?.impulse_n_s))
     });
     let hits: Vec<_> = hits.collect();
     let mut touch = format!("they touch under {} of {found} motions", hits.len());
@@ -226,12 +260,15 @@ fn result(lines: &[Line]) -> String {
             missed.join(", ")
         );
     }
-    match hits.iter().max_by(|a, b| a.1.total_cmp(&b.1)) {
+    match hits.iter().max_by(|a, b| a.2.total_cmp(&b.2)) {
         None => touch,
-        Some((line, impulse)) => {
+        Some((line, pair, impulse)) => {
             let reversed = if line.reversed { ", reversed" } else { "" };
+            let several = line.found.iter().any(|found| found.pairs.len() > 1);
+            let between = several.then(|| format!(", at {}", between(pair)));
+            let between = between.unwrap_or_default();
             format!(
-                "{touch}\nthe hardest collision is that under {}{reversed}: {} kN·s",
+                "{touch}\nthe hardest collision is that under {}{reversed}: {} kN·s{between}",
                 line.motion,
                 short(impulse / 1e3)
             )

@@ -1,10 +1,10 @@
 //! What pounding does to every storey, as text.
 
-use pounding::studies::{Effects, FloorEffects, Known, Prepared, ROBUST};
+use pounding::studies::{Effects, FloorEffects, Known, NOTHING_TOUCHES, Prepared, ROBUST};
 
 use crate::text::{NONE, paragraph, percent, short, table};
 
-/// A table with a line for each direction of every storey, from the roof of each building down.
+/// A table with a line for each direction of every storey, each building from the ground up.
 pub(super) fn text(prepared: &Prepared, effects: &Effects) -> String {
     let header = [
         ["Storey,", "direction"],
@@ -15,18 +15,20 @@ pub(super) fn text(prepared: &Prepared, effects: &Effects) -> String {
         ["Accel.", "× alone"],
     ];
     let floors = prepared.floors();
-    let structures = 0..prepared.scene().structures.len();
-    let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev());
-    let rows = downwards
-        .filter(|floor| effects.concern(**floor))
+    if !effects.touch() {
+        return paragraph("Effects", &format!("none: {NOTHING_TOUCHES}"));
+    }
+    let rows = floors
+        .by_structure()
+        .filter(|floor| effects.concern(*floor))
         .flat_map(|floor| {
             let directions = effects.directions();
-            directions.map(|(name, all)| row(name, &all[*floor]))
+            directions.map(|(name, all)| row(name, &all[floor]))
         });
     let notes = format!(
         "peaks beside the neighbours over those of the same building alone, by the exact method; errors: {}. ~ marks what moves by \
-         more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. --out and \
-         --json say how far it goes.",
+         more than {} when the record is made 1 % weaker, stronger, faster or slower: it holds no better than that. Collisions \
+         and impulses are those of both sides of a floor together. --out and --json say how far it goes.",
         percent(effects.largest_error()),
         percent(ROBUST)
     );

@@ -87,7 +87,7 @@ impl Account {
             None => node.initial_displacement,
             Some(below) => node.initial_displacement - row.nodes()[below].initial_displacement,
         };
-        let force = node.column.respond(drift, Column::Memory::default()).force;
+        let force = node.column.respond(drift, node.column.untouched()).force;
         Self {
             mass: if node.is_wall() {
                 0.0

@@ -204,7 +204,7 @@ mod tests {
     /// Strain energy and flow of columns led through drifts, in steps; and the work on them by the trapezoidal rule.
     fn led<Column: Hysteretic>(column: Column, drifts: impl Iterator<Item = f64>) -> [f64; 3] {
         let columns = Columns::new(column.hysteresis());
-        let (mut memory, mut at) = (Column::Memory::default(), [0.0, 0.0]);
+        let (mut memory, mut at) = (column.untouched(), [0.0, 0.0]);
         let (mut flow, mut work) = (0.0, 0.0);
         for drift in drifts {
             let response = column.respond(drift, memory);

@@ -2,7 +2,9 @@
 
 use pounding_solver::Collision;
 
+use super::shown::drawn;
 use super::{Seen, around, brief, heights, named, unit};
+use crate::Prepared;
 use crate::figures::{meetings, shade};
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel};
 
@@ -62,11 +64,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
 }
 
 fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
-    let gaps = if seen.shown.pairs.is_empty() {
-        "."
-    } else {
-        ", each structure offset by the gaps to its left, so that curves that meet are structures that touch."
-    };
+    let gaps = meaning(seen.prepared, &seen.shown.pairs);
     let collisions = match panels.len() {
         1 => "",
         _ if unmarked => {
@@ -84,13 +82,32 @@ fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
     )
 }
 
+/// What curves that meet say of the structures: where bases move, or floors of several levels are drawn together, not that they
+/// touch.
+fn meaning(prepared: &Prepared, pairs: &[usize]) -> &'static str {
+    let floors = prepared.floors();
+    let left = |pair: &usize| floors.levels().level(floors.facing()[*pair].left);
+    let Some((first, others)) = pairs.split_first() else {
+        return ".";
+    };
+    if prepared.scene().arrivals_s.is_some() {
+        ", each structure offset by the gaps to its left. The ground travels along the row: bases move towards each other and \
+         apart as well, so that structures need not touch where their curves meet."
+    } else if others.iter().any(|pair| left(pair) != left(first)) {
+        ", each structure offset by the gaps to its left, so that the curves of two floors that face each other meet where these \
+         touch."
+    } else {
+        ", each structure offset by the gaps to its left, so that curves that meet are structures that touch."
+    }
+}
+
 /// Displacements, each structure shifted by the gaps between it and the first.
 fn displacements(seen: &Seen<'_>) -> Panel {
     let floors = seen.prepared.floors();
     let contacts = seen.prepared.scene().contacts.iter().flatten();
     let gaps: Vec<f64> = contacts.map(|one| one.gap_m).collect();
     let structure = |index: usize| floors.all()[index].structure;
-    let shown = seen.shown.structures.iter();
+    let shown = seen.shown.floors.iter();
     let first = shown.map(|index| structure(*index)).min().unwrap_or(0);
     let curve = |(position, &index): (usize, &usize)| {
         // Structures that stand apart have no gaps.
@@ -98,7 +115,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
         let shift: f64 = between.unwrap_or_default().iter().sum();
         let states = seen.motion.states(index);
         let points = seen.curve(|row| 1e3 * (states[row].displacement + shift));
-        let before = &seen.shown.structures[..position];
+        let before = &seen.shown.floors[..position];
         let first = before.iter().all(|one| structure(*one) != structure(index));
         let name = named(seen.prepared, (index, first));
         let name = if shift > 0.0 {
@@ -113,7 +130,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
         };
         Curve::new(kind, shade(position), points).named(name)
     };
-    let structures = seen.shown.structures.iter().enumerate();
+    let structures = seen.shown.floors.iter().enumerate();
     let curves: Vec<Curve> = structures.map(curve).collect();
     Panel {
         y: Axis {
@@ -137,12 +154,13 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
         .copied()
         .reduce(|most, next| if next.1 > most.1 { next } else { most })?;
     let (unit, factor) = unit(largest, measure.unit);
+    let floors = seen.prepared.floors();
     let sides = |(position, &index): (usize, &usize)| {
         let on = |(one, value): &(&Collision, f64)| {
             let pair = &seen.prepared.pairs()[one.pair];
-            let sign = if index == pair.left {
+            let sign = if index == drawn(floors, pair.left) {
                 -1.0
-            } else if index == pair.right {
+            } else if index == drawn(floors, pair.right) {
                 1.0
             } else {
                 return None;
@@ -152,10 +170,15 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
         let points = largest_apart(found.iter().filter_map(on), seen.prepared.duration());
         (!points.is_empty()).then(|| Curve::new(Kind::Stems, shade(position), points))
     };
-    let structures = seen.shown.structures.iter().enumerate();
+    let structures = seen.shown.floors.iter().enumerate();
     let curves: Vec<Curve> = structures.filter_map(sides).collect();
     let at = ((measure.at)(hardest), factor * largest);
-    let text = format!("{} {unit} at {} s", brief(at.1, 4), brief(at.0, 4));
+    let is_compliant = |pair: usize| seen.prepared.pairs()[pair].law.is_compliant();
+    let all = seen.outcome.collisions.all().iter();
+    let mut alike = all.filter(|one| is_compliant(one.pair) == is_compliant(hardest.pair));
+    let is_largest = alike.all(|one| (measure.of)(one).is_none_or(|value| value <= largest));
+    let shown = if is_largest { "" } else { ", of those shown" };
+    let text = format!("{} {unit} at {} s{shown}", brief(at.1, 4), brief(at.0, 4));
     Some(Panel {
         y: Axis {
             // Room for the note above.

@@ -80,7 +80,7 @@ fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
 /// Nothing where the spectrum is refused: a period so short that the record holds some hundred thousand.
 fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let (scene, floors) = (seen.prepared.scene(), seen.prepared.floors().all());
-    let shown = seen.shown.structures.iter();
+    let shown = seen.shown.floors.iter();
     let own: Vec<(usize, f64)> = shown
         .filter_map(|&index| Some((index, floors[index].oscillation(scene)?.0)))
         .collect();

@@ -32,12 +32,18 @@ pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
         ..Figure::default()
     };
     let left_out = if found.len() < n {
-        format!(" Of {n} such structures those with the largest ductility are shown.")
+        format!(" Of {n} those with the largest ductility are shown.")
     } else {
         String::new()
     };
+    let floors = seen.prepared.floors().all();
+    let of = if found.iter().any(|one| floors[one.0].storey.is_some()) {
+        "storey drift of storeys"
+    } else {
+        "displacement of structures"
+    };
     let caption = format!(
-        "Shear force against displacement of structures that can yield; the area of the loops is the energy that yielding \
+        "Shear force against {of} that can yield; the area of the loops is the energy that yielding \
          takes.{left_out}"
     );
     Some((figure, caption))
@@ -51,10 +57,9 @@ fn panel(seen: &Seen<'_>, index: usize) -> Panel {
     let points = drifts.zip(states);
     let points = points.map(|(drift, state)| (1e3 * drift, factor * state.restoring_force));
     let points = thinned(points.collect());
-    let upper = floor.storey.is_some_and(|storey| storey > 1);
     Panel {
         title: name(floor),
-        x: Some(Axis::auto(if upper {
+        x: Some(Axis::auto(if floor.storey.is_some() {
             "Storey drift (mm)"
         } else {
             "Displacement (mm)"

@@ -102,16 +102,23 @@ const LONGEST: usize = 22;
 
 /// A name as a picture can write it: not too long, in the letters of its font.
 fn name(floor: &Floor) -> String {
-    let name = writable(&floor.name);
+    fitting(&floor.name)
+}
+
+fn fitting(name: &str) -> String {
+    let name = writable(name);
     if name.chars().count() <= LONGEST {
         return name;
     }
     name.chars().take(LONGEST - 1).chain(['…']).collect()
 }
 
-/// Name, and the period where the curve is the first of its building, for a legend.
+/// Name, and the period where the curve is the first of its building, for a legend; a wall stands for all of its levels.
 fn named(prepared: &Prepared, (index, first): (usize, bool)) -> String {
     let floor = &prepared.floors().all()[index];
+    if floor.is_wall() {
+        return fitting(prepared.scene().structures[floor.structure].name());
+    }
     match floor.oscillation(prepared.scene()).filter(|_| first) {
         Some((period, _)) => format!("{} (T = {} s)", name(floor), brief(period, 3)),
         None => name(floor),

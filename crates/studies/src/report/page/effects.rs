@@ -2,13 +2,18 @@
 
 use super::markup::{Cell, digits, short, table};
 use crate::report::summary::Summary;
-use crate::{Effect, FloorEffects, Floors, Known, ROBUST, percent};
+use crate::{Effect, FloorEffects, Floors, Known, NOTHING_TOUCHES, ROBUST, percent};
 
 /// The section with its figure; nothing where nobody asked.
 pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> String {
     let Some(effects) = &summary.effects else {
         return String::new();
     };
+    if !effects.touch() {
+        return format!(
+            "<h2>What pounding does to every storey</h2>\n<p>None: {NOTHING_TOUCHES}.</p>\n"
+        );
+    }
     let header = [
         "Storey",
         "Direction",
@@ -33,7 +38,7 @@ pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> Strin
          stronger, faster or slower. What moves by more than {} is marked ~ and should not be relied on to more digits than \
          that. All by the exact method; another exact run, with a tolerance ten thousand times as large and a record \
          larger by one part in 10¹², is within {} of every multiple. Impulsive impacts accelerate without bound and \
-         are left out of accelerations.</p>\n{figure}{}",
+         are left out of accelerations. Collisions and impulses are those of both sides of a floor together.</p>\n{figure}{}",
         percent(ROBUST),
         percent(effects.largest_error()),
         table(&header, &rows)

@@ -33,7 +33,10 @@ pub(super) fn html(
         warnings(summary),
         unusual(summary),
         figure("displacements"),
-        format!("<h2>Pairs</h2>\n{}", tables::pairs(summary)),
+        format!(
+            "<h2>Pairs</h2>\n{}",
+            tables::pairs(summary, report.prepared.floors())
+        ),
         figure("gaps"),
         tables::collisions(summary, review),
         effects::effects(summary, report.prepared.floors(), &figure("effects")),

@@ -3,7 +3,7 @@
 use pounding_solver::Collision;
 use serde_json::Value;
 
-use super::markup::{Cell, digits, facts, short, table};
+use super::markup::{Cell, digits, escaped, facts, short, table};
 use crate::report::summary::{PairSummary, RecordSummary, StructureSummary, Summary};
 use crate::{Errors, Floors, Review, milliseconds, percent, rounded_down};
 
@@ -135,7 +135,7 @@ fn structure(one: &StructureSummary, gravity: f64) -> Vec<Cell> {
 }
 
 /// The pairs; nothing where structures stand apart.
-pub(super) fn pairs(summary: &Summary) -> String {
+pub(super) fn pairs(summary: &Summary, floors: &Floors) -> String {
     if summary.pairs.is_empty() {
         return "<p>None: no structure can touch another.</p>\n".into();
     }
@@ -150,8 +150,33 @@ pub(super) fn pairs(summary: &Summary) -> String {
         "Peak force [kN]",
         "at [s]",
     ];
-    let rows: Vec<_> = summary.pairs.iter().map(pair).collect();
-    table(&header, &rows)
+    let pairs = floors.pairs_by_contact().into_iter();
+    let pairs: Vec<&PairSummary> = pairs.map(|index| &summary.pairs[index]).collect();
+    let rows: Vec<_> = pairs.iter().map(|one| pair(one)).collect();
+    format!("{}{}", table(&header, &rows), leaning(&pairs))
+}
+
+/// Pairs that lean on each other; nothing where none does.
+fn leaning(pairs: &[&PairSummary]) -> String {
+    let said = |pair: &&PairSummary| {
+        let one = pair.leaning?;
+        Some(format!(
+            "{} – {} for {} s from {} s on",
+            pair.left,
+            pair.right,
+            short(one.end_s - one.start_s),
+            instant(one.start_s)
+        ))
+    };
+    let said: Vec<String> = pairs.iter().filter_map(said).collect();
+    if said.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p class=\"soft\">Neighbours that touch for longer than 0.25 s lean on each other; the impulse is then that of a push, and \
+         says little about how hard they hit: {}.</p>\n",
+        escaped(&said.join("; "))
+    )
 }
 
 fn pair(one: &PairSummary) -> Vec<Cell> {

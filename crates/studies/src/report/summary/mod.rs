@@ -223,6 +223,13 @@ pub struct PairSummary {
     pub peak_force_time_s: Option<f64>,
     /// Sum of the impulses \[N·s\].
     pub total_impulse_n_s: f64,
+    /// Time for which they touch, all collisions together \[s\].
+    #[serde(default)]
+    pub touching_s: f64,
+    /// The collision that lasts longest, where it lasts more than 0.25 s: the neighbours lean on each other, and its impulse is
+    /// that of a push.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leaning: Option<CollisionSummary>,
     /// Least opening of the gap \[m\], between time steps and rows of the histories too; not more than 0 where they touch,
     /// negative where they overlap.
     pub least_opening_m: f64,

@@ -174,30 +174,21 @@ fn structure_errors(errors: &StructureErrors) -> StructureErrorSummary {
     }
 }
 
-/// What rounding leaves of a gap that is closed \[m\].
-const ROUNDING: f64 = 1e-12;
-
 fn pair(
     prepared: &Prepared,
     review: &Review,
     (index, measured): (usize, Option<&RunErrors>),
 ) -> PairSummary {
     let pounding_solver::Pair { gap, law, left, .. } = prepared.pairs()[index];
+    let found = review.outcome.of_pair(index);
+    let (opening, time) = found.least_opening(gap, review.closings.of(left));
     let PairOutcome {
         collisions,
         first,
         largest,
         peak_force,
-        total_impulse,
-    } = review.outcome.of_pair(index);
-    let closing = review.closings.of(left);
-    let (opening, time) =
-        closing.map_or((gap, 0.0), |closing| (gap - closing.distance, closing.time));
-    let (opening, time) = match first {
-        // Impulses leave the gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
-        Some(first) if opening > -ROUNDING => (0.0, first.start),
-        _ => (opening, time),
-    };
+        ..
+    } = found;
     let [left, right] = prepared.floors().names(index);
     PairSummary {
         left,
@@ -209,7 +200,9 @@ fn pair(
         largest: largest.as_ref().map(collision),
         peak_force_n: peak_force.map(|peak| peak.value),
         peak_force_time_s: peak_force.map(|peak| peak.time),
-        total_impulse_n_s: total_impulse,
+        total_impulse_n_s: found.total_impulse,
+        touching_s: found.touching,
+        leaning: found.leaning().as_ref().map(collision),
         least_opening_m: opening,
         least_opening_time_s: time,
         errors: measured.map(|errors| pair_errors(&errors.pairs[index])),

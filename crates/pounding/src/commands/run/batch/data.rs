@@ -36,7 +36,7 @@ fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
 }
 
 /// Numbers of a pair with their names, SI units: fields of its summary, those of a collision after its name.
-fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 10] {
+fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 11] {
     let (first, largest) = (one.first, one.largest);
     [
         ("collisions", Some(one.collisions as f64)),
@@ -50,6 +50,7 @@ fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 10] {
         ("peak_force_n", one.peak_force_n),
         ("peak_force_time_s", one.peak_force_time_s),
         ("total_impulse_n_s", Some(one.total_impulse_n_s)),
+        ("touching_s", Some(one.touching_s)),
         ("least_opening_m", Some(one.least_opening_m)),
         ("least_opening_time_s", Some(one.least_opening_time_s)),
     ]

@@ -1,0 +1,46 @@
+//! `pounding merge`: the shards of a sweep joined to one table.
+
+use std::path::PathBuf;
+
+use pounding::studies::{Parts, merge};
+
+use super::sweep::result;
+use crate::new_file;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding merge runs.csv
+  pounding merge runs.csv node1/runs.csv.parts node2/runs.csv.parts
+  pounding merge runs.csv.zst runs.csv.parts
+
+The parts of all shards must be there, in one folder or in several; what is
+missing is named. The table has the bytes of a sweep that ran without shards.
+The parts stay: delete them when the table is what was wanted.";
+
+/// What is asked of `merge`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The table: CSV, compressed where the name ends in .zst.
+    #[arg(value_name = "OUT")]
+    out: PathBuf,
+    /// Folders of parts, as shards leave them; without any, OUT.parts.
+    #[arg(value_name = "PARTS")]
+    folders: Vec<PathBuf>,
+    /// Also where the table is there already.
+    #[arg(long)]
+    overwrite: bool,
+}
+
+/// Joins the parts of a sweep.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let out = &asked.out;
+    new_file::check(out, asked.overwrite)?;
+    let folders = if asked.folders.is_empty() {
+        vec![Parts::folder_of(out)]
+    } else {
+        asked.folders.clone()
+    };
+    let joined = merge(out, &folders).map_err(|error| error.to_string())?;
+    Ok(result(joined, out))
+}

@@ -1,0 +1,138 @@
+//! `pounding sweep`: a scene again and again, with other values of its fields.
+
+mod task;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+
+use pounding::studies::{Joined, Parts, Shard, Sweep, SweepError, merge};
+
+use super::suite::{STOPPED, stop_when_asked};
+use crate::new_file;
+use crate::progress::Counter;
+use crate::text::paragraph;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding sweep studies/sweeps/gap-and-period.json --out gaps.csv
+  pounding sweep sweep.toml --out runs.csv.zst
+  pounding sweep sweep.json --out runs.csv --shard 2/8
+  pounding merge runs.csv
+
+A sweep is a TOML or JSON file: a scene, what of it varies and under which
+records. studies/README.md lists its fields.
+
+The table has a row for each run, in SI units; a run that fails is a row with
+the reason in its last column. A name that ends in .zst is compressed
+(Zstandard). The same bytes come out whatever the threads and shards.
+
+Rows are kept in parts beside the table, in OUT.parts. Killed or stopped by
+Ctrl-C, the same command goes on and runs only what is missing. Pressed again,
+Ctrl-C ends at once.
+
+A shard is a share of the runs: with --shard it leaves its parts, which
+`pounding merge` joins. In a job array the task is taken from
+SLURM_ARRAY_TASK_ID, or HQ_TASK_ID with --shards. studies/jobs has scripts.
+All processors are used; RAYON_NUM_THREADS limits them.";
+
+/// What is asked of `sweep`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The sweep, a TOML or JSON file.
+    #[arg(value_name = "SWEEP")]
+    sweep: PathBuf,
+    /// The table: CSV, compressed where the name ends in .zst; without it, beside
+    /// the sweep under its name.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Also where the table is there already, or parts of another sweep.
+    #[arg(long)]
+    overwrite: bool,
+    /// Run a share of the runs alone and leave its parts, such as 2/8.
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+    /// How many shards there are: then the tasks of a job array count from 1.
+    #[arg(long, value_name = "N", conflicts_with = "shard")]
+    shards: Option<u64>,
+}
+
+/// Runs a sweep, or what is missing of it.
+pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+    let shard = match asked.shard {
+        Some(shard) => shard,
+        None => task::shard(asked.shards, |name| std::env::var(name).ok())?,
+    };
+    let out = match &asked.out {
+        Some(out) => out.clone(),
+        None => asked.sweep.with_extension("csv"),
+    };
+    new_file::check(&out, asked.overwrite)?;
+    let words = |error: SweepError| error.to_string();
+    let sweep = Sweep::read(&asked.sweep).map_err(words)?;
+    // A shard would delete what another has just begun.
+    let overwritten = asked.overwrite && shard.is_whole();
+    let parts = Parts::open(&sweep, &out, overwritten).map_err(words)?;
+    let n_runs = parts.runs_of(shard);
+    let before = parts.runs_there(shard);
+    let progress = Counter::new((before, n_runs));
+    stop_when_asked();
+    let filled = parts.fill(&sweep, shard, (&STOPPED, &|runs| progress.add(runs)));
+    drop(progress);
+    filled.map_err(words)?;
+    let there = parts.runs_there(shard);
+    if there < n_runs && STOPPED.load(Ordering::Relaxed) {
+        return Err(format!(
+            "stopped by Ctrl-C: {there} of {n_runs} runs are in {}; the same command runs the others",
+            parts.folder().display()
+        ));
+    }
+    let mut lines = vec![paragraph("Sweep", &runs(&sweep, shard, n_runs))];
+    if !sweep.left_out().is_empty() {
+        lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
+    }
+    if before > 0 {
+        let text = format!("{before} runs were there already");
+        lines.push(paragraph("Before", &text));
+    }
+    if shard.is_whole() {
+        lines.push(joined(&parts, &out)?);
+    } else {
+        let text = format!(
+            "in {}; when all shards are done, `pounding merge` joins them",
+            parts.folder().display()
+        );
+        lines.push(paragraph("Parts", &text));
+    }
+    Ok(lines.concat())
+}
+
+/// How many runs there are.
+fn runs(sweep: &Sweep, shard: Shard, n_runs: u64) -> String {
+    let all = sweep.n_runs();
+    if shard.is_whole() {
+        format!("{all} runs")
+    } else {
+        format!("{n_runs} of {all} runs, shard {shard}")
+    }
+}
+
+/// Joins the parts, which then are no longer needed.
+fn joined(parts: &Parts, out: &Path) -> Result<String, String> {
+    let folder = parts.folder();
+    let folders = [folder.to_path_buf()];
+    let joined = merge(out, &folders).map_err(|error| error.to_string())?;
+    fs::remove_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    Ok(result(joined, out))
+}
+
+/// What is said of a table.
+pub(super) fn result(joined: Joined, out: &Path) -> String {
+    let failed = match joined.failed {
+        0 => "none failed".into(),
+        failed => format!("{failed} failed: the last column says why"),
+    };
+    let text = format!("{}: {} rows, {failed}", out.display(), joined.runs);
+    paragraph("Results", &text)
+}

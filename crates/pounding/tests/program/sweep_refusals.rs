@@ -1,0 +1,104 @@
+//! What is said of sweeps that are refused.
+
+use insta::assert_snapshot;
+use serde_json::{Value, json};
+
+use crate::sweeps::{scene, sweep, with_sweep};
+use crate::{pounding, refusal};
+
+/// Sweeps that name fields wrongly: what is said of the case, the place that is changed, and to what.
+fn wrong_fields() -> Vec<(&'static str, &'static str, Value)> {
+    let field = "/vary/0/field";
+    vec![
+        ("a field that is misspelt", field, json!("contacts[0].gap")),
+        ("a list that is shorter", field, json!("contacts[3].gap_m")),
+        ("no place", field, json!("gap m of all")),
+        (
+            "stiffness beside a period",
+            field,
+            json!("structures[0].sdof.stiffness_n_per_m"),
+        ),
+        ("a field twice", field, json!("structures[0].sdof.period_s")),
+        (
+            "a value of a list out of range",
+            "/vary/0",
+            json!({"field": "contacts[0].gap_m", "values": [0.01, -0.01]}),
+        ),
+        (
+            "a value of a grid out of range",
+            "/vary/0",
+            json!({"field": "structures[0].sdof.mass_kg", "grid": {"from": 1e5, "to": 0.0, "count": 3}}),
+        ),
+        (
+            "a value of another form",
+            "/vary/0",
+            json!({"field": "contacts[0].law", "values": [{"spring": {}}]}),
+        ),
+        (
+            "another row",
+            "/vary/0",
+            json!({"field": "structures[1]", "values": [
+                scene()["structures"][1],
+                {"building": {"name": "b", "period_s": 0.4, "damping": {"ratio": 0.05}, "storeys": [{"mass_kg": 1e5, "repeat": 2}]}},
+            ]}),
+        ),
+        (
+            "a direction that varies",
+            "/vary/0",
+            json!({"field": "record.reversed", "values": [true, false]}),
+        ),
+        ("bounds the wrong way", "/vary/0/uniform/to", json!(-1.0)),
+    ]
+}
+
+/// The same of all else.
+fn wrong_words() -> Vec<(&'static str, &'static str, Value)> {
+    vec![
+        ("no samples", "/samples", Value::Null),
+        ("samples of nothing", "/vary", json!([])),
+        ("no such method", "/samples/method", json!("sobl")),
+        ("no sample", "/samples/count", json!(0)),
+        (
+            "too many runs",
+            "/vary/0",
+            json!({"field": "contacts[0].gap_m", "grid": {"from": 0.0, "to": 1.0, "count": 1_000_000_000_000_000_u64}}),
+        ),
+        ("an accuracy", "/scene/method", json!({"accuracy": 0.01})),
+        ("no record", "/records", json!("nowhere")),
+        ("no scene file", "/scene", json!("nowhere.json")),
+        (
+            "a scene that is none",
+            "/scene/structures/0/sdof/mass",
+            json!(1.0),
+        ),
+        (
+            "an output that there is not",
+            "/outputs",
+            json!({"pairs": ["colisions"]}),
+        ),
+    ]
+}
+
+/// What is wrong is said with its line, before anything runs.
+#[test]
+fn extreme_sweeps_that_are_refused() {
+    let mut said = String::new();
+    for (what, place, value) in wrong_fields().into_iter().chain(wrong_words()) {
+        let mut words = sweep(4);
+        let (parent, key) = place.rsplit_once('/').expect("a place");
+        let parent = words.pointer_mut(parent).expect("it is there");
+        if let Value::Array(items) = parent {
+            items[0] = value;
+        } else {
+            parent[key] = value;
+        }
+        let folder = with_sweep("sweep_refused", &words);
+        let message = refusal(&pounding(&folder, &["sweep", "sweep.json"]));
+        assert!(
+            !folder.join("sweep.csv.parts").exists(),
+            "{what}: nothing was begun"
+        );
+        said = format!("{said}{what}\n  {message}\n");
+    }
+    assert_snapshot!(said);
+}

@@ -1,0 +1,205 @@
+//! As many scenes as there are lanes, at one node after the other.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::body::Body;
+use super::column::SideBySideColumn;
+use super::jump::Jumps;
+use super::law::{Impulsive, Law};
+use super::number::{LANES, Lanes, Mask};
+use super::tally::Tally;
+use crate::{CentralDifference, ImpactRule, Node, RestoringForce, Row};
+
+/// A structure of every scene.
+pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
+
+/// A structure and its right neighbour, which can touch.
+pub(super) struct Pair<S: Simd> {
+    /// Its index among the pairs of the row.
+    pub(super) index: usize,
+    pub(super) gap: Lanes<S>,
+    pub(super) law: Law<S>,
+    /// Deformation at the node under way \[m\].
+    pub(super) deformation: Lanes<S>,
+    pub(super) tally: Tally<S>,
+}
+
+/// Scenes of one shape under one ground motion.
+///
+/// Structures and pairs are slices, so that code which knows how many there are gets loops of that length.
+pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn> {
+    pub(super) simd: S,
+    pub(super) impacts: ImpactRule,
+    pub(super) time_step: f64,
+    pub(super) structures: &'a mut [Structure<S, Column>],
+    /// For every structure the pair that it is the left neighbour of.
+    pub(super) pairs: &'a mut [Option<Pair<S>>],
+    pub(super) jumps: Jumps<'a, Column>,
+    /// Whether compliant pairs that touched at the node before have their books to close.
+    pub(super) busy: bool,
+    /// Steps in which some lane touches.
+    pub(super) touching_steps: u64,
+}
+
+/// Rows of one shape, 1 to [`LANES`] of them; lanes without one repeat the last.
+#[derive(Clone, Copy)]
+pub(super) struct Rows<'a, Column>(pub(super) &'a [Row<Column>]);
+
+impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
+    /// The row of a lane.
+    pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
+        &self.0[lane.min(self.0.len() - 1)]
+    }
+
+    /// A structure of all rows, at the first node to be solved; `ground` is the acceleration at t = 0.
+    #[inline(always)]
+    pub(super) fn structure<S: Simd>(
+        self,
+        simd: S,
+        node: usize,
+        (settings, time_step, ground): (CentralDifference, f64, f64),
+    ) -> Structure<S, Column> {
+        let gather = |number: &dyn Fn(&Node<Column>) -> f64| {
+            let mut values = [0.0; LANES];
+            for (lane, value) in values.iter_mut().enumerate() {
+                *value = number(&self.lane(lane).nodes()[node]);
+            }
+            Lanes::new(simd, &values)
+        };
+        Body::new(gather, (settings.start, time_step, ground))
+    }
+
+    /// The pair of a structure and its right neighbour, if the rows have one.
+    #[inline(always)]
+    pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
+        let mut pairs = self.0[0].pairs().iter();
+        let index = pairs.position(|pair| pair.left == left)?;
+        let pairs: [_; LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
+        let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
+        Some(Pair {
+            index,
+            gap: Lanes::new(simd, &pairs.map(|pair| pair.gap)),
+            law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
+            deformation: Lanes::splat(simd, 0.0),
+            tally: Tally::new(simd),
+        })
+    }
+}
+
+impl<S: Simd, Column: SideBySideColumn> Group<'_, S, Column> {
+    /// A step from a node with this acceleration of the ground.
+    #[inline(always)]
+    pub(super) fn step(&mut self, (acceleration, step): (f64, usize), is_first: bool) {
+        let touches = self.deform();
+        if touches || self.busy {
+            let time = step as f64 * self.time_step;
+            self.contact_step((acceleration, time), is_first);
+            self.touching_steps += u64::from(touches);
+        } else {
+            let ground = Lanes::splat(self.simd, acceleration);
+            for structure in self.structures.iter_mut() {
+                structure.contact.before = structure.motion.increment;
+                structure.constants.step(&mut structure.motion, ground);
+            }
+        }
+    }
+
+    /// Deformations at a node; true where some lane touches.
+    #[inline(always)]
+    fn deform(&mut self) -> bool {
+        let zero = Lanes::splat(self.simd, 0.0);
+        let mut touching = Mask::splat(self.simd, false);
+        for left in 1..self.structures.len() {
+            let neighbours = (&self.structures[left - 1], &self.structures[left]);
+            if let Some(pair) = &mut self.pairs[left - 1] {
+                let ahead = neighbours.0.motion.displacement - neighbours.1.motion.displacement;
+                pair.deformation = ahead - pair.gap;
+                touching = touching.or(pair.deformation.reaches(zero));
+            }
+        }
+        Lanes::any(touching)
+    }
+
+    /// A step from a node at which some lane touches, or did at the node before.
+    #[inline(always)]
+    fn contact_step(&mut self, (acceleration, time): (f64, f64), is_first: bool) {
+        let (mut hit, mut jumps, mut busy) = (false, false, false);
+        for left in 1..self.structures.len() {
+            let Some(pair) = &mut self.pairs[left - 1] else {
+                continue;
+            };
+            let (before, after) = self.structures.split_at_mut(left);
+            let neighbours = [&mut before[left - 1], &mut after[0]];
+            if let Law::Impulsive(law) = pair.law {
+                match self.impacts {
+                    ImpactRule::AsPublished => hit |= strike(pair, law, neighbours, is_first),
+                    ImpactRule::VelocityJump => jumps = true,
+                }
+            } else {
+                push(pair, neighbours, self.time_step);
+                busy |= pair.tally.lingers();
+            }
+        }
+        self.busy = busy;
+        let ground = Lanes::splat(self.simd, acceleration);
+        for structure in self.structures.iter_mut() {
+            structure.step_in_contact(ground, (hit, jumps));
+        }
+        if jumps {
+            let scenes = (&mut *self.structures, &mut *self.pairs);
+            self.jumps.jump(scenes, ground, (acceleration, time));
+        }
+    }
+}
+
+/// A structure and its right neighbour.
+type Neighbours<'a, S, Column> = [&'a mut Body<S, Column>; 2];
+
+/// Gives a compliant pair its force.
+#[inline(always)]
+fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(
+    pair: &mut Pair<S>,
+    [left, right]: Neighbours<'_, S, Column>,
+    time_step: f64,
+) {
+    let closing = left.motion.increment - right.motion.increment;
+    let rate = closing / closing.like(time_step);
+    let Some(force) = pair.law.force(pair.deformation, rate) else {
+        return;
+    };
+    let overlaps = pair.deformation.exceeds(rate.like(0.0));
+    pair.tally.follow(force, overlaps, 0.5 * time_step);
+    left.contact.force_from_right = -force;
+    right.contact.force_from_left = force;
+}
+
+/// Gives an impulsive pair its impulse by the published rule: an overlap now, an approach at the node before; true where there is
+/// one.
+#[inline(always)]
+fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
+    pair: &mut Pair<S>,
+    law: Impulsive<S>,
+    [left, right]: Neighbours<'_, S, Column>,
+    is_first: bool,
+) -> bool {
+    let velocity = |structure: &Body<S, Column>| {
+        if is_first {
+            structure.contact.velocity
+        } else {
+            let increments = [structure.contact.before, structure.motion.increment];
+            structure.constants.coefficients.velocity(increments)
+        }
+    };
+    let rate = velocity(left) - velocity(right);
+    let zero = rate.like(0.0);
+    let hit = pair.deformation.exceeds(zero).and(rate.exceeds(zero));
+    if !Lanes::any(hit) {
+        return false;
+    }
+    let impulse = Number::select(hit, law.factor * law.reduced_mass * rate, zero);
+    pair.tally.strike(impulse);
+    left.contact.impulse = left.contact.impulse - impulse;
+    right.contact.impulse = right.contact.impulse + impulse;
+    true
+}

@@ -1,0 +1,136 @@
+//! Contact laws of several scenes side by side.
+
+use fearless_simd::Simd;
+use pounding_contact::{ContactLaw, Form, NonlinearViscoelastic, Number, Term, ViscoelasticPair};
+
+use super::number::{LANES, Lanes, Mask};
+
+/// A contact law with the numbers of every lane.
+pub(super) enum Law<S: Simd> {
+    Impulsive(Impulsive<S>),
+    Viscoelastic(ViscoelasticPair<Lanes<S>>),
+    /// Any other law.
+    Formed(Box<Formed<S>>),
+}
+
+/// Stereomechanical impact.
+#[derive(Clone, Copy)]
+pub(super) struct Impulsive<S: Simd> {
+    /// 1 + e.
+    pub(super) factor: Lanes<S>,
+    pub(super) reduced_mass: Lanes<S>,
+}
+
+/// A law of the common form; its damper may know the rate of the first touch.
+pub(super) struct Formed<S: Simd> {
+    laws: [ContactLaw; LANES],
+    reduced_masses: [f64; LANES],
+    remembers: bool,
+    /// Rate of the first touch of the contact that goes on \[m/s\].
+    approach_speeds: [f64; LANES],
+    /// Where that is known.
+    known: Mask<S>,
+    form: Form<Lanes<S>>,
+}
+
+impl<S: Simd> Law<S> {
+    /// Of laws of one kind, and the reduced masses of their pairs \[kg\].
+    #[inline(always)]
+    pub(super) fn new(simd: S, laws: [ContactLaw; LANES], masses: [f64; LANES]) -> Self {
+        let reduced_mass = Lanes::new(simd, &masses);
+        if laws[0].impulsive().is_some() {
+            let restitution =
+                laws.map(|law| law.impulsive().map_or(f64::NAN, |law| law.restitution));
+            let restitution = Lanes::new(simd, &restitution);
+            return Self::Impulsive(Impulsive {
+                factor: restitution.like(1.0) + restitution,
+                reduced_mass,
+            });
+        }
+        if let ContactLaw::NonlinearViscoelastic(_) = laws[0] {
+            let of = |number: fn(&NonlinearViscoelastic) -> f64| {
+                let numbers = laws.map(|law| {
+                    if let ContactLaw::NonlinearViscoelastic(element) = law {
+                        number(&element)
+                    } else {
+                        f64::NAN
+                    }
+                });
+                Lanes::new(simd, &numbers)
+            };
+            return Self::Viscoelastic(ViscoelasticPair {
+                impact_stiffness: of(|element| element.impact_stiffness),
+                impact_damping_ratio: of(|element| element.impact_damping_ratio),
+                reduced_mass,
+            });
+        }
+        let approach_speeds = [0.0; LANES];
+        Self::Formed(Box::new(Formed {
+            remembers: laws[0].knows_approach_speed(),
+            form: form(simd, (&laws, &masses, &approach_speeds)),
+            laws,
+            reduced_masses: masses,
+            approach_speeds,
+            known: Mask::splat(simd, false),
+        }))
+    }
+
+    /// Force of a compliant law \[N\] at a deformation and its rate, 0 where the pair does not overlap; nothing of an impulsive one.
+    #[inline(always)]
+    pub(super) fn force(&mut self, deformation: Lanes<S>, rate: Lanes<S>) -> Option<Lanes<S>> {
+        let zero = rate.like(0.0);
+        let overlaps = deformation.exceeds(zero);
+        let force = match self {
+            Self::Impulsive(_) => return None,
+            Self::Viscoelastic(pair) => pair.force(deformation, rate).0,
+            Self::Formed(law) => {
+                law.remember(overlaps, rate);
+                law.form.force(deformation, rate)
+            }
+        };
+        Some(Number::select(overlaps, force, zero))
+    }
+}
+
+impl<S: Simd> Formed<S> {
+    /// Takes the rate as approach speed where an overlap is new, and forgets that of pairs that do not overlap.
+    #[inline(always)]
+    fn remember(&mut self, overlaps: Mask<S>, rate: Lanes<S>) {
+        if !self.remembers {
+            return;
+        }
+        let new = overlaps.and(self.known.not());
+        self.known = overlaps;
+        if Lanes::any(new) {
+            let rates = rate.values();
+            for (lane, speed) in self.approach_speeds.iter_mut().enumerate() {
+                if new.test(lane) {
+                    *speed = rates[lane].max(0.0);
+                }
+            }
+            let numbers = (&self.laws, &self.reduced_masses, &self.approach_speeds);
+            self.form = form(rate.token(), numbers);
+        }
+    }
+}
+
+/// The form of compliant laws of one kind, with reduced masses and approach speeds.
+#[inline(always)]
+fn form<S: Simd>(
+    simd: S,
+    (laws, masses, speeds): (&[ContactLaw; LANES], &[f64; LANES], &[f64; LANES]),
+) -> Form<Lanes<S>> {
+    let forms = std::array::from_fn::<_, LANES, _>(|lane| {
+        let form = laws[lane].form(masses[lane], speeds[lane]);
+        form.expect("a law that is not impulsive has a form")
+    });
+    let term = |of: fn(&Form) -> Term| Term {
+        coefficient: Lanes::new(simd, &forms.map(|form| of(&form).coefficient)),
+        power: of(&forms[0]).power,
+    };
+    Form {
+        spring: term(|form| form.spring),
+        damper: term(|form| form.damper),
+        action: forms[0].action,
+    }
+}

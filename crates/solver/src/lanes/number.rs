@@ -1,0 +1,179 @@
+//! Numbers of several scenes side by side.
+
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f64x8, mask64x8};
+use pounding_contact::Number;
+
+/// Scenes in a number, on every machine.
+pub(super) const LANES: usize = 8;
+
+/// The same number of [`LANES`] scenes.
+#[derive(Clone, Copy)]
+pub(super) struct Lanes<S: Simd>(f64x8<S>);
+
+/// Of every lane yes or no.
+#[derive(Clone, Copy)]
+pub(super) struct Mask<S: Simd>(mask64x8<S>);
+
+impl<S: Simd> Lanes<S> {
+    /// The same value in every lane.
+    #[inline(always)]
+    pub(super) fn splat(simd: S, value: f64) -> Self {
+        Self(f64x8::splat(simd, value))
+    }
+
+    /// A value for each lane.
+    #[inline(always)]
+    pub(super) fn new(simd: S, values: &[f64; LANES]) -> Self {
+        Self(f64x8::from_slice(simd, values))
+    }
+
+    /// The value of each lane.
+    #[inline(always)]
+    pub(super) fn values(self) -> [f64; LANES] {
+        let mut values = [0.0; LANES];
+        self.0.store_slice(&mut values);
+        values
+    }
+
+    /// The value of one lane.
+    #[inline(always)]
+    pub(super) fn lane(&self, lane: usize) -> f64 {
+        self.0.as_slice()[lane]
+    }
+
+    /// Gives one lane a value.
+    #[inline(always)]
+    pub(super) fn set(&mut self, lane: usize, value: f64) {
+        self.0.as_mut_slice()[lane] = value;
+    }
+
+    /// What proves that the machine has the instructions.
+    #[inline(always)]
+    pub(super) fn token(self) -> S {
+        self.0.simd
+    }
+
+    /// Without its sign.
+    #[inline(always)]
+    pub(super) fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    /// The lesser of both.
+    #[inline(always)]
+    pub(super) fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0))
+    }
+
+    /// The larger of both.
+    #[inline(always)]
+    pub(super) fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
+    }
+
+    /// Where this is another value; also where one of them is not a number.
+    #[inline(always)]
+    pub(super) fn differs(self, other: Self) -> Mask<S> {
+        Mask(!self.0.simd_eq(other.0))
+    }
+
+    /// Where this is at least as much as another.
+    #[inline(always)]
+    pub(super) fn reaches(self, other: Self) -> Mask<S> {
+        Mask(self.0.simd_ge(other.0))
+    }
+}
+
+impl<S: Simd> Mask<S> {
+    /// Yes in every lane, or no.
+    #[inline(always)]
+    pub(super) fn splat(simd: S, yes: bool) -> Self {
+        Self(mask64x8::splat(simd, yes))
+    }
+
+    /// Where both say yes.
+    #[inline(always)]
+    pub(super) fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// Where either says yes.
+    #[inline(always)]
+    pub(super) fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Where it says no.
+    #[inline(always)]
+    pub(super) fn not(self) -> Self {
+        Self(!self.0)
+    }
+
+    /// Whether a lane says yes.
+    #[inline(always)]
+    pub(super) fn test(self, lane: usize) -> bool {
+        (self.0.to_bitmask() >> lane) & 1 == 1
+    }
+}
+
+impl<S: Simd> fmt::Debug for Lanes<S> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.values().fmt(formatter)
+    }
+}
+
+macro_rules! lane_by_lane {
+    ($($operator:ident $name:ident)+) => {$(
+        impl<S: Simd> $operator for Lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                Self(self.0.$name(other.0))
+            }
+        }
+    )+};
+}
+lane_by_lane!(Add add Sub sub Mul mul Div div);
+
+impl<S: Simd> Neg for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<S: Simd> Number for Lanes<S> {
+    type Mask = Mask<S>;
+
+    #[inline(always)]
+    fn like(self, value: f64) -> Self {
+        Self::splat(self.token(), value)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn exceeds(self, other: Self) -> Mask<S> {
+        Mask(self.0.simd_gt(other.0))
+    }
+
+    #[inline(always)]
+    fn any(mask: Mask<S>) -> bool {
+        mask.0.any_true()
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask<S>, yes: Self, no: Self) -> Self {
+        Self(mask.0.select(yes.0, no.0))
+    }
+}

@@ -1,0 +1,193 @@
+//! Two groups in step: what one computes does not wait for the other, as it waits for its own step before.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::column::SideBySideColumn;
+use super::group::{Group, Pair, Rows, Structure};
+use super::jump::Jumps;
+use super::number::{LANES, Lanes};
+use super::{PairTally, SideBySide, Tallies};
+use crate::{ImpactRule, Row};
+
+/// Scenes that run in step.
+pub(super) const IN_STEP: usize = 2 * LANES;
+
+/// Rows of one shape with the number of steps of each, and where what happened in them is told.
+pub(super) struct Task<'a, Column> {
+    pub(super) rows: &'a [Row<Column>],
+    pub(super) n_steps: &'a [usize],
+    /// Index of the first among the scenes of `tallies`.
+    pub(super) first: usize,
+    pub(super) tallies: &'a mut Tallies,
+}
+
+/// Runs up to [`IN_STEP`] rows and tells what happened in them.
+#[inline(always)]
+pub(super) fn run<S: Simd, Column: SideBySideColumn>(
+    simd: S,
+    method: &SideBySide,
+    task: Task<'_, Column>,
+) {
+    let rows = task.rows;
+    let (one, other) = rows.split_at(rows.len().min(LANES));
+    // A group without scenes repeats the other one, and is not told.
+    let parts = [one, if other.is_empty() { one } else { other }].map(Rows);
+    let start = (method.settings, method.time_step, method.ground[0]);
+    if rows[0].nodes().len() == 2 {
+        let structures = |rows: Rows<'_, Column>| {
+            [
+                rows.structure(simd, 0, start),
+                rows.structure(simd, 1, start),
+            ]
+        };
+        let pairs = |rows: Rows<'_, Column>| [rows.pair(simd, 0), None];
+        let (mut a, mut b) = (structures(parts[0]), structures(parts[1]));
+        let (mut c, mut d) = (pairs(parts[0]), pairs(parts[1]));
+        let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
+        steps(simd, (method, parts), scenes, task);
+    } else {
+        let (mut structures, mut pairs) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
+        for (group, rows) in parts.iter().enumerate() {
+            for node in 0..rows.0[0].nodes().len() {
+                structures[group].push(rows.structure(simd, node, start));
+                pairs[group].push(rows.pair(simd, node));
+            }
+        }
+        let ([a, b], [c, d]) = (&mut structures, &mut pairs);
+        let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
+        steps(simd, (method, parts), scenes, task);
+    }
+}
+
+/// The structures and pairs of a group.
+type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);
+
+/// All steps of two groups; what happened in a scene is told at its end.
+#[inline(always)]
+fn steps<S: Simd, Column: SideBySideColumn>(
+    simd: S,
+    (method, parts): (&SideBySide, [Rows<'_, Column>; 2]),
+    [one, other]: [Scenes<'_, S, Column>; 2],
+    Task {
+        rows,
+        n_steps,
+        first: first_scene,
+        tallies,
+    }: Task<'_, Column>,
+) {
+    let group = |rows, (structures, pairs)| Group {
+        simd,
+        impacts: method.settings.impacts,
+        time_step: method.time_step,
+        structures,
+        pairs,
+        jumps: Jumps::new(rows),
+        busy: false,
+        touching_steps: 0,
+    };
+    let mut groups = [group(parts[0], one), group(parts[1], other)];
+    let first = method.settings.start.first_node();
+    let published = method.settings.impacts == ImpactRule::AsPublished;
+    let mut step = first;
+    while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
+        let ground = &method.ground[..=*end];
+        while step < ground.len() {
+            // The published rule looks at more than motions at hand have.
+            if !(published || groups[0].busy || groups[1].busy) {
+                step = match groups[0].structures.len() {
+                    2 => go_apart::<S, Column, 2>(&mut groups, ground, step),
+                    3 => go_apart::<S, Column, 3>(&mut groups, ground, step),
+                    _ => step,
+                };
+            }
+            if let Some(acceleration) = ground.get(step) {
+                groups[0].step((*acceleration, step), step == first);
+                groups[1].step((*acceleration, step), step == first);
+                step += 1;
+            }
+        }
+        for (lane, _) in n_steps.iter().enumerate().filter(|of| of.1 == end) {
+            let group = &groups[lane / LANES];
+            tell(group, lane % LANES, (first_scene + lane, tallies));
+        }
+    }
+    for (group, count) in groups
+        .iter()
+        .zip([parts[0].0.len(), rows.len() - parts[0].0.len()])
+    {
+        if count > 0 {
+            tallies.steps += (step - first) as u64;
+            tallies.touching_steps += group.touching_steps;
+        }
+    }
+}
+
+/// Goes on from a node while no lane touches, with the motions of so many structures at hand; the node at which one does.
+#[inline(always)]
+fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
+    groups: &mut [Group<'_, S, Column>; 2],
+    ground: &[f64],
+    step: usize,
+) -> usize {
+    let simd = groups[0].simd;
+    let zero = Lanes::splat(simd, 0.0);
+    let [one, other] = groups;
+    let motion = |group: &Group<'_, S, Column>, index: usize| group.structures[index].motion;
+    let mut motions: [[_; N]; 2] = [
+        std::array::from_fn(|index| motion(one, index)),
+        std::array::from_fn(|index| motion(other, index)),
+    ];
+    let mut node = step;
+    for acceleration in &ground[step..] {
+        let mut touching = zero.exceeds(zero);
+        for (group, motions) in [&*one, &*other].into_iter().zip(&motions) {
+            for left in 1..N {
+                if let Some(pair) = &group.pairs[left - 1] {
+                    let ahead = motions[left - 1].displacement - motions[left].displacement;
+                    touching = touching.or((ahead - pair.gap).reaches(zero));
+                }
+            }
+        }
+        if Lanes::any(touching) {
+            break;
+        }
+        let ground = Lanes::splat(simd, *acceleration);
+        for (group, motions) in [&*one, &*other].into_iter().zip(&mut motions) {
+            for (index, motion) in motions.iter_mut().enumerate() {
+                group.structures[index].constants.step(motion, ground);
+            }
+        }
+        node += 1;
+    }
+    for (group, motions) in [one, other].into_iter().zip(motions) {
+        for (index, motion) in motions.into_iter().enumerate() {
+            group.structures[index].motion = motion;
+        }
+    }
+    node
+}
+
+/// Tells what happened in a lane, as that scene.
+#[inline(always)]
+fn tell<S: Simd, Column: SideBySideColumn>(
+    group: &Group<'_, S, Column>,
+    lane: usize,
+    (scene, tallies): (usize, &mut Tallies),
+) {
+    let mut told = true;
+    let n_structures = group.structures.len();
+    for (node, structure) in group.structures.iter().enumerate() {
+        let peak = structure.motion.peak(lane);
+        tallies.displacements[scene * n_structures + node] = peak.unwrap_or(f64::NAN);
+        told &= peak.is_some();
+    }
+    for pair in group.pairs.iter().flatten() {
+        tallies.pairs[scene * tallies.n_pairs + pair.index] = PairTally {
+            collisions: pair.tally.collisions.lane(lane),
+            impulse: pair.tally.impulse().lane(lane),
+            peak_force: pair.tally.peak_force.lane(lane),
+        };
+    }
+    tallies.told[scene] = told;
+}

@@ -1,0 +1,324 @@
+//! Scenes side by side: every lane gives the bits of its scene alone.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hysteretic,
+    ImpactRule, Integrator, Node, Pair, PairTally, Peaks, Row, RowsOf, RunError, SideBySide, Start,
+    Tallies,
+};
+use proptest::prelude::*;
+
+use crate::random_rows::{Case, SI, any_law, cases, config};
+
+/// More than run in one group, and no whole number of groups.
+const SCENES: usize = 19;
+
+const CLOCK: Clock = Clock {
+    time_step: 0.005,
+    n_steps: 300,
+};
+
+const SETTINGS: CentralDifference = CentralDifference {
+    start: Start::Consistent,
+    impacts: ImpactRule::VelocityJump,
+    contact_substeps: 1,
+};
+
+/// The same kind of law with other numbers.
+fn stiffer(mut law: ContactLaw, factor: f64) -> ContactLaw {
+    match &mut law {
+        ContactLaw::Stereomechanical(law) => law.restitution /= factor,
+        ContactLaw::LinearSpring(law) => law.impact_stiffness *= factor,
+        ContactLaw::Hertz(law) => law.impact_stiffness *= factor,
+        ContactLaw::KelvinVoigt(law) => law.impact_stiffness *= factor,
+        ContactLaw::ModifiedLinearViscoelastic(law) => law.impact_stiffness *= factor,
+        ContactLaw::NonlinearViscoelastic(law) => law.impact_stiffness *= factor,
+        ContactLaw::HertzDamp(law) => law.impact_stiffness *= factor,
+        ContactLaw::ModifiedKelvin(law) => law.impact_stiffness *= factor,
+        ContactLaw::PantWijeyewickrema(law) => law.impact_stiffness *= factor,
+        ContactLaw::KuwabaraKono(law) => law.impact_stiffness *= factor,
+    }
+    law
+}
+
+/// The same row with other numbers.
+fn varied(case: &Case, scene: usize) -> Case {
+    let factor = 1.0 + 0.05 * f64::from(u32::try_from(scene).expect("few"));
+    let mut case = case.clone();
+    for (index, [mass, period, ratio, yields]) in case.structures.iter_mut().enumerate() {
+        *mass *= factor;
+        *ratio /= factor;
+        *yields *= factor;
+        *period *= if index % 2 == 0 { factor } else { 1.0 };
+    }
+    for velocity in &mut case.velocities {
+        *velocity *= 2.0 - factor;
+    }
+    for (gap, law) in &mut case.contacts {
+        *gap *= 2.0 - factor;
+        *law = stiffer(*law, factor);
+    }
+    // One scene that no step of the clock can follow must not disturb the others.
+    if scene == 5 {
+        case.structures[0][1] = 1e-3;
+    }
+    case
+}
+
+/// Number of steps of a scene: not the same of all.
+fn steps(scene: usize) -> usize {
+    CLOCK.n_steps - 7 * (scene % 3)
+}
+
+/// Displacements and pairs of a scene alone.
+type Alone = Result<(Vec<f64>, Vec<PairTally>), RunError>;
+
+fn alone<Column: Hysteretic>(
+    (settings, n_steps): (CentralDifference, usize),
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+) -> Alone {
+    let (n, pairs) = (row.nodes().len(), row.pairs());
+    let mut recorder = (Peaks::new(n), Collisions::new(n, pairs));
+    Integrator::CentralDifference(settings).run(
+        row,
+        excitation,
+        Clock { n_steps, ..CLOCK },
+        &mut recorder,
+    )?;
+    let (peaks, collisions) = recorder;
+    let mut tallies = vec![PairTally::default(); pairs.len()];
+    for one in collisions.all() {
+        let tally = &mut tallies[one.pair];
+        tally.collisions += 1.0;
+        tally.impulse += one.impulse;
+        tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
+    }
+    let displacements = (0..n).map(|node| peaks.of(node).displacement.value);
+    Ok((displacements.collect(), tallies))
+}
+
+/// Names the columns of rows.
+type Kind<'a, Column> = fn(&'a [Row<Column>]) -> RowsOf<'a>;
+
+/// Holds every scene of some rows to itself alone.
+fn compare<'a, Column: Hysteretic>(
+    settings: CentralDifference,
+    (rows, kind): (&'a [Row<Column>], Kind<'a, Column>),
+    ground: &[f64],
+) -> Result<(), TestCaseError> {
+    let excitation = Excitation::new(0.01, ground).expect("the record is finite");
+    let together = SideBySide::new(settings, excitation, CLOCK).expect("the settings are valid");
+    let mut found = Tallies::default();
+    let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
+    prop_assert!(
+        together.run(kind(rows), &n_steps, &mut found),
+        "the rows are of one shape"
+    );
+    prop_assert_eq!(found.len(), rows.len());
+    for (scene, row) in rows.iter().enumerate() {
+        let Ok((displacements, pairs)) = alone((settings, steps(scene)), row, excitation) else {
+            prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
+            continue;
+        };
+        prop_assert!(found.is_told(scene), "{} must not diverge", scene);
+        for (structure, displacement) in displacements.iter().enumerate() {
+            let lane = found.displacement(scene, structure);
+            prop_assert_eq!(
+                lane.to_bits(),
+                displacement.to_bits(),
+                "{} {}",
+                scene,
+                structure
+            );
+        }
+        for (pair, wanted) in pairs.iter().enumerate() {
+            let bits = |tally: &PairTally| {
+                [tally.collisions, tally.impulse, tally.peak_force].map(f64::to_bits)
+            };
+            let lane = found.pair(scene, pair);
+            prop_assert_eq!(
+                bits(&lane),
+                bits(wanted),
+                "{} {}: {:?} {:?}",
+                scene,
+                pair,
+                lane,
+                wanted
+            );
+        }
+    }
+    Ok(())
+}
+
+fn settings() -> impl Strategy<Value = CentralDifference> {
+    let starts = vec![
+        Start::Consistent,
+        Start::FirstLoadUsed,
+        Start::FirstLoadSkipped,
+    ];
+    let rules = vec![ImpactRule::AsPublished, ImpactRule::VelocityJump];
+    (prop::sample::select(starts), prop::sample::select(rules)).prop_map(|(start, impacts)| {
+        CentralDifference {
+            start,
+            impacts,
+            contact_substeps: 1,
+        }
+    })
+}
+
+proptest! {
+    #![proptest_config(config(300))]
+
+    #[test]
+    fn limit_a_lane_gives_the_bits_of_its_scene_alone(case in cases(any_law), settings in settings()) {
+        let scenes: Vec<_> = (0..SCENES).map(|scene| varied(&case, scene)).collect();
+        let rows: Vec<_> = scenes.iter().map(|case| case.row(SI)).collect();
+        compare(settings, (&rows, RowsOf::ElastoPlastic), &case.ground)?;
+        let column = |node: &Node<ElastoPlastic>| Bilinear {
+            stiffness: node.column.stiffness,
+            yield_force: node.column.yield_force,
+            hardening: 0.1,
+        };
+        let bilinear: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
+        compare(settings, (&bilinear, RowsOf::Bilinear), &case.ground)?;
+        let column = |node: &Node<ElastoPlastic>| Elastic { stiffness: node.column.stiffness };
+        let elastic: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
+        compare(settings, (&elastic, RowsOf::Elastic), &case.ground)?;
+    }
+}
+
+/// The same row with other columns, whose last structure is a wall if it is at rest and not alone.
+fn with_columns<Column: Hysteretic>(
+    row: &Row<ElastoPlastic>,
+    column: impl Fn(&Node<ElastoPlastic>) -> Column,
+) -> Row<Column> {
+    let last = row.nodes().len() - 1;
+    let node = |(index, node): (usize, &Node<ElastoPlastic>)| {
+        let column = column(node);
+        if index == last && index > 0 && node.initial_velocity == 0.0 {
+            return Node::wall(column);
+        }
+        Node {
+            initial_velocity: node.initial_velocity,
+            ..Node::structure(1.0 / node.inverse_mass, node.damping, column)
+        }
+    };
+    let nodes = row.nodes().iter().enumerate().map(node).collect();
+    Row::new(nodes, row.pairs().to_vec()).expect("the row is valid")
+}
+
+/// On ground at rest.
+fn side_by_side(settings: CentralDifference, clock: Clock) -> Result<SideBySide, RunError> {
+    let excitation = Excitation::new(1.0, &[0.0]).expect("valid");
+    SideBySide::new(settings, excitation, clock)
+}
+
+fn pair_of(restitution: f64) -> Row<Elastic> {
+    let node = |stiffness: f64| Node::structure(1e5, 1e4, Elastic { stiffness });
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution });
+    let pair = Pair {
+        left: 0,
+        right: 1,
+        gap: 0.01,
+        law,
+    };
+    Row::new(vec![node(1e6), node(4e6)], vec![pair]).expect("the row is valid")
+}
+
+#[test]
+fn limit_rows_of_other_shapes_are_not_taken() {
+    let together = side_by_side(SETTINGS, CLOCK).expect("valid");
+    let mut found = Tallies::default();
+    let one = pair_of(0.5);
+    let apart = Row::new(one.nodes().to_vec(), vec![]).expect("valid");
+    assert!(
+        !together.run(RowsOf::Elastic(&[one.clone(), apart]), &[9, 9], &mut found),
+        "another number of pairs"
+    );
+    let late = one.clone().delayed(vec![0.0, 0.1]).expect("valid");
+    assert!(
+        !together.run(RowsOf::Elastic(&[late]), &[9], &mut found),
+        "a motion that travels"
+    );
+    assert!(
+        !together.run(RowsOf::Elastic(&[]), &[], &mut found),
+        "no row"
+    );
+    let too_long = CLOCK.n_steps + 1;
+    assert!(
+        !together.run(
+            RowsOf::Elastic(std::slice::from_ref(&one)),
+            &[too_long],
+            &mut found
+        ),
+        "more steps than the clock has"
+    );
+    assert!(found.is_empty(), "nothing has run");
+    assert!(
+        together.run(RowsOf::Elastic(&[one]), &[9], &mut found),
+        "a row of one shape"
+    );
+    let settings = CentralDifference {
+        contact_substeps: 2,
+        ..SETTINGS
+    };
+    let refused = side_by_side(settings, CLOCK);
+    insta::assert_snapshot!(refused.expect_err("sub-steps run alone"), @"contact_substeps: found 2, allowed 1 side by side; scenes with more run alone");
+}
+
+/// As far to the left as to the right: a run alone keeps the first, and lanes do not know which that was.
+#[test]
+fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
+    // Ω Δt = √2: u = −2⁻⁷, 0, 2⁻⁷ without rounding.
+    let column = Elastic {
+        stiffness: 4_294_967_296.0,
+    };
+    let node = Node {
+        initial_displacement: -1.0 / 128.0,
+        ..Node::structure(131_072.0, 0.0, column)
+    };
+    let row = Row::new(vec![node], vec![]).expect("valid");
+    let clock = Clock {
+        time_step: 1.0 / 128.0,
+        n_steps: 2,
+    };
+    let together = side_by_side(SETTINGS, clock).expect("valid");
+    let mut found = Tallies::default();
+    assert!(
+        together.run(RowsOf::Elastic(&[row.clone(), row]), &[1, 2], &mut found),
+        "one shape"
+    );
+    assert!(found.is_told(0), "it has not come back yet");
+    assert!(
+        !found.is_told(1),
+        "both sides: {}",
+        found.displacement(1, 0)
+    );
+}
+
+#[test]
+fn limit_no_lane_looks_at_contact_while_none_touches() {
+    let together = side_by_side(SETTINGS, CLOCK).expect("valid");
+    let mut found = Tallies::default();
+    // The first moves to the right until it meets the other.
+    let with_gap = |gap: f64| {
+        let row = pair_of(0.5);
+        let mut nodes = row.nodes().to_vec();
+        nodes[0].initial_velocity = 0.1;
+        let pair = Pair {
+            gap,
+            ..row.pairs()[0]
+        };
+        Row::new(nodes, vec![pair]).expect("valid")
+    };
+    for (gaps, touching) in [(&[1.0][..], false), (&[1.0, 0.01], true)] {
+        let rows: Vec<_> = gaps.iter().map(|gap| with_gap(*gap)).collect();
+        let n_steps = vec![CLOCK.n_steps; rows.len()];
+        let ran = together.run(RowsOf::Elastic(&rows), &n_steps, &mut found);
+        assert!(ran, "rows of one shape");
+        let share = found.touching_steps as f64 / found.steps as f64;
+        assert_eq!(share > 0.0, touching, "{gaps:?}: {share}");
+        assert!(share < 0.1, "they part again: {share}");
+    }
+}

@@ -1,0 +1,197 @@
+//! At which levels the floors and walls of a scene stand, and that contacts let floors touch that face each other.
+
+use pounding_solver::Levels;
+
+use super::EQUAL_HEIGHTS;
+use crate::{Contact, Scene, SceneError, Structure};
+
+/// The levels of a scene whose structures were checked.
+///
+/// # Errors
+/// [`SceneError::LevelsDiffer`] where a floor would hit the columns of a neighbour, [`SceneError::NotFacing`] and
+/// [`SceneError::NoLevels`] where a contact names levels at which nothing can touch.
+pub(super) fn of(scene: &Scene) -> Result<Levels, SceneError> {
+    let elevations: Vec<_> = scene.structures.iter().map(elevations).collect();
+    let known = Heights::of(scene, &elevations);
+    let mut levels = levels_of(scene, &elevations, known);
+    for (contact, one) in scene.contacts.iter().flatten().enumerate() {
+        let facing = facing(scene, &levels, contact);
+        match &one.levels {
+            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, (chosen, facing))?,
+            _ if known == Heights::Known => {
+                check_heights(scene, &elevations, (contact, facing))?;
+            }
+            _ => {}
+        }
+    }
+    for (wall, structure) in scene.structures.iter().enumerate() {
+        if matches!(structure, Structure::Wall) {
+            levels[wall] = levels_of_wall(scene, &levels, wall);
+        }
+    }
+    Ok(Levels::at(&levels))
+}
+
+/// Whether floors can touch at a level, counted from 0.
+pub(super) fn lets_touch(contact: &Contact, level: usize) -> bool {
+    let levels = contact.levels.as_ref();
+    levels.is_none_or(|levels| levels.contains(&(level + 1)))
+}
+
+/// Whether floors are told apart by their heights or counted from the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Heights {
+    /// All heights are given, and some structure has several storeys.
+    Known,
+    /// Storeys of one number are taken to be level.
+    Counted,
+}
+
+impl Heights {
+    fn of(scene: &Scene, elevations: &[Option<Vec<f64>>]) -> Self {
+        let storeys = |one: &Structure| matches!(one, Structure::Building(_));
+        let given = |(one, heights): (&Structure, &Option<Vec<f64>>)| {
+            heights.is_some() || matches!(one, Structure::Wall)
+        };
+        let all = scene.structures.iter().zip(elevations).all(given);
+        if all && scene.structures.iter().any(storeys) {
+            Self::Known
+        } else {
+            Self::Counted
+        }
+    }
+}
+
+/// Heights of the floors of a structure above the ground \[m\], where all are known; nothing for a wall.
+pub(super) fn elevations(structure: &Structure) -> Option<Vec<f64>> {
+    match structure {
+        Structure::Sdof(sdof) => sdof.height_m.map(|height| vec![height]),
+        Structure::Building(building) => {
+            let mut top = 0.0;
+            let heights = building.storeys.iter().map(|storey| {
+                top += storey.height_m?;
+                Some(top)
+            });
+            heights.collect()
+        }
+        Structure::Wall => None,
+    }
+}
+
+/// Levels, counted from 1, at which both neighbours of a contact have floors; of a floor beside a wall its own. Nothing
+/// between two walls, which are refused elsewhere.
+fn facing(scene: &Scene, levels: &[Vec<usize>], contact: usize) -> Vec<usize> {
+    let is_wall = |one: usize| matches!(scene.structures[one], Structure::Wall);
+    let [left, right] = [contact, contact + 1].map(|one| &levels[one]);
+    let both: Vec<usize> = match (is_wall(contact), is_wall(contact + 1)) {
+        (true, _) => right.clone(),
+        (false, true) => left.clone(),
+        (false, false) => {
+            let shared = left.iter().filter(|level| right.contains(level));
+            shared.copied().collect()
+        }
+    };
+    both.into_iter().map(|level| level + 1).collect()
+}
+
+fn names(scene: &Scene, two: [usize; 2]) -> [String; 2] {
+    two.map(|one| scene.structures[one].name().to_string())
+}
+
+/// Refuses levels at which nothing faces the neighbour.
+fn check_chosen(
+    scene: &Scene,
+    contact: usize,
+    (chosen, allowed): (&[usize], Vec<usize>),
+) -> Result<(), SceneError> {
+    let names = names(scene, [contact, contact + 1]).into();
+    if chosen.is_empty() {
+        return Err(SceneError::NoLevels {
+            contact,
+            names,
+            allowed,
+        });
+    }
+    match chosen.iter().position(|level| !allowed.contains(level)) {
+        Some(place) => Err(SceneError::NotFacing {
+            contact,
+            place,
+            found: chosen[place],
+            names,
+            allowed,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses floors that face no floor of a neighbour, up to the lower roof of the two.
+fn check_heights(
+    scene: &Scene,
+    elevations: &[Option<Vec<f64>>],
+    (contact, facing): (usize, Vec<usize>),
+) -> Result<(), SceneError> {
+    let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
+        return Ok(());
+    };
+    let roof = |floors: &[f64]| floors.last().copied().unwrap_or(0.0);
+    let lower = roof(left).min(roof(right)) + EQUAL_HEIGHTS;
+    for (structure, own, others) in [(contact, left, right), (contact + 1, right, left)] {
+        let faces = |height: &f64| {
+            let mut others = others.iter();
+            others.any(|other| (height - other).abs() <= EQUAL_HEIGHTS)
+        };
+        let mut below = own.iter().filter(|height| **height <= lower);
+        if let Some(height) = below.find(|height| !faces(height)) {
+            return Err(SceneError::LevelsDiffer {
+                contact,
+                names: names(scene, [structure, 2 * contact + 1 - structure]).into(),
+                height: *height,
+                others: others.clone(),
+                facing,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Levels of the floors of every structure, counted from 0; those of walls follow from them.
+fn levels_of(scene: &Scene, elevations: &[Option<Vec<f64>>], heights: Heights) -> Vec<Vec<usize>> {
+    let mut all: Vec<f64> = elevations.iter().flatten().flatten().copied().collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|higher, lower| *higher - *lower <= EQUAL_HEIGHTS);
+    let level = |height: &f64| all.partition_point(|other| *other < height - EQUAL_HEIGHTS);
+    let own = |(structure, elevations): (&Structure, &Option<Vec<f64>>)| match (
+        structure, elevations, heights,
+    ) {
+        (Structure::Wall, ..) => Vec::new(),
+        (_, Some(elevations), Heights::Known) => elevations.iter().map(level).collect(),
+        (Structure::Building(building), ..) => (0..building.storeys.len()).collect(),
+        (Structure::Sdof(_), ..) => vec![0],
+    };
+    let structures = scene.structures.iter().zip(elevations);
+    structures.map(own).collect()
+}
+
+/// A wall faces every floor beside it, but those that its contact does not let it touch; one that faces none stands on the
+/// ground.
+fn levels_of_wall(scene: &Scene, levels: &[Vec<usize>], wall: usize) -> Vec<usize> {
+    let contacts = scene.contacts.as_deref().unwrap_or_default();
+    // Contact i lies between structures i and i + 1.
+    let sides = [
+        wall.checked_sub(1).map(|left| (left, left)),
+        Some((wall, wall + 1)),
+    ];
+    let mut faced = Vec::new();
+    for (contact, neighbour) in sides.into_iter().flatten() {
+        let Some(Structure::Sdof(_) | Structure::Building(_)) = scene.structures.get(neighbour)
+        else {
+            continue;
+        };
+        let contact = contacts.get(contact);
+        let chosen = |level: &&usize| contact.is_none_or(|one| lets_touch(one, **level));
+        faced.extend(levels[neighbour].iter().filter(chosen));
+    }
+    faced.sort_unstable();
+    faced.dedup();
+    if faced.is_empty() { vec![0] } else { faced }
+}

@@ -1,0 +1,171 @@
+//! The runs of a range of numbers, with what came out as columns of numbers.
+
+use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::Sweep;
+use super::quantity::Ran;
+use crate::prepared::Asked;
+use crate::{Prepared, StudyError};
+
+/// What came out of a range of runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Batch {
+    /// The runs.
+    pub runs: Range<u64>,
+    /// A column for each number that is asked for, with a value for each run; NaN where a run has no such number.
+    pub columns: Vec<Vec<f64>>,
+    /// Of every run why it failed; nothing where it did not.
+    pub failed: Vec<Option<String>>,
+    /// How many runs went side by side.
+    pub beside: usize,
+}
+
+impl Batch {
+    fn of(runs: Range<u64>, n_columns: usize) -> Self {
+        let n = usize::try_from(runs.end - runs.start).expect("a batch fits into memory");
+        Self {
+            runs,
+            columns: vec![vec![f64::NAN; n]; n_columns],
+            failed: vec![None; n],
+            beside: 0,
+        }
+    }
+
+    /// Place of a run in the columns.
+    fn place(&self, run: u64) -> usize {
+        usize::try_from(run - self.runs.start).expect("below the length of the batch")
+    }
+
+    fn take(&mut self, place: usize, numbers: &[f64]) {
+        for (column, number) in self.columns.iter_mut().zip(numbers) {
+            column[place] = *number;
+        }
+    }
+
+    fn fail(&mut self, run: u64, reason: String) {
+        let place = self.place(run);
+        self.failed[place] = Some(reason);
+    }
+}
+
+/// Scenes that are made ready before they run: enough for all lanes, few enough for memory.
+const BESIDE: usize = 128;
+
+impl Sweep {
+    /// Number of the numbers that are asked for of every run.
+    pub(super) fn n_columns(&self) -> usize {
+        self.outputs.structures.len() * self.row.floors.len()
+            + self.outputs.pairs.len() * self.row.pairs.len()
+    }
+
+    /// Runs a range of runs, below [`Self::n_runs`].
+    pub fn batch(&self, runs: Range<u64>) -> Batch {
+        let mut batch = Batch::of(runs.clone(), self.n_columns());
+        let mut run = runs.start;
+        while run < runs.end {
+            let (motion, next) = self.plan.motion(run);
+            let end = next.min(runs.end);
+            self.run_under(motion, run..end, &mut batch);
+            run = end;
+        }
+        batch
+    }
+
+    /// Runs a range of runs under one motion.
+    fn run_under(&self, motion: usize, runs: Range<u64>, batch: &mut Batch) {
+        let mut scene = self.scene.clone();
+        let (mut point, mut settings) = (Vec::new(), Vec::new());
+        let mut ready = Vec::new();
+        let mut next = runs.start;
+        while next < runs.end {
+            ready.clear();
+            for run in (next..runs.end).take(BESIDE) {
+                self.plan.settings(run, &mut point, &mut settings);
+                let prepared = caught(|| {
+                    let prepared = self.prepared(motion, &settings, &mut scene);
+                    let prepared = prepared.map_err(|refused| refused.to_string())?;
+                    if self.row.fits(prepared.floors()) {
+                        Ok(prepared)
+                    } else {
+                        Err("another number of floors or pairs than in the first run".into())
+                    }
+                });
+                match prepared {
+                    Ok(prepared) => ready.push((batch.place(run), prepared)),
+                    Err(reason) => batch.fail(run, reason),
+                }
+                next = run + 1;
+            }
+            self.run_ready(&ready, batch);
+        }
+    }
+
+    /// Runs scenes that are ready, each with its place in the batch: side by side where they can, else one after the other.
+    fn run_ready(&self, ready: &[(usize, Prepared)], batch: &mut Batch) {
+        let tallies = self.beside(ready);
+        let mut numbers = Vec::with_capacity(self.n_columns());
+        for (scene, (place, prepared)) in ready.iter().enumerate() {
+            numbers.clear();
+            let told = tallies
+                .as_ref()
+                .is_some_and(|tallies| self.tell(prepared, (tallies, scene), &mut numbers));
+            // A fault of the program in one run is no reason to lose the others.
+            let ran = if told {
+                batch.beside += 1;
+                Ok(())
+            } else {
+                caught(|| self.run_alone(prepared, &mut numbers))
+            };
+            match ran {
+                Ok(()) => batch.take(*place, &numbers),
+                Err(reason) => batch.failed[*place] = Some(reason),
+            }
+        }
+    }
+
+    /// One run; its numbers in the order of the columns.
+    fn run_alone(&self, prepared: &Prepared, numbers: &mut Vec<f64>) -> Result<(), String> {
+        let reason = |error: StudyError| error.reason();
+        numbers.clear();
+        let asked = Asked {
+            interval: None,
+            closings: self.closings,
+        };
+        let (outcome, closings) = if self.verdict {
+            let (audited, closings) = prepared.audited_with(asked).map_err(reason)?;
+            match audited.broken {
+                Some(broken) => return Err(broken.reason()),
+                None => (audited.outcome, closings),
+            }
+        } else {
+            prepared.run_unjudged(asked).map_err(reason)?
+        };
+        let ran = Ran {
+            prepared,
+            outcome: &outcome,
+            closings: closings.as_ref(),
+        };
+        let none = f64::NAN;
+        for floor in 0..self.row.floors.len() {
+            let asked = self.outputs.structures.iter();
+            numbers.extend(asked.map(|one| one.of(&ran, floor).unwrap_or(none)));
+        }
+        for pair in 0..self.row.pairs.len() {
+            let found = outcome.of_pair(pair);
+            let asked = self.outputs.pairs.iter();
+            numbers.extend(asked.map(|one| one.of(&ran, (pair, &found)).unwrap_or(none)));
+        }
+        Ok(())
+    }
+}
+
+/// What a run gives, or why it fails; a panic is such a reason.
+fn caught<T>(run: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| {
+        Err(
+            "the program panicked, which is a fault of its own; `pounding run` of this scene shows where"
+                .into(),
+        )
+    })
+}

@@ -1,0 +1,215 @@
+//! Parts joined to one table.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+use ruzstd::encoding::{CompressionLevel, FrameCompressor};
+
+use super::SweepError;
+use super::parts::{Manifest, beside, path_of};
+
+/// A table that was joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Joined {
+    /// Its rows, the one with the names of the columns left out.
+    pub runs: u64,
+    /// Rows of runs that failed.
+    pub failed: u64,
+}
+
+/// Whether a table of this name is compressed (Zstandard): one that ends in `.zst`.
+pub fn compresses(out: &Path) -> bool {
+    out.extension().is_some_and(|ending| ending == "zst")
+}
+
+/// Joins the parts of one sweep, wherever they lie, to a table: the same bytes whoever made which part.
+///
+/// The table is written under another name and then renamed.
+///
+/// # Errors
+/// [`SweepError::NoParts`] and [`SweepError::OtherSweep`] of a folder, [`SweepError::Missing`], [`SweepError::Damaged`], and what
+/// the system refuses.
+pub fn merge(out: &Path, folders: &[PathBuf]) -> Result<Joined, SweepError> {
+    let (manifest, parts) = found(folders)?;
+    // One name for all: what a kill leaves is written over.
+    let beside = beside(out, "new");
+    let written = write(&manifest, parts, (&beside, compresses(out)));
+    match written {
+        Ok(joined) => {
+            fs::rename(&beside, out).map_err(SweepError::file(out))?;
+            Ok(joined)
+        }
+        Err(error) => {
+            // What was begun is of no use to anybody.
+            let _ = fs::remove_file(&beside);
+            Err(error)
+        }
+    }
+}
+
+/// What the folders hold parts of, and where each lies; all are there.
+fn found(folders: &[PathBuf]) -> Result<(Manifest, Vec<PathBuf>), SweepError> {
+    let mut manifest: Option<Manifest> = None;
+    let mut there = BTreeMap::new();
+    for folder in folders {
+        let own = Manifest::read(folder)?.ok_or_else(|| SweepError::NoParts(folder.clone()))?;
+        if manifest.as_ref().is_some_and(|first| *first != own) {
+            return Err(SweepError::OtherSweep(folder.clone()));
+        }
+        for part in 0..own.n_parts() {
+            let path = path_of(folder, part);
+            if path.exists() {
+                there.entry(part).or_insert(path);
+            }
+        }
+        manifest = Some(own);
+    }
+    let manifest = manifest.ok_or_else(|| SweepError::NoParts(PathBuf::new()))?;
+    let missing = missing(&manifest, &there);
+    if !missing.is_empty() {
+        return Err(SweepError::Missing {
+            found: there.len() as u64,
+            allowed: manifest.n_parts(),
+            missing,
+        });
+    }
+    Ok((manifest, there.into_values().collect()))
+}
+
+/// First and last run of every gap.
+fn missing(manifest: &Manifest, there: &BTreeMap<u64, PathBuf>) -> Vec<(u64, u64)> {
+    let mut gaps: Vec<(u64, u64)> = Vec::new();
+    for part in (0..manifest.n_parts()).filter(|part| !there.contains_key(part)) {
+        let runs = manifest.runs_of(part);
+        match gaps.last_mut() {
+            Some((_, last)) if *last + 1 == runs.start => *last = runs.end - 1,
+            _ => gaps.push((runs.start, runs.end - 1)),
+        }
+    }
+    gaps
+}
+
+fn write(
+    manifest: &Manifest,
+    parts: Vec<PathBuf>,
+    (path, compressed): (&Path, bool),
+) -> Result<Joined, SweepError> {
+    let file = File::create(path).map_err(SweepError::file(path))?;
+    let mut table = Table {
+        bytes: manifest.header.as_bytes().to_vec(),
+        read: 0,
+        parts: parts.into_iter().enumerate(),
+        manifest,
+        joined: Joined { runs: 0, failed: 0 },
+        refused: None,
+    };
+    let mut drain = Drain {
+        file: BufWriter::new(file),
+        refused: None,
+    };
+    if compressed {
+        let mut encoder = FrameCompressor::new(CompressionLevel::Fastest);
+        encoder.set_source(&mut table);
+        encoder.set_drain(&mut drain);
+        encoder.compress();
+    } else {
+        io::copy(&mut table, &mut drain).map_err(SweepError::file(path))?;
+    }
+    if let Some(error) = table.refused {
+        return Err(error);
+    }
+    let joined = table.joined;
+    drain.end().map_err(SweepError::file(path))?;
+    Ok(joined)
+}
+
+/// The bytes of a table, part after part. The encoder panics on errors: they are kept, and the table ends.
+struct Table<'a, Parts> {
+    /// The part that is read.
+    bytes: Vec<u8>,
+    read: usize,
+    parts: Parts,
+    manifest: &'a Manifest,
+    joined: Joined,
+    refused: Option<SweepError>,
+}
+
+impl<Parts: Iterator<Item = (usize, PathBuf)>> Table<'_, Parts> {
+    /// Goes on to the next part; whether there is one.
+    fn next(&mut self) -> Result<bool, SweepError> {
+        let Some((index, path)) = self.parts.next() else {
+            return Ok(false);
+        };
+        self.bytes = fs::read(&path).map_err(SweepError::file(&path))?;
+        self.read = 0;
+        let runs = self.manifest.runs_of(index as u64);
+        let (found, allowed) = (count(&self.bytes, b"\n"), runs.end - runs.start);
+        let ends = self.bytes.last() == Some(&b'\n');
+        if found != allowed || !ends {
+            return Err(SweepError::Damaged {
+                path,
+                found,
+                allowed,
+            });
+        }
+        self.joined.runs += found;
+        // The reason is the last field of a row, and empty in one that did not fail.
+        self.joined.failed += found - count(&self.bytes, b",\n");
+        Ok(true)
+    }
+}
+
+fn count(bytes: &[u8], wanted: &[u8]) -> u64 {
+    let windows = bytes.windows(wanted.len());
+    windows.filter(|window| *window == wanted).count() as u64
+}
+
+impl<Parts: Iterator<Item = (usize, PathBuf)>> Read for Table<'_, Parts> {
+    fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        while self.read == self.bytes.len() {
+            match self.next() {
+                Ok(true) => {}
+                Ok(false) => return Ok(0),
+                Err(error) => {
+                    self.refused = Some(error);
+                    return Ok(0);
+                }
+            }
+        }
+        let rest = &self.bytes[self.read..];
+        let n = rest.len().min(to.len());
+        to[..n].copy_from_slice(&rest[..n]);
+        self.read += n;
+        Ok(n)
+    }
+}
+
+/// Where a table goes; of errors the first is kept.
+struct Drain {
+    file: BufWriter<File>,
+    refused: Option<io::Error>,
+}
+
+impl Drain {
+    fn end(mut self) -> io::Result<()> {
+        match self.refused.take() {
+            Some(error) => Err(error),
+            None => self.file.flush(),
+        }
+    }
+}
+
+impl Write for Drain {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.refused.is_none() {
+            self.refused = self.file.write_all(bytes).err();
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}

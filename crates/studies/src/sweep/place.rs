@@ -1,0 +1,260 @@
+//! Places in a scene, in the words of messages: `structures[0].sdof.period_s`.
+
+use serde_json::{Map, Value};
+
+/// The way to one field of a scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Place(Vec<Step>);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Step {
+    Field(String),
+    Item(usize),
+    /// `[*]`: every item.
+    Every,
+}
+
+/// Why a field is not found in a scene.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum PlaceError {
+    /// A text that names no field.
+    #[error(
+        "found \"{0}\", allowed is the way to a field of the scene, such as \"contacts[0].gap_m\""
+    )]
+    NoPlace(String),
+    /// An item that a list does not have.
+    #[error("found {place}[{item}], allowed are {} in the scene", items(*found))]
+    NoItem {
+        /// The list.
+        place: String,
+        /// The item, counted from 0.
+        item: usize,
+        /// Number of its items.
+        found: usize,
+    },
+    /// Something else where a list must be.
+    #[error("found no list `{0}` in the scene, allowed are the lists that it has")]
+    NoList(String),
+    /// Something else where a table of fields must be.
+    #[error("found no table `{0}` in the scene: write it there as a table with its fields")]
+    NoTable(String),
+    /// No item of a list has the field.
+    #[error(
+        "found no item of `{list}` with the field `{field}` in the scene; add it there, or name another"
+    )]
+    NoItemWith {
+        /// The list.
+        list: String,
+        /// The field.
+        field: String,
+    },
+}
+
+fn items(found: usize) -> String {
+    match found {
+        0 => "no items".into(),
+        1 => "[0]".into(),
+        _ => format!("[0] to [{}]", found - 1),
+    }
+}
+
+impl Place {
+    /// The places that a text names in a scene, at least one.
+    pub(super) fn all(text: &str, scene: &Value) -> Result<Vec<Self>, PlaceError> {
+        let steps = steps(text).ok_or_else(|| PlaceError::NoPlace(text.into()))?;
+        let mut found = Vec::new();
+        expand(&steps, scene, &mut Vec::new(), &mut found)?;
+        Ok(found)
+    }
+
+    /// Whether both are the same field, or one of them lies in the other.
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        self.0.starts_with(&other.0) || other.0.starts_with(&self.0)
+    }
+
+    /// Its first field.
+    pub(super) fn begins_with(&self, field: &str) -> bool {
+        matches!(self.0.first(), Some(Step::Field(first)) if first == field)
+    }
+
+    /// Whether it is this field, or lies in it.
+    pub(super) fn is_in(&self, text: &str) -> bool {
+        steps(text).is_some_and(|steps| self.0.starts_with(&steps))
+    }
+
+    /// The value there, made where it is left out; nothing where something else stands on the way.
+    pub(super) fn slot<'v>(&self, scene: &'v mut Value) -> Option<&'v mut Value> {
+        self.0.iter().try_fold(scene, |value, step| {
+            if value.is_null() {
+                *value = Value::Object(Map::new());
+            }
+            match (step, value) {
+                (Step::Field(name), Value::Object(fields)) => {
+                    // Looked up first: a new key needs memory.
+                    if !fields.contains_key(name) {
+                        fields.insert(name.clone(), Value::Null);
+                    }
+                    fields.get_mut(name)
+                }
+                (Step::Item(index), Value::Array(items)) => items.get_mut(*index),
+                _ => None,
+            }
+        })
+    }
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(&named(&self.0))
+    }
+}
+
+fn named(steps: &[Step]) -> String {
+    let mut text = String::new();
+    for step in steps {
+        match step {
+            Step::Field(name) if text.is_empty() => text.push_str(name),
+            Step::Field(name) => text = format!("{text}.{name}"),
+            Step::Item(index) => text = format!("{text}[{index}]"),
+            Step::Every => text.push_str("[*]"),
+        }
+    }
+    text
+}
+
+/// The steps of a text; nothing for one that names no field.
+fn steps(text: &str) -> Option<Vec<Step>> {
+    let mut steps = Vec::new();
+    for piece in text.split('.') {
+        let mut parts = piece.split('[');
+        let name = parts.next().filter(|name| !name.is_empty())?;
+        if !name
+            .chars()
+            .all(|letter| letter.is_alphanumeric() || letter == '_')
+        {
+            return None;
+        }
+        steps.push(Step::Field(name.into()));
+        for part in parts {
+            let item = part.strip_suffix(']')?;
+            steps.push(match item {
+                "*" => Step::Every,
+                index => Step::Item(index.parse().ok()?),
+            });
+        }
+    }
+    Some(steps)
+}
+
+/// Walks on from `value`, which lies at `way`.
+fn expand(
+    rest: &[Step],
+    value: &Value,
+    way: &mut Vec<Step>,
+    found: &mut Vec<Place>,
+) -> Result<(), PlaceError> {
+    let Some((step, rest)) = rest.split_first() else {
+        found.push(Place(way.clone()));
+        return Ok(());
+    };
+    let mut go = |step: Step, value: &Value| {
+        way.push(step);
+        let gone = expand(rest, value, way, found);
+        way.pop();
+        gone
+    };
+    match (step, value) {
+        (Step::Field(name), Value::Object(fields)) => {
+            go(step.clone(), fields.get(name).unwrap_or(&Value::Null))
+        }
+        // What is left out of the scene may be a table.
+        (Step::Field(_), Value::Null) => go(step.clone(), &Value::Null),
+        (Step::Field(_), _) => Err(PlaceError::NoTable(named(way))),
+        (Step::Item(index), Value::Array(items)) => match items.get(*index) {
+            Some(item) => go(step.clone(), item),
+            None => Err(PlaceError::NoItem {
+                place: named(way),
+                item: *index,
+                found: items.len(),
+            }),
+        },
+        (Step::Every, Value::Array(items)) => {
+            let has = |item: &Value| match rest.first() {
+                Some(Step::Field(name)) => item.get(name).is_some(),
+                _ => true,
+            };
+            let before = found.len();
+            for (index, item) in items.iter().enumerate().filter(|(_, item)| has(item)) {
+                way.push(Step::Item(index));
+                let gone = expand(rest, item, way, found);
+                way.pop();
+                gone?;
+            }
+            if found.len() == before {
+                return Err(PlaceError::NoItemWith {
+                    list: named(way),
+                    field: named(rest),
+                });
+            }
+            Ok(())
+        }
+        (Step::Item(_) | Step::Every, _) => Err(PlaceError::NoList(named(way))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::Place;
+
+    #[test]
+    fn reference_places_in_a_scene() {
+        let scene = json!({
+            "structures": [{"sdof": {"mass_kg": 1.0}}, "wall", {"sdof": {"mass_kg": 2.0}}],
+            "contacts": [{"gap_m": 0.1}, {"gap_m": 0.2}],
+            "method": "exact",
+        });
+        let named = |text: &str| match Place::all(text, &scene) {
+            Ok(places) => places
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .join(" "),
+            Err(error) => error.to_string(),
+        };
+        for (text, wanted) in [
+            ("contacts[1].gap_m", "contacts[1].gap_m"),
+            ("contacts[*].gap_m", "contacts[0].gap_m contacts[1].gap_m"),
+            (
+                "structures[*].sdof.period_s",
+                "structures[0].sdof.period_s structures[2].sdof.period_s",
+            ),
+            ("record.scale", "record.scale"),
+            ("duration_s", "duration_s"),
+        ] {
+            assert_eq!(named(text), wanted);
+        }
+        for (text, begins) in [
+            ("", "found \"\""),
+            ("contacts[x].gap_m", "found \"contacts[x].gap_m\""),
+            (
+                "contacts[2].gap_m",
+                "found contacts[2], allowed are [0] to [1]",
+            ),
+            ("contacts.gap_m", "found no table `contacts`"),
+            ("method.exact.tolerance", "found no table `method`"),
+            ("record[0]", "found no list `record`"),
+            (
+                "structures[*].building.name",
+                "found no item of `structures`",
+            ),
+        ] {
+            assert!(named(text).starts_with(begins), "{text}: {}", named(text));
+        }
+        let mut changed = scene.clone();
+        let place = &Place::all("record.scale_to.pga_g", &scene).expect("a place")[0];
+        *place.slot(&mut changed).expect("a slot") = json!(0.3);
+        assert_eq!(changed["record"]["scale_to"]["pga_g"], json!(0.3));
+    }
+}

@@ -1,0 +1,207 @@
+//! Which run is which: from its number to its motion and the values of its fields, without any other run.
+
+use serde_json::{Number, Value};
+
+use super::SweepError;
+use super::file::{MOST, Samples, Vary};
+use super::place::Place;
+use super::sampling::{Sampler, most_sobol_axes};
+use super::spread::Spread;
+
+/// Something that varies.
+#[derive(Debug, Clone)]
+pub(super) struct Axis {
+    /// Name of its column.
+    pub(super) name: String,
+    /// Its entry in the file.
+    pub(super) place: String,
+    pub(super) fields: Vec<Place>,
+    pub(super) spread: Spread,
+    /// How many runs apart its value changes; nothing for what is sampled.
+    stride: Option<u64>,
+}
+
+/// The value of an axis in a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Setting {
+    Number(f64),
+    /// One of the values of a list, by its index.
+    Listed(usize),
+}
+
+/// The order of the runs: motions outermost, then grids and lists as they stand in the file, samples innermost.
+#[derive(Debug, Clone)]
+pub(super) struct Plan {
+    axes: Vec<Axis>,
+    sampler: Option<Sampler>,
+    n_samples: u64,
+    runs_per_motion: u64,
+    n_motions: u64,
+}
+
+impl Plan {
+    pub(super) fn new(
+        vary: Vec<(Vary, Vec<Place>)>,
+        samples: Option<Samples>,
+        n_motions: usize,
+    ) -> Result<Self, SweepError> {
+        let n_motions = n_motions as u64;
+        let n_sampled = check_samples(&vary, samples)?;
+        let n_samples = samples.map_or(1, |samples| samples.count);
+        let counts = vary
+            .iter()
+            .map(|(vary, _)| vary.spread.count().unwrap_or(1));
+        let total = counts
+            .chain([n_samples, n_motions])
+            .map(|count| count as f64)
+            .product::<f64>();
+        if total > MOST as f64 {
+            return Err(SweepError::TooManyRuns(total));
+        }
+        let mut stride = n_samples;
+        let mut axes = Vec::with_capacity(vary.len());
+        for (index, (vary, fields)) in vary.into_iter().enumerate().rev() {
+            let count = vary.spread.count();
+            axes.push(Axis {
+                name: vary.name(),
+                place: format!("vary[{index}]"),
+                fields,
+                spread: vary.spread,
+                stride: count.is_some().then_some(stride),
+            });
+            stride *= count.unwrap_or(1);
+        }
+        axes.reverse();
+        Ok(Self {
+            axes,
+            sampler: samples.map(|samples| Sampler::new(samples, n_sampled)),
+            n_samples,
+            runs_per_motion: stride,
+            n_motions,
+        })
+    }
+
+    pub(super) fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    pub(super) fn n_runs(&self) -> u64 {
+        self.runs_per_motion * self.n_motions
+    }
+
+    /// The motion of a run, and the first run that has the next one.
+    pub(super) fn motion(&self, run: u64) -> (usize, u64) {
+        let motion = run / self.runs_per_motion;
+        let index = usize::try_from(motion).expect("motions are kept in a list");
+        (index, (motion + 1) * self.runs_per_motion)
+    }
+
+    /// The first values of grids and lists, and the medians of what is sampled: no seed decides what they are.
+    pub(super) fn typical(&self) -> Vec<Setting> {
+        let setting = |axis: &Axis| axis.setting(0, || 0.5);
+        self.axes.iter().map(setting).collect()
+    }
+
+    /// The values of a run, axis by axis, put where others were.
+    pub(super) fn settings(&self, run: u64, point: &mut Vec<f64>, to: &mut Vec<Setting>) {
+        let place = run % self.runs_per_motion;
+        if let Some(sampler) = &self.sampler {
+            sampler.point(place % self.n_samples, point);
+        }
+        let mut coordinates = point.iter();
+        to.clear();
+        to.extend(self.axes.iter().map(|axis| {
+            axis.setting(place, || {
+                *coordinates
+                    .next()
+                    .expect("a coordinate for each sampled axis")
+            })
+        }));
+    }
+}
+
+/// Number of sampled axes; refuses samples of nothing, and what is sampled without their number.
+fn check_samples(
+    vary: &[(Vary, Vec<Place>)],
+    samples: Option<Samples>,
+) -> Result<usize, SweepError> {
+    let is_sampled = |(_, (vary, _)): &(usize, &(Vary, Vec<Place>))| vary.spread.count().is_none();
+    let mut sampled = vary.iter().enumerate().filter(is_sampled);
+    let first = sampled.next().map(|(index, _)| index);
+    let n = sampled.count() + usize::from(first.is_some());
+    match (first, samples) {
+        (Some(index), None) => Err(SweepError::NoSamples {
+            place: format!("vary[{index}]"),
+        }),
+        (None, Some(_)) => Err(SweepError::NothingSampled),
+        (_, Some(samples))
+            if samples.method == super::file::SampleMethod::Sobol && n > most_sobol_axes() =>
+        {
+            Err(SweepError::TooManyAxes {
+                found: n,
+                allowed: most_sobol_axes(),
+            })
+        }
+        _ => Ok(n),
+    }
+}
+
+impl Axis {
+    /// Its value at a place in the order of a motion's runs.
+    fn setting(&self, place: u64, coordinate: impl FnOnce() -> f64) -> Setting {
+        let index = self.stride.zip(self.spread.count());
+        let Some(index) = index.map(|(stride, count)| place / stride % count) else {
+            let sampled = "an axis without a stride is sampled";
+            return Setting::Number(self.spread.sample(coordinate()).expect(sampled));
+        };
+        self.spread.at(index)
+    }
+
+    /// Puts a value where the scene has the field; whether that is possible.
+    pub(super) fn put(&self, setting: Setting, scene: &mut Value) -> bool {
+        self.fields.iter().all(|place| {
+            let Some(slot) = place.slot(scene) else {
+                return false;
+            };
+            *slot = self.value(setting);
+            true
+        })
+    }
+
+    /// A setting as a scene says it.
+    pub(super) fn value(&self, setting: Setting) -> Value {
+        match (setting, &self.spread) {
+            (Setting::Listed(index), Spread::Values(values)) => values[index].clone(),
+            (Setting::Listed(_), _) => Value::Null,
+            (Setting::Number(number), _) => value_of(number),
+        }
+    }
+}
+
+impl Spread {
+    /// The value `index` of a grid or a list.
+    pub(super) fn at(&self, index: u64) -> Setting {
+        match self {
+            Self::Values(values) => {
+                let index = usize::try_from(index).expect("below the length of a list");
+                let number = values[index].as_f64();
+                number.map_or(Setting::Listed(index), Setting::Number)
+            }
+            Self::Grid(grid) => Setting::Number(grid.at(index)),
+            Self::Uniform(_) | Self::LogUniform(_) | Self::Normal(_) | Self::LogNormal(_) => {
+                unreachable!("what is sampled has no values to count")
+            }
+        }
+    }
+}
+
+/// A number as a scene says it: a whole one without a point, so that it also fits where whole ones are asked for.
+fn value_of(number: f64) -> Value {
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    let whole = number.trunc().total_cmp(&number).is_eq() && number.abs() < EXACT;
+    if whole && (number != 0.0 || number.is_sign_positive()) {
+        #[expect(clippy::cast_possible_truncation, reason = "whole, below 2^53")]
+        return Value::from(number as i64);
+    }
+    Number::from_f64(number).map_or(Value::Null, Value::Number)
+}

@@ -1,0 +1,289 @@
+//! Scenes side by side, beside the same scenes alone, the exact method, and a loop written by hand for AVX-512.
+
+mod by_hand;
+
+use std::fmt::Write as _;
+use std::fs;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use by_hand::{GROUP, Group, Law};
+use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_solver::{
+    CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, ImpactRule, Integrator, Node,
+    Pair, Peaks, Row, RowsOf, SideBySide, SimultaneousImpacts, Start, Tallies,
+};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+/// Where the ratios are kept, from the top folder.
+const KEPT: &str = "results/bench/lanes.csv";
+/// The record that shakes the scenes, from the top folder.
+pub(super) const RECORD: &str = "studies/records/el-centro-1940-ns-chopra.csv";
+/// Scenes of each law, and those of them that run one by one.
+const SCENES: usize = 4096;
+const ALONE: usize = 128;
+const CLOCK: Clock = Clock {
+    time_step: 0.01,
+    n_steps: 1000,
+};
+const NO_AVX_512: &str = "no AVX-512 on this machine, for which the loop by hand is written";
+/// Every law takes turns for as long as this.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Of the structures: mass \[kg\], damping ratio \[–\], least and largest period \[s\], least and largest gap \[m\].
+pub(super) const MASS: f64 = 1e5;
+pub(super) const DAMPING: f64 = 0.05;
+pub(super) const PERIODS: [f64; 2] = [0.2, 1.5];
+pub(super) const GAPS: [f64; 2] = [0.01, 0.08];
+/// e of all laws \[–\], and β̄ of the viscoelastic element \[N/m^1.5\].
+pub(super) const RESTITUTION: f64 = 0.65;
+const STIFFNESS: f64 = 2.75e9;
+
+const SETTINGS: CentralDifference = CentralDifference {
+    start: Start::Consistent,
+    impacts: ImpactRule::VelocityJump,
+    contact_substeps: 1,
+};
+
+/// Runs scenes of a law, whose numbers vary.
+struct Scenes<'a> {
+    groups: Vec<Group>,
+    rows: Vec<Row<Elastic>>,
+    excitation: Excitation<'a>,
+    ground: &'a [f64],
+}
+
+/// Times all and keeps the ratios.
+pub(super) fn run(root: &Path) -> Result<(), String> {
+    let ground = ground(&root.join(RECORD))?;
+    let excitation =
+        Excitation::new(CLOCK.time_step, &ground).map_err(|error| error.to_string())?;
+    let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
+        .map_err(|error| error.to_string())?;
+    let mut csv =
+        String::from("law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches\n");
+    for law in [
+        Law::Stereomechanical(RESTITUTION),
+        Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio),
+    ] {
+        let groups = groups(law);
+        let rows = groups.iter().flat_map(rows).collect::<Result<_, _>>()?;
+        let scenes = Scenes {
+            groups,
+            rows,
+            excitation,
+            ground: &ground,
+        };
+        scenes.compare(&mut csv)?;
+    }
+    let path = root.join(KEPT);
+    fs::create_dir_all(path.parent().unwrap_or(root)).map_err(|error| error.to_string())?;
+    fs::write(path, &csv).map_err(|error| format!("{KEPT}: {error}"))?;
+    println!(
+        "\nScenes per second on one core, over those of the loop by hand that records peaks and impulses:\n{csv}\nkept in {KEPT}"
+    );
+    Ok(())
+}
+
+/// Time of a scene in the bare loop by hand with impacts, on so many threads at once \[s\].
+pub(super) fn seconds_by_hand(root: &Path, threads: usize) -> Result<f64, String> {
+    let ground = ground(&root.join(RECORD))?;
+    let groups = groups(Law::Stereomechanical(RESTITUTION));
+    let run = || {
+        for group in &groups {
+            black_box(by_hand::run::<false>(group, &ground, CLOCK.time_step));
+        }
+    };
+    by_hand::run::<false>(&groups[0], &ground, CLOCK.time_step).ok_or(NO_AVX_512)?;
+    let all = &mut || {
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                scope.spawn(run);
+            }
+        });
+    };
+    let times = medians(&mut [("by hand", all)]);
+    Ok(times[0].1 / (SCENES * threads) as f64)
+}
+
+impl Scenes<'_> {
+    /// Times the scenes by all routes and writes a line for each.
+    fn compare(&self, csv: &mut String) -> Result<(), String> {
+        let together = SideBySide::new(SETTINGS, self.excitation, CLOCK);
+        let together = together.map_err(|error| error.to_string())?;
+        let mut tallies = Tallies::default();
+        let n_steps = vec![CLOCK.n_steps; self.rows.len()];
+        together.run(RowsOf::Elastic(&self.rows), &n_steps, &mut tallies);
+        let distance = self.distance(&tallies)?;
+        if distance > 1e-9 {
+            return Err(format!(
+                "lanes and the loop by hand are {distance:.1e} apart"
+            ));
+        }
+        let exact = Integrator::Exact(Exact {
+            tolerance: 1e-10,
+            simultaneous_impacts: SimultaneousImpacts::Together,
+        });
+        let times = medians(&mut [
+            ("by hand", &mut || self.by_hand::<true>()),
+            ("by hand, bare", &mut || self.by_hand::<false>()),
+            ("lanes", &mut || {
+                together.run(RowsOf::Elastic(&self.rows), &n_steps, &mut tallies);
+                black_box(&tallies);
+            }),
+            ("alone", &mut || {
+                self.alone(Integrator::CentralDifference(SETTINGS));
+            }),
+            ("exact, alone", &mut || self.alone(exact)),
+        ]);
+        let touch = (0..SCENES).filter(|scene| tallies.pair(*scene, 0).collisions > 0.0);
+        let touch = touch.count() as f64 / SCENES as f64;
+        let law = self.rows[0].pairs()[0].law.name();
+        for (name, time) in &times {
+            let scenes = if name.contains("alone") {
+                ALONE
+            } else {
+                SCENES
+            };
+            let ratio = times[0].1 / time * (scenes as f64 / SCENES as f64);
+            let shares = format!(
+                "{touch:.2},{:.3}",
+                tallies.touching_steps as f64 / tallies.steps as f64
+            );
+            writeln!(csv, "{law},\"{name}\",{ratio:.4},{shares}").expect("a string takes all");
+        }
+        Ok(())
+    }
+
+    /// How far peaks and impulses of both are apart, relative to them.
+    fn distance(&self, tallies: &Tallies) -> Result<f64, String> {
+        let mut largest: f64 = 0.0;
+        for (index, group) in self.groups.iter().enumerate() {
+            let found =
+                by_hand::run::<true>(group, self.ground, CLOCK.time_step).ok_or(NO_AVX_512)?;
+            for lane in 0..GROUP {
+                let scene = index * GROUP + lane;
+                let mut compare = |ours: f64, theirs: f64| {
+                    largest = largest.max((ours - theirs).abs() / theirs.max(f64::MIN_POSITIVE));
+                };
+                for (structure, peaks) in found.peaks.iter().enumerate() {
+                    let ours = tallies.displacement(scene, structure);
+                    compare(ours.abs(), peaks[lane]);
+                }
+                compare(tallies.pair(scene, 0).impulse, found.impulses[lane]);
+            }
+        }
+        Ok(largest)
+    }
+
+    fn by_hand<const PEAKS: bool>(&self) {
+        for group in &self.groups {
+            black_box(by_hand::run::<PEAKS>(group, self.ground, CLOCK.time_step));
+        }
+    }
+
+    /// Some scenes one by one, with the recorders that give the same numbers.
+    fn alone(&self, integrator: Integrator) {
+        for row in &self.rows[..ALONE] {
+            let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
+            black_box(
+                integrator
+                    .run(row, self.excitation, CLOCK, &mut recorder)
+                    .is_ok(),
+            );
+            black_box(recorder);
+        }
+    }
+}
+
+/// Accelerations at the nodes of the clock \[m/s²\].
+fn ground(path: &Path) -> Result<Vec<f64>, String> {
+    let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    let bytes = fs::read(path).map_err(|error| fail(&error))?;
+    let record = pounding_motion::read(&bytes).map_err(|error| fail(&error))?;
+    let record = record.into_record(9.81).map_err(|error| fail(&error))?;
+    let record = record.resampled(CLOCK.time_step);
+    let record = record.map_err(|error| fail(&error))?;
+    Ok(record.samples()[..=CLOCK.n_steps].to_vec())
+}
+
+/// Scenes of a law, in groups.
+fn groups(law: Law) -> Vec<Group> {
+    let mut random = Pcg64::new(7, 11);
+    let mut between = |[low, high]: [f64; 2]| {
+        // The upper 53 bits: a number in [0, 1).
+        let unit = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        low + unit * (high - low)
+    };
+    let mut group = || {
+        let mut group = Group {
+            masses: [[MASS; GROUP]; 2],
+            stiffnesses: [[0.0; GROUP]; 2],
+            dampings: [[0.0; GROUP]; 2],
+            gaps: [0.0; GROUP],
+            law,
+        };
+        for lane in 0..GROUP {
+            for structure in 0..2 {
+                let omega = 2.0 * std::f64::consts::PI / between(PERIODS);
+                group.stiffnesses[structure][lane] = MASS * omega * omega;
+                group.dampings[structure][lane] = 2.0 * DAMPING * MASS * omega;
+            }
+            group.gaps[lane] = between(GAPS);
+        }
+        group
+    };
+    (0..SCENES / GROUP).map(|_| group()).collect()
+}
+
+/// The same scenes as rows.
+fn rows(group: &Group) -> Vec<Result<Row<Elastic>, String>> {
+    let law = match group.law {
+        Law::Stereomechanical(restitution) => {
+            ContactLaw::Stereomechanical(Stereomechanical { restitution })
+        }
+        Law::Viscoelastic(impact_stiffness, impact_damping_ratio) => {
+            ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+                impact_stiffness,
+                impact_damping_ratio,
+            })
+        }
+    };
+    let row = |lane: usize| {
+        let node = |structure: usize| {
+            let column = Elastic {
+                stiffness: group.stiffnesses[structure][lane],
+            };
+            let damping = group.dampings[structure][lane];
+            Node::structure(group.masses[structure][lane], damping, column)
+        };
+        let pair = Pair {
+            left: 0,
+            right: 1,
+            gap: group.gaps[lane],
+            law,
+        };
+        Row::new(vec![node(0), node(1)], vec![pair]).map_err(|error| error.to_string())
+    };
+    (0..GROUP).map(row).collect()
+}
+
+/// Median wall time of each run \[s\]; they take turns, so that what else the machine does meets all of them.
+fn medians<'a>(runs: &mut [(&'a str, &mut dyn FnMut())]) -> Vec<(&'a str, f64)> {
+    let started = Instant::now();
+    let mut times = vec![Vec::new(); runs.len()];
+    while times[0].len() < 5 || started.elapsed() < PATIENCE {
+        for ((_, run), times) in runs.iter_mut().zip(&mut times) {
+            let start = Instant::now();
+            run();
+            times.push(start.elapsed().as_secs_f64());
+        }
+    }
+    let median = |times: &mut Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[times.len() / 2]
+    };
+    let names = runs.iter().map(|(name, _)| *name);
+    names.zip(times.iter_mut().map(median)).collect()
+}

@@ -1,0 +1,110 @@
+//! Sweeps as a user runs them, beside the loop by hand on all cores: time for a run, and memory.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use super::lanes;
+
+/// Where the ratios are kept, from the top folder.
+const KEPT: &str = "results/bench/sweeps.csv";
+/// Numbers of runs, and how often each sweep runs.
+const RUNS: [u64; 3] = [10_000, 100_000, 1_000_000];
+const REPEATS: usize = 3;
+/// How often a sweep that runs is asked for its memory.
+const LOOK: Duration = Duration::from_millis(2);
+
+/// Times sweeps and keeps the ratios.
+pub(super) fn run(root: &Path) -> Result<(), String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut build = Command::new(cargo);
+    let build = build
+        .args(["build", "--package", "pounding"])
+        .current_dir(root)
+        .status();
+    if !build.is_ok_and(|status| status.success()) {
+        return Err("the program cannot be built".into());
+    }
+    let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
+    let (program, home) = (own.with_file_name("pounding"), own.with_file_name("sweeps"));
+    fs::create_dir_all(&home).map_err(|error| format!("{}: {error}", home.display()))?;
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let by_hand = lanes::seconds_by_hand(root, threads)?;
+    let mut csv = String::from("runs,threads,time_over_loop_by_hand,largest_memory_mb\n");
+    for runs in RUNS {
+        let sweep = home.join("sweep.json");
+        let text = sweep_of(runs, root).to_string();
+        fs::write(&sweep, text).map_err(|error| format!("{}: {error}", sweep.display()))?;
+        let mut times = Vec::new();
+        let mut memory = 0;
+        for _ in 0..REPEATS {
+            let mut command = Command::new(&program);
+            command.arg("sweep").arg(&sweep);
+            command
+                .args(["--overwrite", "--out"])
+                .arg(home.join("runs.csv"));
+            let (seconds, most) = timed(&mut command)?;
+            times.push(seconds);
+            memory = memory.max(most);
+        }
+        times.sort_by(f64::total_cmp);
+        let ratio = times[REPEATS / 2] / runs as f64 / by_hand;
+        let megabytes = memory.div_ceil(1000);
+        writeln!(csv, "{runs},{threads},{ratio:.1},{megabytes}").expect("a string takes all");
+    }
+    fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
+    println!(
+        "\nWall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads:\n{csv}\nkept in {KEPT}"
+    );
+    Ok(())
+}
+
+/// The scenes of the other benchmark as a sweep.
+fn sweep_of(runs: u64, root: &Path) -> Value {
+    let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": lanes::MASS, "period_s": 1.0, "damping": {"ratio": lanes::DAMPING}}});
+    let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});
+    json!({
+        "scene": {
+            "name": "pair",
+            "record": {"file": root.join(lanes::RECORD)},
+            "duration_s": 10.0,
+            "structures": [structure("left"), structure("right")],
+            "contacts": [{"gap_m": 0.05, "law": {"stereomechanical": {"restitution": lanes::RESTITUTION}}}],
+            "method": {"central_difference": {"time_step_s": 0.01, "start": "consistent", "impacts": "velocity_jump"}},
+        },
+        "vary": [
+            {"field": "structures[0].sdof.period_s", "uniform": between(lanes::PERIODS)},
+            {"field": "structures[1].sdof.period_s", "uniform": between(lanes::PERIODS)},
+            {"field": "contacts[0].gap_m", "uniform": between(lanes::GAPS)},
+        ],
+        "samples": {"count": runs, "seed": 1, "method": "random"},
+        "outputs": {"pairs": ["collisions", "total_impulse_n_s"]},
+        "verdict": false,
+    })
+}
+
+/// Wall time \[s\] of a program, and the most memory that it held \[kB\], where the system tells.
+fn timed(command: &mut Command) -> Result<(f64, u64), String> {
+    let start = Instant::now();
+    let quiet = command.stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = quiet.spawn().map_err(|error| error.to_string())?;
+    let status = format!("/proc/{}/status", child.id());
+    let mut memory = 0;
+    loop {
+        if let Some(status) = child.try_wait().map_err(|error| error.to_string())? {
+            if !status.success() {
+                return Err(format!("the sweep failed: {status}"));
+            }
+            return Ok((start.elapsed().as_secs_f64(), memory));
+        }
+        let text = fs::read_to_string(&status).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let number = line.and_then(|line| line.trim().split(' ').next()?.parse().ok());
+        memory = memory.max(number.unwrap_or(0));
+        std::thread::sleep(LOOK);
+    }
+}
