@@ -98,7 +98,7 @@ pub use recorders::{
 };
 pub use rk4::Rk4;
 pub use row::{Node, Pair, Row};
-pub use span::{Motion, Path, Series, Span, State, Weighed};
+pub use span::{Flight, Motion, Path, Series, Span, State, Weighed};
 pub use support::{Floor, Support};
 pub use travel::{Opening, Travel};
 pub use verlet::{Verlet, VerletImpacts};

@@ -1,7 +1,10 @@
+mod flight;
 mod series;
 
 use crate::Recorder;
 use crate::quadrature::{self, EIGHT, SIXTEEN};
+pub(crate) use flight::Expansion;
+pub use flight::Flight;
 pub use series::Series;
 pub(crate) use series::{Power, rise, value};
 
@@ -98,6 +101,8 @@ pub enum Path<'a> {
     Cubic(Weighed),
     /// The motion itself.
     Series(Series<'a>),
+    /// The motion itself, of a structure that flies freely and does not turn but at the ends.
+    Flight(Flight),
 }
 
 /// What acts on a floor besides its neighbours, over a step, as the method weighed it: forces of the storey below it and
@@ -203,7 +208,7 @@ impl Span<'_> {
     pub fn drift(&self, time: f64) -> Motion {
         let floor = Motion::from(&self.at(time));
         match (self.below, self.path) {
-            (None, _) => floor,
+            (None, _) | (Some(_), Path::Flight(_)) => floor,
             (Some(ends), Path::Cubic(_)) => floor.since(self.cubic_between(ends, time)),
             (Some(_), Path::Series(series)) => series.drift(floor, series.x(time)),
         }
@@ -222,6 +227,7 @@ impl Span<'_> {
         match self.path {
             Path::Cubic(_) => self.cubic(time),
             Path::Series(series) => series.at(series.x(time)),
+            Path::Flight(_) => self.expanded(&mut Expansion::default()).at(time),
         }
     }
 
@@ -262,6 +268,11 @@ impl Span<'_> {
                     let drift = series.drift((&state).into(), x);
                     integrand(time, &state, drift).map(|value| rate * value)
                 })
+            }
+            Path::Flight(_) => {
+                let mut room = Expansion::default();
+                self.expanded(&mut room)
+                    .integrate_between((from, to), integrand)
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Where a motion that is known between its ends turns inside a span.
 
+use crate::span::Expansion;
 use crate::{Path, Series, Span};
 
 /// Steps after which a search is ended; it needs about ten.
@@ -42,6 +43,7 @@ impl Span<'_> {
         match self.path {
             Path::Cubic(_) => 0.0,
             Path::Series(series) => series.jerk(series.x(time), slope),
+            Path::Flight(_) => self.expanded(&mut Expansion::default()).jerk(time, slope),
         }
     }
 }

@@ -106,9 +106,10 @@ pub use spectrum::{
 pub use study::{Output, Study, StudyFile};
 pub use suite::{Motion, Vertical, files_in};
 pub use sweep::{
-    Batch, Between, Directions, Grid, Joined, LogNormal, Normal, Outputs, PairQuantity, Parts,
-    PlaceError, Records, RefusedScene, SampleMethod, Samples, SceneOf, Shard, Spacing, Spread,
-    StructureQuantity, Sweep, SweepError, SweepFile, Vary, compresses, merge,
+    Batch, Between, ColumnErrors, Directions, Grid, Joined, LogNormal, Normal, Outputs,
+    PairQuantity, Parts, PlaceError, Records, RefusedScene, SampleMethod, Samples, SceneOf, Shard,
+    Spacing, Spread, StructureQuantity, Sweep, SweepAccuracy, SweepError, SweepFile, Vary,
+    compresses, merge,
 };
 pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};

@@ -6,12 +6,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-use pounding::studies::{Joined, Parts, Shard, Sweep, SweepError, merge};
+use pounding::studies::{
+    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, merge,
+};
 
 use super::suite::{STOPPED, stop_when_asked};
 use crate::new_file;
 use crate::progress::Counter;
-use crate::text::paragraph;
+use crate::text::{milliseconds, paragraph, percent};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -92,6 +94,9 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     if !sweep.left_out().is_empty() {
         lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
     }
+    if let Some(accuracy) = sweep.accuracy() {
+        lines.push(paragraph("Accuracy", &measured(accuracy, &out)?));
+    }
     if before > 0 {
         let text = format!("{before} runs were there already");
         lines.push(paragraph("Before", &text));
@@ -116,6 +121,35 @@ fn runs(sweep: &Sweep, shard: Shard, n_runs: u64) -> String {
     } else {
         format!("{n_runs} of {all} runs, shard {shard}")
     }
+}
+
+/// What is said of the method that an accuracy chose; the errors of all columns go beside the table.
+fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
+    // Every shard measures the same.
+    let path = out.with_extension("accuracy.csv");
+    new_file::write(&path, accuracy.csv().as_bytes(), true)?;
+    let ColumnErrors {
+        runs,
+        quantiles,
+        largest,
+        ..
+    } = &accuracy.rows;
+    let (name, asked) = (accuracy.method.name(), percent(accuracy.asked));
+    let method = match accuracy.method.time_step() {
+        Some(step) => format!("{name} with steps of {}", milliseconds(step)),
+        None => name.into(),
+    };
+    let worst = accuracy.columns.iter();
+    let worst = worst.max_by(|a, b| a.largest.total_cmp(&b.largest));
+    let worst = worst.map_or("", |column| column.name.as_str());
+    Ok(format!(
+        "{asked} asked: {method}. Of {runs} runs measured by the exact method {} are within it in every number; the median of the \
+         largest error in a row is {}, the largest {} ({worst}). All columns: {}",
+        percent(accuracy.within),
+        percent(quantiles[0]),
+        percent(*largest),
+        path.display()
+    ))
 }
 
 /// Joins the parts, which then are no longer needed.

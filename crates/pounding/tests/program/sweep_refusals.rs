@@ -63,7 +63,7 @@ fn wrong_words() -> Vec<(&'static str, &'static str, Value)> {
             "/vary/0",
             json!({"field": "contacts[0].gap_m", "grid": {"from": 0.0, "to": 1.0, "count": 1_000_000_000_000_000_u64}}),
         ),
-        ("an accuracy", "/scene/method", json!({"accuracy": 0.01})),
+        ("an accuracy", "/scene/method", json!({"accuracy": 2.0})),
         ("no record", "/records", json!("nowhere")),
         ("no scene file", "/scene", json!("nowhere.json")),
         (

@@ -75,9 +75,7 @@ impl<R: Recorder> Run<'_, R> {
             (Power::One, IN_CONTACT)
         } else {
             let radius = series::radius(&self.members, group.nodes());
-            let part = (stop - time) / radius;
-            let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
-            (Power::One, enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len))
+            (Power::One, in_flight((stop - time) / radius))
         };
         let system = (&mut self.members[..], &mut self.contacts[..]);
         series::expand(group, system, power, len);
@@ -109,6 +107,7 @@ impl<R: Recorder> Run<'_, R> {
             return Ok(());
         }
         self.find_partings(first);
+        self.look_to_sample(first, time);
         self.count_pieces(first, time)?;
         let (power, len) = self.expand_corrected(first, time);
         for place in self.groups.nodes_of(first) {
@@ -137,7 +136,7 @@ impl<R: Recorder> Run<'_, R> {
             events: std::mem::take(&mut self.bodies[first].events),
         };
         watch.events.clear();
-        self.watch(&mut watch, first, (power, len));
+        self.watch(&mut watch, first, len);
         let end = if whole && watch.events.is_empty() {
             stop
         } else {
@@ -170,8 +169,7 @@ impl<R: Recorder> Run<'_, R> {
         // Each from the same start, so that their order does not matter.
         for joined in group.pairs() {
             let (left, right) = (joined.left, joined.left + 1);
-            let (contact, sides) = (&self.contacts[joined.pair], &self.members[left..=right]);
-            let reach = reach(contact, sides, (power, len), limits);
+            let reach = reach(&self.contacts[joined.pair], (power, len), limits);
             length = length.min(reach.ok_or(RunError::NoSeries { left, right, time })?);
         }
         for &node in group.followed() {
@@ -301,6 +299,12 @@ impl<R: Recorder> Run<'_, R> {
             .and_then(|left| self.pair_right_of[left]);
         (left.filter(joined), self.pair_right_of[node].filter(joined))
     }
+}
+
+/// Number of coefficients in free flight over this part of the series' reach.
+pub(super) fn in_flight(part: f64) -> usize {
+    let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
+    enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len)
 }
 
 fn touching(contact: &Contact) -> bool {

@@ -81,6 +81,9 @@ pub(super) struct Contact {
     pub(super) force: [f64; CAPACITY],
     /// What has the sign of the force before the clamp.
     pub(super) pull: [f64; CAPACITY],
+    /// Deformation and its rate in touch, in the variable of its body.
+    pub(super) deformations: [f64; CAPACITY],
+    pub(super) rates: [f64; CAPACITY],
     spring: [f64; CAPACITY],
     damper: [f64; CAPACITY],
 }
@@ -128,6 +131,8 @@ impl Contact {
             },
             force: [0.0; CAPACITY],
             pull: [0.0; CAPACITY],
+            deformations: [0.0; CAPACITY],
+            rates: [0.0; CAPACITY],
             spring: [0.0; CAPACITY],
             damper: [0.0; CAPACITY],
         }
@@ -176,23 +181,23 @@ impl Contact {
     }
 
     /// Coefficient `n` of the deformation, from the motion of both sides.
-    pub(super) fn deformation(&self, sides: &[Member], power: Power, n: usize) -> f64 {
+    fn deformation_of(&self, sides: &[Member], p: usize, n: usize) -> f64 {
         if n == 0 {
             self.deformation
-        } else if n == power.order() {
+        } else if n == p {
             self.rate
-        } else if n < (2 + self.alike) * power.order() {
+        } else if n < (2 + self.alike) * p {
             0.0
         } else {
-            self.between(sides, power, n)
+            self.between(sides, p, n)
         }
     }
 
     /// The same from the motion of both sides and of their grounds.
-    fn between(&self, sides: &[Member], power: Power, n: usize) -> f64 {
+    fn between(&self, sides: &[Member], p: usize, n: usize) -> f64 {
         let ahead = sides[0].displacement[n] - sides[1].displacement[n];
         if self.opens() {
-            let ground = |side: &Member| side.ground_displacement(power.order(), n);
+            let ground = |side: &Member| side.ground_displacement(p, n);
             ahead + (ground(&sides[0]) - ground(&sides[1]))
         } else {
             ahead
@@ -200,15 +205,15 @@ impl Contact {
     }
 
     /// Coefficient `n` of the rate of deformation.
-    pub(super) fn rate(&self, sides: &[Member], power: Power, n: usize) -> f64 {
+    fn rate_of(&self, sides: &[Member], p: usize, n: usize) -> f64 {
         if n == 0 {
             self.rate
-        } else if n < (1 + self.alike) * power.order() {
+        } else if n < (1 + self.alike) * p {
             0.0
         } else {
             let faster = sides[0].velocity[n] - sides[1].velocity[n];
             if self.opens() {
-                let ground = |side: &Member| side.ground_velocity(power.order(), n);
+                let ground = |side: &Member| side.ground_velocity(p, n);
                 faster + (ground(&sides[0]) - ground(&sides[1]))
             } else {
                 faster
@@ -216,8 +221,20 @@ impl Contact {
         }
     }
 
+    /// Takes what is known of deformation and rate once the accelerations below `n` are: p and 2p coefficients more.
+    fn follow(&mut self, sides: &[Member], p: usize, n: usize) {
+        let begin = |order: usize| if n == 0 { 0 } else { n + order - 1 };
+        for index in begin(2 * p)..n + 2 * p {
+            self.deformations[index] = self.deformation_of(sides, p, index);
+        }
+        for index in begin(p)..n + p {
+            self.rates[index] = self.rate_of(sides, p, index);
+        }
+    }
+
     /// Finds coefficient `n` of a compliant force; those below `n` and what they imply are known.
     pub(super) fn find_force(&mut self, sides: &[Member], power: Power, n: usize) {
+        self.follow(sides, power.order(), n);
         let (Link::Touching(phase), Some(form)) = (self.link, self.form) else {
             self.force[n] = 0.0;
             return;
@@ -227,14 +244,14 @@ impl Contact {
             return;
         }
         if form.action == Action::Both {
-            self.pull[n] = self.pull(&form, sides, power, n);
+            self.pull[n] = self.pull(&form, n);
         }
         self.force[n] = if phase == Phase::Clamped {
             0.0
         } else {
-            let spring = self.spring(form.spring, sides, power, n);
+            let spring = self.spring(form.spring, power, n);
             if phase == Phase::Approach || form.action == Action::Both {
-                spring + self.damper(form.damper, sides, power, n)
+                spring + self.damper(form.damper, power, n)
             } else {
                 spring
             }
@@ -244,20 +261,20 @@ impl Contact {
     /// The force before the clamp divided by δ^κ, K δ^(n−κ) + C δ̇, which has the same sign.
     ///
     /// n − κ is 0 or 1 in every law that would pull: no root, so that it stays smooth where the deformation vanishes.
-    fn pull(&self, form: &Form, sides: &[Member], power: Power, n: usize) -> f64 {
+    fn pull(&self, form: &Form, n: usize) -> f64 {
         // Known to be zero, and not what rounding made of that.
         if n == 0 && self.crossed >= self.time {
             return 0.0;
         }
         let Form { spring, damper, .. } = form;
         let pushes = if spring.power != damper.power {
-            self.deformation(sides, power, n)
+            self.deformations[n]
         } else if n == 0 {
             1.0
         } else {
             0.0
         };
-        spring.coefficient * pushes + damper.coefficient * self.rate(sides, power, n)
+        spring.coefficient * pushes + damper.coefficient * self.rates[n]
     }
 
     /// What is left of the force when a pair parts falls to zero in a line; its impulse is below the tolerance.
@@ -310,7 +327,7 @@ impl Contact {
     }
 
     /// The power of x with which the deformation begins; nothing as long as it is not known.
-    fn leading(&self, sides: &[Member], power: Power, n: usize) -> Option<usize> {
+    fn leading(&self, power: Power, n: usize) -> Option<usize> {
         if self.deformation > 0.0 {
             return Some(0);
         }
@@ -318,12 +335,12 @@ impl Contact {
         let known = n + 2 * power.order();
         (power.order()..known)
             .step_by(power.order())
-            .find(|&index| self.deformation(sides, power, index) > 0.0)
+            .find(|&index| self.deformations[index] > 0.0)
     }
 
     /// K δ^n: with δ = x^q D it is x^(nq) D^n.
-    fn spring(&mut self, spring: Term, sides: &[Member], power: Power, n: usize) -> f64 {
-        let Some(leading) = self.leading(sides, power, n) else {
+    fn spring(&mut self, spring: Term, power: Power, n: usize) -> f64 {
+        let Some(leading) = self.leading(power, n) else {
             return 0.0;
         };
         let shift = times(spring.power, leading);
@@ -331,16 +348,16 @@ impl Contact {
             return 0.0;
         }
         let m = n - shift;
-        self.spring[m] = self.coefficient(spring.power, &self.spring, (sides, power), (leading, m));
+        self.spring[m] = self.coefficient(spring.power, &self.spring, (leading, m));
         spring.coefficient * self.spring[m]
     }
 
     /// C δ^κ δ̇.
-    fn damper(&mut self, damper: Term, sides: &[Member], power: Power, n: usize) -> f64 {
+    fn damper(&mut self, damper: Term, power: Power, n: usize) -> f64 {
         if damper.power == Exponent::Zero {
-            return damper.coefficient * self.rate(sides, power, n);
+            return damper.coefficient * self.rates[n];
         }
-        let Some(leading) = self.leading(sides, power, n) else {
+        let Some(leading) = self.leading(power, n) else {
             return 0.0;
         };
         // The rate begins with the power leading − p, which is how far the root need not be known.
@@ -352,10 +369,10 @@ impl Contact {
             return 0.0;
         }
         let last = n - shift - behind;
-        self.damper[last] =
-            self.coefficient(damper.power, &self.damper, (sides, power), (leading, last));
-        let product = |k: usize| self.damper[k] * self.rate(sides, power, n - shift - k);
-        damper.coefficient * (0..=last).map(product).sum::<f64>()
+        self.damper[last] = self.coefficient(damper.power, &self.damper, (leading, last));
+        let rates = self.rates[behind..=n - shift].iter().rev();
+        let products = self.damper[..=last].iter().zip(rates);
+        damper.coefficient * products.map(|(root, rate)| root * rate).sum::<f64>()
     }
 
     /// Coefficient `m` of D^exponent, δ = x^q D, from those `before` it (J. C. P. Miller's recurrence).
@@ -363,23 +380,22 @@ impl Contact {
         &self,
         exponent: Exponent,
         before: &[f64; CAPACITY],
-        (sides, power): (&[Member], Power),
         (leading, m): (usize, usize),
     ) -> f64 {
         if exponent == Exponent::One {
-            return self.deformation(sides, power, leading + m);
+            return self.deformations[leading + m];
         }
-        let first = self.deformation(sides, power, leading);
+        let first = self.deformations[leading];
         if m == 0 {
             return exponent.of(first);
         }
         let value = exponent.value();
-        let term = |k: usize| {
-            (value * k as f64 - (m - k) as f64)
-                * self.deformation(sides, power, leading + k)
-                * before[m - k]
+        let known = &self.deformations[leading + 1..=leading + m];
+        let terms = (1..).zip(known.iter().zip(before[..m].iter().rev()));
+        let term = |(k, (deformation, before)): (usize, (&f64, &f64))| {
+            (value * k as f64 - (m - k) as f64) * deformation * before
         };
-        (1..=m).map(term).sum::<f64>() / (m as f64 * first)
+        terms.map(term).sum::<f64>() / (m as f64 * first)
     }
 }
 

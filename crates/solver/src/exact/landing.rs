@@ -1,6 +1,7 @@
 //! The landing of a piece: what is reported of it, and the states at its end.
 
 use crate::exact::Run;
+use crate::exact::flight::Ahead;
 use crate::exact::member::{Branch, Member};
 use crate::exact::watch::Event;
 use crate::span::{Power, Series, rise, value};
@@ -24,7 +25,12 @@ impl<R: Recorder> Run<'_, R> {
         // From the ground up: floors report the motion of those below, which have their new state by then.
         for place in self.groups.nodes_of(first) {
             let node = self.groups.node(place);
-            let (end, hysteretic) = self.end_state(node, x, if full { &events } else { &[] });
+            let ahead = self.members[node].ahead;
+            let arrives = |ahead: &Ahead| full && time >= ahead.end && events.is_empty();
+            let (end, hysteretic) = match ahead.filter(arrives) {
+                Some(ahead) => (ahead.state, ahead.hysteretic_force),
+                None => self.end_state(node, x, if full { &events } else { &[] }),
+            };
             if advanced {
                 self.report(node, (first, time), x, end);
                 let member = &mut self.members[node];
@@ -90,15 +96,11 @@ impl<R: Recorder> Run<'_, R> {
                 | Event::Part(_) => {}
             }
         }
-        end.restoring_force = if member.hardened_stiffness > 0.0 {
-            let drift = match &member.storey {
-                None => end.displacement,
-                Some(storey) => end.displacement - self.members[storey.below].state.displacement,
-            };
-            member.hardened_stiffness * drift + hysteretic
-        } else {
-            hysteretic
+        let drift = match &member.storey {
+            None => end.displacement,
+            Some(storey) => end.displacement - self.members[storey.below].state.displacement,
         };
+        end.restoring_force = member.with_hardening(drift, hysteretic);
         (end, hysteretic)
     }
 
@@ -131,19 +133,23 @@ impl<R: Recorder> Run<'_, R> {
                 };
                 [start, (&below.state).into()]
             }),
-            path: Path::Series(Series {
-                origin: body.start,
-                power: body.power,
-                displacement: &member.displacement[..body.len],
-                velocity: &member.velocity[..body.len],
-                acceleration: &member.acceleration[..body.len],
-                below: below
-                    .map(|below| [&below.displacement[..body.len], &below.velocity[..body.len]]),
-                restoring_force: (member.state.restoring_force, tangent),
-                bent,
-                force_from_left: force(left),
-                force_from_right: force(right),
-            }),
+            path: match &member.ahead {
+                Some(ahead) => Path::Flight(ahead.flight),
+                None => Path::Series(Series {
+                    origin: body.start,
+                    power: body.power,
+                    displacement: &member.displacement[..body.len],
+                    velocity: &member.velocity[..body.len],
+                    acceleration: &member.acceleration[..body.len],
+                    below: below.map(|below| {
+                        [&below.displacement[..body.len], &below.velocity[..body.len]]
+                    }),
+                    restoring_force: (member.state.restoring_force, tangent),
+                    bent,
+                    force_from_left: force(left),
+                    force_from_right: force(right),
+                }),
+            },
         };
         self.recorder.span(&span);
     }

@@ -14,7 +14,7 @@ use crate::span::{Power, value};
 use crate::{Motion, Recorder};
 
 /// A deformation below this part of the displacements is carried; above, their difference is as good.
-const CARRIED: f64 = 1e-6;
+pub(super) const CARRIED: f64 = 1e-6;
 
 impl<R: Recorder> Run<'_, R> {
     /// Brings deformation and rate of a pair to this instant, from its own series.
@@ -33,16 +33,8 @@ impl<R: Recorder> Run<'_, R> {
             }
             Link::Apart => contact.at(time),
             Link::Touching(_) => {
-                let (sides, x) = (&self.members[left..left + 2], body.position(time));
-                let sum = |coefficient: &dyn Fn(usize) -> f64| {
-                    (0..body.len)
-                        .rev()
-                        .fold(0.0, |sum, n| sum * x + coefficient(n))
-                };
-                (
-                    sum(&|n| contact.deformation(sides, body.power, n)),
-                    sum(&|n| contact.rate(sides, body.power, n)),
-                )
+                let at = |series: &[f64]| value(&series[..body.len], body.position(time));
+                (at(&contact.deformations), at(&contact.rates))
             }
         };
         let contact = &mut self.contacts[pair];

@@ -1,6 +1,7 @@
 //! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
 use crate::exact::bend::Bend;
+use crate::exact::flight::Ahead;
 use crate::exact::noise::Terms;
 use crate::exact::roots::CAPACITY;
 use crate::excitation::Segment;
@@ -56,6 +57,8 @@ pub(super) struct Member {
     /// The net pounding force is known to have an extremum.
     pub(super) peaked: bool,
     pub(super) terms: Terms,
+    /// Where it flies to, if nothing comes in between.
+    pub(super) ahead: Option<Ahead>,
     /// State at the start of the piece; displacement, velocity and restoring force lead, the rest follows.
     pub(super) state: State,
     /// h at the start of the piece \[N\].
@@ -129,6 +132,7 @@ impl Member {
             balanced: false,
             peaked: false,
             terms: Terms::default(),
+            ahead: None,
             state,
             hysteretic_force: force,
             displacement: [0.0; CAPACITY],

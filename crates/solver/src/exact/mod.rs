@@ -15,6 +15,7 @@
 mod bend;
 mod body;
 mod contact;
+mod flight;
 mod groups;
 mod hits;
 mod impacts;
@@ -35,6 +36,7 @@ use crate::{Clock, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touc
 
 use body::Body;
 use contact::{Contact, Grounds};
+use flight::Flights;
 use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
@@ -104,6 +106,8 @@ struct Run<'a, R> {
     buildings: Vec<usize>,
     /// Pairs of which this instant's impacts have been dealt with.
     settled: Vec<bool>,
+    /// From sample to sample in one go; nothing where the ground motion travels.
+    flights: Option<Flights>,
     /// Bodies that wait for their next piece.
     landed: Vec<bool>,
     chain: Chain,
@@ -145,10 +149,15 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         .collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let groups = Groups::new(&members, &contacts, &pair_right_of);
+    let travel = row.travel(excitation);
     let mut run = Run {
         settings,
         excitation,
-        travel: row.travel(excitation),
+        flights: match travel {
+            None => Some(Flights::new(&members, excitation.time_step())),
+            Some(_) => None,
+        },
+        travel,
         ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),
@@ -165,8 +174,15 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         work: Work::default(),
         recorder,
     };
-    for (structure, member) in run.members.iter().enumerate() {
-        let pieces = member.fastest_rate * run.end;
+    check_pieces(&run.members, run.end)?;
+    run.run()?;
+    Ok(run.work)
+}
+
+/// Refuses structures so stiff that the reach of their series alone asks for too many pieces.
+fn check_pieces(members: &[Member], end: f64) -> Result<(), RunError> {
+    for (structure, member) in members.iter().enumerate() {
+        let pieces = member.fastest_rate * end;
         if !member.is_wall() && pieces > MOST_PIECES {
             return Err(RunError::TooStiff {
                 structure,
@@ -175,8 +191,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
             });
         }
     }
-    run.run()?;
-    Ok(run.work)
+    Ok(())
 }
 
 /// Node on the ground of every node's building.
@@ -208,10 +223,10 @@ impl<R: Recorder> Run<'_, R> {
                 let events = self.work.events;
                 return Err(RunError::NoProgress { time, events });
             }
-            now = time;
             self.work.events += 1;
             self.land_all(time);
-            self.go_on(time)?;
+            now = self.fly(time);
+            self.go_on(now)?;
         }
     }
 

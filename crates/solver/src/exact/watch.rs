@@ -109,7 +109,7 @@ impl Watch {
 
 impl<R: Recorder> Run<'_, R> {
     /// Finds the first event of a piece.
-    pub(super) fn watch(&self, watch: &mut Watch, first: usize, (power, len): (Power, usize)) {
+    pub(super) fn watch(&self, watch: &mut Watch, first: usize, len: usize) {
         let group = self.groups.of(first);
         for &node in group.nodes() {
             let member = &self.members[node];
@@ -128,48 +128,30 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         for joined in group.pairs() {
-            self.watch_pair(watch, (joined.pair, joined.left), (power, len));
+            self.watch_pair(watch, joined.pair, len);
         }
     }
 
-    fn watch_pair(
-        &self,
-        watch: &mut Watch,
-        (pair, left): (usize, usize),
-        (power, len): (Power, usize),
-    ) {
+    fn watch_pair(&self, watch: &mut Watch, pair: usize, len: usize) {
         let contact = &self.contacts[pair];
-        let sides = &self.members[left..left + 2];
         let slope = |n: usize| (n + 1) as f64 * contact.force[n + 1];
         watch.change_of(len - 1, contact.peaked, slope, Event::Peak(pair));
         match contact.link {
             Link::Apart => {}
             Link::Resting => watch.rise(len, |n| -contact.force[n], Event::Fade(pair)),
             Link::Touching(Phase::Approach) => {
-                watch.rise(
-                    len,
-                    |n| -contact.rate(sides, power, n),
-                    Event::Reversal(pair),
-                );
+                watch.rise(len, |n| -contact.rates[n], Event::Reversal(pair));
             }
             Link::Touching(phase) => {
                 if phase == Phase::Clamped {
                     watch.rise(len, |n| contact.pull[n], Event::Grip(pair));
                 } else {
-                    watch.rise(
-                        len,
-                        |n| contact.rate(sides, power, n),
-                        Event::Reversal(pair),
-                    );
+                    watch.rise(len, |n| contact.rates[n], Event::Reversal(pair));
                 }
                 if phase == Phase::Restitution && contact.can_pull() {
                     watch.rise(len, |n| -contact.pull[n], Event::Clamp(pair));
                 }
-                watch.rise(
-                    len,
-                    |n| -contact.deformation(sides, power, n),
-                    Event::Part(pair),
-                );
+                watch.rise(len, |n| -contact.deformations[n], Event::Part(pair));
             }
         }
     }
@@ -263,7 +245,6 @@ pub(super) const SHORTEST: f64 = 1e-18;
 /// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
 pub(super) fn reach(
     contact: &Contact,
-    sides: &[Member],
     (power, len): (Power, usize),
     (length, tolerance): (f64, f64),
 ) -> Option<f64> {
@@ -273,8 +254,8 @@ pub(super) fn reach(
     let mut x = length;
     loop {
         let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
-        for n in 0..len {
-            let term = weight * contact.rate(sides, power, n).abs();
+        for (n, rate) in contact.rates[..len].iter().enumerate() {
+            let term = weight * rate.abs();
             sum += term;
             if n + len / 4 >= len {
                 tail += term;

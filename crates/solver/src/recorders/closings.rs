@@ -1,5 +1,6 @@
 use std::collections::VecDeque;
 
+use crate::span::Expansion;
 use crate::{Impact, Motion, Path, Recorder, Span, State, Travel};
 
 /// How far two neighbours came towards each other.
@@ -98,7 +99,9 @@ impl Closings {
                 clippy::cast_sign_loss,
                 reason = "a number of looks, at least one"
             )]
-            Path::Series(_) => (span.duration() / self.look).ceil().max(1.0) as u32,
+            Path::Series(_) | Path::Flight(_) => {
+                (span.duration() / self.look).ceil().max(1.0) as u32
+            }
         }
     }
 }
@@ -118,6 +121,8 @@ impl Recorder for Closings {
                 Node::new(time, Motion::from(&state).over(ground))
             }
         };
+        let mut room = Expansion::default();
+        let span = &span.expanded(&mut room);
         let looks = self.looks(span);
         let mut start = node(span.start_time, span.start);
         for look in 1..looks {

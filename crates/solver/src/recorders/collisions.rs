@@ -121,7 +121,7 @@ impl Recorder for Collisions {
             let first = match span.path {
                 // A step knows its nodes only.
                 Path::Cubic(_) if start == 0.0 => span.end_time,
-                Path::Cubic(_) | Path::Series(_) => span.start_time,
+                Path::Cubic(_) | Path::Series(_) | Path::Flight(_) => span.start_time,
             };
             self.found.push(Collision {
                 pair,
@@ -140,7 +140,7 @@ impl Recorder for Collisions {
         self.open[pair] = Some(index);
         let collision = &mut self.found[index];
         collision.impulse -= span.impulse_from_right;
-        if end > 0.0 || matches!(span.path, Path::Series(_)) {
+        if end > 0.0 || !matches!(span.path, Path::Cubic(_)) {
             collision.end = span.end_time;
         }
         // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.

@@ -1,4 +1,5 @@
 use super::Peak;
+use crate::span::Expansion;
 use crate::{Excitation, Impact, Path, Recorder, Span, Travel};
 
 /// Part of a span after which its acceleration has begun to rise or fall.
@@ -69,6 +70,7 @@ impl Recorder for FloorAccelerations<'_> {
                     }
                 }
             }
+            Path::Flight(_) => self.span(&span.expanded(&mut Expansion::default())),
             // Such a span lies between two samples.
             Path::Series(_) => {
                 let segment = self.excitation.segment(from, arrival);

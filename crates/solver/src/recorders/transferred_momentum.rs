@@ -60,7 +60,9 @@ impl Recorder for TransferredMomentum {
             }
             Path::Cubic(_) => self.add(span.structure, impulse, span.end_time),
             // A series ends where the net force changes its sign.
-            Path::Series(_) => self.structures[span.structure].closed += impulse.abs(),
+            Path::Series(_) | Path::Flight(_) => {
+                self.structures[span.structure].closed += impulse.abs();
+            }
         }
     }
 

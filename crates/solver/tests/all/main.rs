@@ -10,6 +10,7 @@ mod contact_limits;
 mod every_law;
 mod exact;
 mod exact_laws;
+mod flights;
 mod found;
 mod impacts;
 mod lanes;

@@ -112,10 +112,9 @@ pub enum SweepError {
         /// Pairs of the first run.
         allowed_pairs: usize,
     },
-    /// A method that is found anew for every run.
+    /// A method that is chosen and varies.
     #[error(
-        "scene.method: found `accuracy`, allowed is a method with its settings, for all runs the same: `pounding advise` finds one for \
-         an accuracy"
+        "vary: found a field of `method` where scene.method asks for an accuracy, for which one method is chosen; leave one of them out"
     )]
     Accuracy,
     /// No record that shakes.
@@ -248,10 +247,10 @@ impl SweepError {
             Self::Inline(RefusedScene::Form { place, .. }) => {
                 return Some(format!("scene.{place}"));
             }
-            Self::Inline(RefusedScene::Study(_)) | Self::Accuracy => "scene",
+            Self::Inline(RefusedScene::Study(_)) => "scene",
             Self::NothingSampled => "samples",
             Self::TooManyAxes { .. } => "samples.method",
-            Self::TooManyRuns(_) => "vary",
+            Self::TooManyRuns(_) | Self::Accuracy => "vary",
             Self::NoRecord(_) => "records",
             Self::Study(_)
             | Self::InFile { .. }

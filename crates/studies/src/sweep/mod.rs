@@ -6,6 +6,7 @@
 //!
 //! Left out: a scheduler. Shards are given to machines by those that have one.
 
+mod accuracy;
 mod batch;
 mod beside;
 mod distribution;
@@ -30,6 +31,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
+pub use accuracy::{ColumnErrors, SweepAccuracy};
 pub use batch::Batch;
 pub use distribution::{LogNormal, Normal};
 pub use error::{RefusedScene, SweepError};
@@ -45,7 +47,7 @@ pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
 use trial::Row;
 
-use crate::{Scene, StudyError};
+use crate::{Method, Scene, StudyError};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -60,6 +62,8 @@ pub struct Sweep {
     verdict: bool,
     /// Whether least openings are asked for.
     closings: bool,
+    /// What chose the method, where the scene asks for an accuracy.
+    accuracy: Option<SweepAccuracy>,
     /// SHA-256 of everything that the rows depend on.
     sha256: String,
 }
@@ -92,6 +96,10 @@ impl Sweep {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let read = Read::of(&file.scene, path)?;
         let vary = placed(&file, &read.scene)?;
+        let asked = accuracy::asked(&read.scene);
+        if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
+            return Err(SweepError::Accuracy);
+        }
         // Motions are read as the first run uses them; their number does not change what that is.
         let first = Plan::new(vary.clone(), file.samples, 1)?;
         let scene = trial::first_scene(&first, &read.scene)?;
@@ -108,12 +116,19 @@ impl Sweep {
             scene: read.scene,
             plan,
             motions,
+            accuracy: None,
             sha256,
         };
+        if asked.is_some() {
+            sweep.set_method(&Method::EXACT);
+        }
         sweep.row = match sweep.tried()? {
             Some(row) => row,
             None => Row::of(&scene)?,
         };
+        if let Some(asked) = asked {
+            sweep.choose(asked);
+        }
         Ok(sweep)
     }
 
@@ -201,6 +216,11 @@ fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, Sw
         placed.push((vary.clone(), fields));
     }
     Ok(placed)
+}
+
+/// Whether the method is among these fields, or a part of it.
+fn varies_method(fields: &[Place]) -> bool {
+    fields.iter().any(|field| field.is_in("method"))
 }
 
 /// What to do instead of varying a field that does not vary.

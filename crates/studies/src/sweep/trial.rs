@@ -9,7 +9,7 @@ use super::error::RefusedScene;
 use super::plan::{Axis, Plan, Setting};
 use super::{Sweep, SweepError};
 use crate::floors::Floors;
-use crate::{Method, Prepared, Scene, SceneError, StudyError, check};
+use crate::{Prepared, Scene, SceneError, StudyError, check};
 
 /// Values of an axis that are tried: the first ones.
 const MOST_TRIED: u64 = 1000;
@@ -82,9 +82,10 @@ pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepErro
         axis.put(*setting, &mut first);
         found = scene_of(&first).map_err(|reason| refused(axis, *setting, reason))?;
     }
-    if let Method::Accuracy(_) = found.method {
-        return Err(SweepError::Accuracy);
-    }
+    check::check_method(&found).map_err(|source| {
+        let scene = found.name.clone();
+        SweepError::Inline(StudyError::Scene { scene, source }.into())
+    })?;
     Ok(found)
 }
 

@@ -120,7 +120,7 @@ impl Account {
         }
         let (works, impulses) = match span.path {
             Path::Cubic(weighed) => self.weighed(span, weighed),
-            Path::Series(_) => self.integrated(span, excitation),
+            Path::Series(_) | Path::Flight(_) => self.integrated(span, excitation),
         };
         self.impulses.add(&impulses);
         self.restoring_work += works.restoring;

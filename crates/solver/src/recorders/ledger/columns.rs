@@ -1,6 +1,6 @@
 //! The energy that the columns of a storey store and take.
 
-use crate::{Hysteresis, Knee, Motion, Path, Series, Span};
+use crate::{Flight, Hysteresis, Knee, Motion, Path, Series, Span};
 
 /// The columns of a storey: f = a k d + h under a drift d, where h alone yields.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +77,7 @@ impl Columns {
                     let (_, [first, last]) = self.ends(span, drifts);
                     0.5 * (first + last) * self.slip(span, drifts)
                 }
-                Path::Series(_) => self.bending(span),
+                Path::Series(_) | Path::Flight(_) => self.bending(span),
             },
         }
     }
@@ -98,6 +98,9 @@ impl Columns {
             Path::Series(Series {
                 restoring_force: (_, tangent),
                 ..
+            })
+            | Path::Flight(Flight {
+                stiffness: tangent, ..
             }) => {
                 if tangent < self.stiffness {
                     let (moved, [first, _]) = self.ends(span, drifts);
@@ -161,7 +164,7 @@ impl Columns {
             (Knee::Smooth(_), Path::Cubic(_)) => {
                 0.5 * ((last - first) * self.slip(span, drifts)).abs()
             }
-            (Knee::Smooth(_), Path::Series(_)) | (Knee::Sharp, _) => 0.0,
+            (Knee::Smooth(_), Path::Series(_) | Path::Flight(_)) | (Knee::Sharp, _) => 0.0,
         };
         let exact = self.lasting <= 0.0 && span.below.is_none() && self.knee == Knee::Sharp;
         if exact {

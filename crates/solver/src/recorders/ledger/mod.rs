@@ -18,6 +18,7 @@ use buildings::Buildings;
 use contact::{Contact, Push};
 use largest::{Balances, Largest};
 
+use crate::span::Expansion;
 use crate::{Excitation, Hysteretic, Impact, Path, Recorder, Row, Span, Travel};
 
 /// Books the energy of every building, and the energy and impulse of every pair.
@@ -301,6 +302,8 @@ impl Recorder for Ledger<'_> {
     const READS_WEIGHED: bool = true;
 
     fn span(&mut self, span: &Span<'_>) {
+        let mut room = Expansion::default();
+        let span = &span.expanded(&mut room);
         let account = &mut self.accounts[span.structure];
         let hysteretic = account.terms.hysteretic;
         let works = account.span(span, &self.excitation);
@@ -316,7 +319,7 @@ impl Recorder for Ledger<'_> {
         let push = |forces, impulse, work| Push {
             times: (span.start_time, span.end_time),
             displacement: span.end.displacement + ground,
-            exact: matches!(span.path, Path::Series(_)),
+            exact: !matches!(span.path, Path::Cubic(_)),
             forces,
             impulse,
             work,

@@ -35,7 +35,7 @@ impl Ledger<'_> {
                     .map(|time| travel.opening(nodes, time).displacement);
                 impulse * ((end - start) / span.duration())
             }
-            Path::Series(_) => {
+            Path::Series(_) | Path::Flight(_) => {
                 let power = |time: f64, state: &State| {
                     [force(state) * travel.opening(nodes, time).velocity]
                 };

@@ -1,0 +1,425 @@
+//! Free flight of a whole row from sample to sample by closed form, as long as nothing happens but turns.
+//!
+//! Where a structure on the elastic line of its columns is at the next sample follows from velocity, force and ground at
+//! this one, with weights that are found once for a run. Bounds of what it could do on the way say where that is all there
+//! is to know. Where they cannot, the pieces of the general method take over until the next sample.
+
+use crate::exact::Run;
+use crate::exact::body::in_flight;
+use crate::exact::contact::Link;
+use crate::exact::look_ahead::CARRIED;
+use crate::exact::member::{Branch, Member};
+use crate::exact::roots::{CAPACITY, first_rise};
+use crate::span::{Expansion, rise, value};
+use crate::{Flight, Path, Recorder, Span, State};
+
+/// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
+const LONGEST: f64 = 0.999;
+
+/// What the structures of a row do between two samples.
+#[derive(Debug)]
+pub(super) struct Flights {
+    /// Of every node that stands on the ground, with columns of a sharp knee and a period that the samples resolve;
+    /// nothing for walls and others.
+    leaps: Vec<Option<Leap>>,
+    /// Whether all structures have one: then the row can fly as a whole.
+    whole: bool,
+}
+
+/// The ground between two samples.
+#[derive(Debug, Clone, Copy)]
+struct Interval {
+    /// The samples' instants \[s\].
+    from: f64,
+    to: f64,
+    /// Acceleration at the start \[m/s²\], its slope \[m/s³\], and acceleration at the end.
+    value: f64,
+    slope: f64,
+    last: f64,
+}
+
+/// What a structure does between two samples.
+#[derive(Debug, Clone, Copy)]
+struct Leap {
+    /// Change of the displacement, and velocity at the end, by a unit of velocity at the start, of load over mass that
+    /// stays, and of load over mass that grows by one in a second.
+    displacement: [f64; 3],
+    velocity: [f64; 3],
+    /// c/m \[1/s\] and k/m \[1/s²\].
+    damping: f64,
+    stiffness: f64,
+    /// By how much more than at its ends, and by its load, a structure can accelerate on the way.
+    growth: f64,
+    /// Coefficients of its series that reach rounding.
+    len: usize,
+}
+
+/// The flight of a structure to the next sample.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ahead {
+    pub(super) flight: Flight,
+    /// Instant of the sample \[s\].
+    pub(super) end: f64,
+    /// State there, and the hysteretic part of its force.
+    pub(super) state: State,
+    pub(super) hysteretic_force: f64,
+    /// What its acceleration does not exceed on the way \[m/s²\].
+    acceleration: f64,
+    /// When it turns on the way.
+    turn: Option<Turn>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    time: f64,
+    /// State at the end of the way there, and at the start of the way on: its acceleration differs by rounding.
+    before: State,
+    after: State,
+}
+
+impl Flights {
+    pub(super) fn new(members: &[Member], step: f64) -> Self {
+        let leap = |member: &Member| {
+            let flies = member.plain && member.fastest_rate * step <= LONGEST;
+            (flies && !member.is_wall()).then(|| Leap::new(member, step))
+        };
+        let leaps: Vec<_> = members.iter().map(leap).collect();
+        let mut nodes = members.iter().zip(&leaps);
+        Self {
+            whole: nodes.all(|(member, leap)| leap.is_some() || member.is_wall()),
+            leaps,
+        }
+    }
+}
+
+impl Leap {
+    fn new(member: &Member, step: f64) -> Self {
+        let len = in_flight(member.fastest_rate * step);
+        let by = |velocity: f64, ground: [f64; 2]| {
+            let mut room = Expansion::default();
+            let flight = Flight {
+                origin: 0.0,
+                displacement: 0.0,
+                velocity,
+                restoring_force: 0.0,
+                stiffness: member.tangent(),
+                damping: member.damping,
+                inverse_mass: member.inverse_mass,
+                ground,
+                len,
+            };
+            flight.expand(&mut room);
+            let ends = [room.displacement(len), room.velocity(len)];
+            ends.map(|series| value(series, step))
+        };
+        let columns = [by(1.0, [0.0; 2]), by(0.0, [1.0, 0.0]), by(0.0, [0.0, 1.0])];
+        let damping = member.damping * member.inverse_mass;
+        let stiffness = member.tangent() * member.inverse_mass;
+        Self {
+            displacement: columns.map(|[displacement, _]| displacement),
+            velocity: columns.map(|[_, velocity]| velocity),
+            damping,
+            stiffness,
+            // No instant is farther than half a step from one of the ends.
+            growth: 1.0 / (1.0 - 0.5 * step * (damping + 0.5 * step * stiffness)),
+            len,
+        }
+    }
+
+    /// The flight of a structure to the next sample; nothing where its columns could yield, or turns be missed, on the way.
+    #[inline]
+    fn ahead(&self, member: &Member, ground: &Interval) -> Option<Ahead> {
+        let half = 0.5 * (ground.to - ground.from);
+        let start = &member.state;
+        let flight = ground.flight(member, self.len);
+        let load = ground.value + member.inverse_mass * start.restoring_force;
+        let by = |[velocity, constant, growing]: [f64; 3]| {
+            velocity * start.velocity + constant * load + growing * ground.slope
+        };
+        let (change, velocity) = (by(self.displacement), by(self.velocity));
+        let hysteretic_force = member.hysteretic_force + member.hysteretic_stiffness * change;
+        let displacement = start.displacement + change;
+        let restoring_force = member.with_hardening(displacement, hysteretic_force);
+        let acceleration = flight.acceleration((velocity, restoring_force), ground.last);
+        let before = flight.acceleration((start.velocity, start.restoring_force), ground.value);
+        let fastest = start.velocity.abs().max(velocity.abs());
+        let load = self.stiffness * fastest + ground.slope.abs();
+        let most = self.growth * (before.abs().max(acceleration.abs()) + half * load);
+        let jerk =
+            self.damping * most + self.stiffness * (fastest + half * most) + ground.slope.abs();
+        // What lies between two ends is no farther from the line through them than this times its second derivative.
+        let bow = 0.5 * half * half;
+        let held = member.hysteretic_force.abs().max(hysteretic_force.abs())
+            + bow * member.hysteretic_stiffness * most;
+        let slowest = start.velocity.abs().min(velocity.abs());
+        let (on, least) = (
+            start.velocity * velocity,
+            before.abs().min(acceleration.abs()),
+        );
+        let one_way = before * acceleration > 0.0
+            && least > bow * (self.damping * jerk + self.stiffness * most);
+        let known = (on > 0.0 && slowest > bow * jerk) || (on != 0.0 && one_way);
+        if !(known && held < member.limit) {
+            return None;
+        }
+        let turn = if on < 0.0 {
+            Some(ground.turn(member, &flight)?)
+        } else {
+            None
+        };
+        Some(Ahead {
+            flight,
+            end: ground.to,
+            state: State {
+                displacement,
+                velocity,
+                acceleration,
+                restoring_force,
+                ..State::default()
+            },
+            hysteretic_force,
+            acceleration: most,
+            turn,
+        })
+    }
+}
+
+impl Ahead {
+    /// Whether the way goes on from here after a turn that changed nothing.
+    pub(super) fn goes_on(&self, time: f64, state: &State) -> bool {
+        let turns = |turn: Turn| turn.time.total_cmp(&time).is_eq();
+        state.velocity == 0.0 && self.turn.is_some_and(turns)
+    }
+}
+
+impl Interval {
+    /// The flight of a structure from its state on.
+    fn flight(&self, member: &Member, len: usize) -> Flight {
+        Flight {
+            origin: self.from,
+            displacement: member.state.displacement,
+            velocity: member.state.velocity,
+            restoring_force: member.state.restoring_force,
+            stiffness: member.tangent(),
+            damping: member.damping,
+            inverse_mass: member.inverse_mass,
+            ground: [self.value, self.slope],
+            len,
+        }
+    }
+
+    /// The turn of a structure whose velocities at both ends have different signs; nothing where time cannot tell it
+    /// apart from them.
+    fn turn(&self, member: &Member, flight: &Flight) -> Option<Turn> {
+        let mut room = Expansion::default();
+        flight.expand(&mut room);
+        let mut rates = [0.0; CAPACITY];
+        let rates = &mut rates[..flight.len];
+        for (rate, coefficient) in rates.iter_mut().zip(room.velocity(flight.len)) {
+            *rate = -flight.velocity.signum() * coefficient;
+        }
+        let x = first_rise(rates, self.to - self.from)?;
+        let time = self.from + x;
+        let change = rise(room.displacement(flight.len), x);
+        let displacement = flight.displacement + change;
+        let hysteretic_force = member.hysteretic_force + member.hysteretic_stiffness * change;
+        let before = State {
+            displacement,
+            velocity: 0.0,
+            acceleration: value(room.acceleration(flight.len), x),
+            restoring_force: member.with_hardening(displacement, hysteretic_force),
+            ..State::default()
+        };
+        let ground = self.value + self.slope * x;
+        let after = State {
+            acceleration: flight.acceleration((0.0, before.restoring_force), ground),
+            ..before
+        };
+        (time > self.from && time < self.to).then_some(Turn {
+            time,
+            before,
+            after,
+        })
+    }
+}
+
+impl<R: Recorder> Run<'_, R> {
+    /// Flies from this instant on as far as nothing happens but turns; returns the instant from which the general method
+    /// goes on.
+    pub(super) fn fly(&mut self, time: f64) -> f64 {
+        let mut now = time;
+        if self.flights.as_ref().is_some_and(|flights| flights.whole) && self.flies() {
+            while let Some(interval) = self.interval_from(now)
+                && self.leap(&interval)
+            {
+                self.land_flights(&interval);
+                now = interval.to;
+            }
+        }
+        if now > time {
+            self.find_deformations(now);
+        }
+        now
+    }
+
+    /// The ground between the sample at exactly this instant and the next one, where the run goes on for so long.
+    fn interval_from(&self, time: f64) -> Option<Interval> {
+        let step = self.excitation.time_step();
+        let position = (time / step).round();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number >= 0; beyond the last sample there is none"
+        )]
+        let index = position as usize;
+        let (value, last) = match self
+            .excitation
+            .samples()
+            .get(index..index.checked_add(2)?)?
+        {
+            [value, last] => (*value, *last),
+            _ => return None,
+        };
+        let to = (position + 1.0) * step;
+        let starts = (position * step).total_cmp(&time).is_eq();
+        (starts && to <= self.end).then(|| Interval {
+            from: time,
+            to,
+            value,
+            slope: (last - value) / step,
+            last,
+        })
+    }
+
+    /// Whether all structures have landed, elastic and apart; walls are under way all the time.
+    fn flies(&self) -> bool {
+        let mut members = self.members.iter().zip(&self.landed);
+        let mut contacts = self.contacts.iter();
+        members
+            .all(|(member, landed)| *landed != member.is_wall() && member.branch == Branch::Elastic)
+            && contacts.all(|contact| contact.link == Link::Apart)
+    }
+
+    /// Finds the flights of all structures to the next sample; false where more than turns could happen on the way.
+    fn leap(&mut self, interval: &Interval) -> bool {
+        let Some(Flights { leaps, .. }) = &self.flights else {
+            return false;
+        };
+        for (member, leap) in self.members.iter_mut().zip(leaps) {
+            let Some(leap) = leap else {
+                continue;
+            };
+            member.ahead = leap.ahead(member, interval);
+            if member.ahead.is_none() {
+                return false;
+            }
+        }
+        let bow = 0.125 * (interval.to - interval.from) * (interval.to - interval.from);
+        let mut pairs = self.lefts.iter().zip(&self.contacts).zip(&self.gaps);
+        pairs.all(|((left, contact), gap)| {
+            let [left, right] = [left, &(left + 1)].map(|node| self.members[*node].way());
+            let (before, after) = (left.0[0] - right.0[0], left.0[1] - right.0[1]);
+            before.max(after) - gap + bow * (left.1 + right.1) < -2.0 * CARRIED * contact.scale
+        })
+    }
+
+    /// Reports the way of every structure to the next sample, and brings its state there.
+    fn land_flights(&mut self, interval: &Interval) {
+        self.work.events += 1;
+        for (structure, member) in self.members.iter_mut().enumerate() {
+            let Some(ahead) = member.ahead.take() else {
+                continue;
+            };
+            let flight = ahead.flight;
+            let mut report = |(start_time, end_time): (f64, f64), [start, end]: [State; 2]| {
+                self.work.segments += 1;
+                self.recorder.span(&Span {
+                    structure,
+                    start_time,
+                    end_time,
+                    start,
+                    end,
+                    impulse_from_left: 0.0,
+                    impulse_from_right: 0.0,
+                    below: None,
+                    path: Path::Flight(flight),
+                });
+            };
+            let State {
+                velocity,
+                restoring_force,
+                ..
+            } = member.state;
+            let start = State {
+                acceleration: flight.acceleration((velocity, restoring_force), interval.value),
+                ..member.state
+            };
+            let (from, to) = (interval.from, interval.to);
+            if let Some(turn) = ahead.turn {
+                report((from, turn.time), [start, turn.before]);
+                report((turn.time, to), [turn.after, ahead.state]);
+            } else {
+                report((from, to), [start, ahead.state]);
+            }
+            (member.state, member.hysteretic_force) = (ahead.state, ahead.hysteretic_force);
+        }
+    }
+
+    /// Brings all pairs here after flights.
+    fn find_deformations(&mut self, time: f64) {
+        for pair in 0..self.contacts.len() {
+            let left = self.lefts[pair];
+            let sides = [left, left + 1].map(|node| (&self.members[node].state).into());
+            let (deformation, rate) = self.closing(pair, time, sides);
+            let contact = &mut self.contacts[pair];
+            (contact.deformation, contact.rate, contact.time) = (deformation, rate, time);
+            (contact.faded, contact.peaked) = (false, false);
+        }
+    }
+
+    /// Looks ahead to the next sample for a body that begins a piece: what flies there alone arrives in the same bits
+    /// whatever the others do.
+    pub(super) fn look_to_sample(&mut self, first: usize, time: f64) {
+        let Some(Flights { leaps, .. }) = &self.flights else {
+            return;
+        };
+        let nodes = self.groups.of(first).nodes();
+        let alone = nodes.len() == 1 && self.members[first].branch == Branch::Elastic;
+        let goes_on = |member: &Member| {
+            let ahead = member.ahead.as_ref();
+            ahead.is_some_and(|ahead| ahead.goes_on(time, &member.state))
+        };
+        if alone && goes_on(&self.members[first]) {
+            return;
+        }
+        for node in nodes {
+            self.members[*node].ahead = None;
+        }
+        if let Some(leap) = leaps[first].filter(|_| alone)
+            && let Some(interval) = self.interval_from(time)
+        {
+            let member = &mut self.members[first];
+            member.ahead = leap.ahead(member, &interval);
+        }
+    }
+}
+
+impl Member {
+    /// Displacements at both ends of the way to the next sample, and what the acceleration does not exceed there.
+    fn way(&self) -> ([f64; 2], f64) {
+        let start = self.state.displacement;
+        match &self.ahead {
+            None => ([start; 2], 0.0),
+            Some(ahead) => ([start, ahead.state.displacement], ahead.acceleration),
+        }
+    }
+
+    /// The restoring force at this drift, the hysteretic part of which is known.
+    pub(super) fn with_hardening(&self, drift: f64, hysteretic_force: f64) -> f64 {
+        if self.hardened_stiffness > 0.0 {
+            self.hardened_stiffness * drift + hysteretic_force
+        } else {
+            hysteretic_force
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Free flight of a structure on one line of its columns, between two samples of the ground motion: known by its start.
+
+use super::{Path, Power, Series, Span};
+
+/// Most coefficients of an expansion.
+const MOST: usize = 24;
+
+/// The motion m ü + c u̇ + f = −m `a_g` from a start on, f a line over u and `a_g` one over time.
+///
+/// Its power series are expanded only for those who ask what is between the ends; see [`Span::expanded`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flight {
+    /// Instant of the start \[s\].
+    pub(crate) origin: f64,
+    /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] at the start.
+    pub(crate) displacement: f64,
+    pub(crate) velocity: f64,
+    pub(crate) restoring_force: f64,
+    /// k \[N/m\], c \[N·s/m\] and 1/m \[1/kg\].
+    pub(crate) stiffness: f64,
+    pub(crate) damping: f64,
+    pub(crate) inverse_mass: f64,
+    /// Ground acceleration at the start \[m/s²\] and its slope \[m/s³\].
+    pub(crate) ground: [f64; 2],
+    /// Coefficients that reach rounding.
+    pub(crate) len: usize,
+}
+
+/// Room for the power series of a [`Flight`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Expansion {
+    displacement: [f64; MOST],
+    velocity: [f64; MOST],
+    acceleration: [f64; MOST],
+}
+
+impl Expansion {
+    /// Coefficients of the displacement.
+    pub(crate) fn displacement(&self, len: usize) -> &[f64] {
+        &self.displacement[..len]
+    }
+
+    /// Coefficients of the velocity.
+    pub(crate) fn velocity(&self, len: usize) -> &[f64] {
+        &self.velocity[..len]
+    }
+
+    /// Coefficients of the acceleration.
+    pub(crate) fn acceleration(&self, len: usize) -> &[f64] {
+        &self.acceleration[..len]
+    }
+}
+
+impl Flight {
+    /// Expands the motion: the same operations as those of a structure alone in the exact method.
+    pub(crate) fn expand(&self, room: &mut Expansion) {
+        let (mut u, mut v) = (self.displacement, self.velocity);
+        let mut force = self.restoring_force;
+        for n in 0..self.len {
+            let ground = self.ground.get(n).copied().unwrap_or(0.0);
+            let a = self.acceleration((v, force), ground);
+            (room.displacement[n], room.velocity[n], room.acceleration[n]) = (u, v, a);
+            let next = 1.0 / (n + 1) as f64;
+            (u, v) = (v * next, a * next);
+            force = self.stiffness * u;
+        }
+    }
+
+    /// Acceleration over the ground at this velocity and restoring force, under this ground acceleration.
+    #[inline]
+    pub(crate) fn acceleration(&self, (velocity, force): (f64, f64), ground: f64) -> f64 {
+        self.inverse_mass * (0.0 - (self.damping * velocity + force)) - ground
+    }
+
+    /// The expansion as a path.
+    fn series<'a>(&self, room: &'a Expansion) -> Series<'a> {
+        Series {
+            origin: self.origin,
+            power: Power::One,
+            displacement: room.displacement(self.len),
+            velocity: room.velocity(self.len),
+            acceleration: room.acceleration(self.len),
+            below: None,
+            restoring_force: (self.restoring_force, self.stiffness),
+            bent: &[],
+            force_from_left: &[],
+            force_from_right: &[],
+        }
+    }
+}
+
+impl<'a> Span<'a> {
+    /// The span with the series of its free flight expanded; any other as it is.
+    #[inline]
+    pub(crate) fn expanded(&self, room: &'a mut Expansion) -> Self {
+        match self.path {
+            Path::Flight(flight) => {
+                flight.expand(room);
+                Span {
+                    path: Path::Series(flight.series(room)),
+                    ..*self
+                }
+            }
+            Path::Cubic(_) | Path::Series(_) => *self,
+        }
+    }
+}

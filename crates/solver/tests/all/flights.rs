@@ -1,0 +1,177 @@
+//! The exact method flies from sample to sample where it can; the general method must come to the same.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    Clock, Collisions, Elastic, ElastoPlastic, Exact, Excitation, FloorAccelerations, Histories,
+    Integrator, Ledger, Node, Pair, Peaks, Row, Work,
+};
+use proptest::prelude::*;
+
+use crate::common::VISCOELASTIC;
+use crate::random_rows::config;
+
+const EXACT: Integrator = Integrator::Exact(Exact {
+    tolerance: 1e-14,
+    simultaneous_impacts: pounding_solver::SimultaneousImpacts::Together,
+});
+/// Samples every 0.01 s.
+const STEP: f64 = 0.01;
+/// What is asked between the samples \[s\].
+const LOOK: f64 = 0.0037;
+
+#[derive(Debug, Clone)]
+struct Case {
+    /// Period \[s\], damping ratio, yield displacement \[m\].
+    structures: Vec<[f64; 3]>,
+    gap: f64,
+    law: ContactLaw,
+    ground: Vec<f64>,
+}
+
+fn cases() -> impl Strategy<Value = Case> {
+    let yields = prop_oneof![2 => Just(f64::INFINITY), 1 => 0.005..0.05_f64];
+    let structure = (0.07..2.0_f64, 0.0..0.3_f64, yields).prop_map(|(t, xi, u)| [t, xi, u]);
+    let restitution = (0.2..0.9_f64)
+        .prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }));
+    (
+        prop::collection::vec(structure, 1..4),
+        0.005..0.05_f64,
+        prop_oneof![restitution, Just(VISCOELASTIC)],
+        prop::collection::vec(-4.0..4.0_f64, 250),
+    )
+        .prop_map(|(structures, gap, law, ground)| Case {
+            structures,
+            gap,
+            law,
+            ground,
+        })
+}
+
+fn node([period, ratio, yields]: [f64; 3]) -> Node<ElastoPlastic> {
+    let omega = 2.0 * std::f64::consts::PI / period;
+    let (mass, stiffness) = (1e5, 1e5 * omega * omega);
+    let column = ElastoPlastic {
+        stiffness,
+        yield_force: stiffness * yields,
+    };
+    Node::structure(mass, 2.0 * ratio * omega * mass, column)
+}
+
+/// What stands apart from the row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Apart {
+    Nothing,
+    /// A structure whose period the samples do not resolve, so that the row does not fly as a whole.
+    Stiff,
+    /// One that the ground motion reaches later: nothing flies.
+    Late,
+}
+
+/// Numbers of the row, and the pieces that they took.
+fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
+    let others: &[[f64; 3]] = match apart {
+        Apart::Nothing => &[],
+        Apart::Stiff => &[[0.04, 0.05, f64::INFINITY]],
+        Apart::Late => &[[1.0, 0.05, f64::INFINITY]],
+    };
+    let n = case.structures.len();
+    let nodes = case.structures.iter().chain(others).copied().map(node);
+    let pair = |left: usize| Pair {
+        left,
+        right: left + 1,
+        gap: case.gap,
+        law: case.law,
+    };
+    let pairs: Vec<_> = (0..n - 1).map(pair).collect();
+    let mut row = Row::new(nodes.collect(), pairs).expect("the row is valid");
+    if apart == Apart::Late {
+        let arrivals = (0..=n).map(|node| if node < n { 0.0 } else { 0.3 });
+        row = row.delayed(arrivals.collect()).expect("they are valid");
+    }
+    let n_nodes = n + others.len();
+    let clock = Clock {
+        time_step: STEP,
+        n_steps: case.ground.len() - 1,
+    };
+    let excitation = Excitation::new(STEP, &case.ground).expect("the record is finite");
+    let mut recorder = (
+        Peaks::new(n_nodes),
+        FloorAccelerations::new(n_nodes, excitation),
+        Collisions::new(n_nodes, row.pairs()),
+        Histories::new(n_nodes, LOOK, clock.time(clock.n_steps)),
+    );
+    let work = EXACT
+        .run(&row, excitation, clock, &mut recorder)
+        .expect("the row can be run");
+    let (peaks, accelerations, collisions, histories) = recorder;
+    let mut numbers = Vec::new();
+    for structure in 0..n {
+        let of = peaks.of(structure);
+        numbers.extend([of.displacement.value, of.displacement.time]);
+        numbers.push(accelerations.of(structure).value);
+        let states = &histories.of(structure).states;
+        numbers.extend(states.iter().map(|state| state.displacement));
+    }
+    numbers.extend(collisions.all().iter().map(|one| one.impulse / 1e5));
+    (numbers, work)
+}
+
+proptest! {
+    #![proptest_config(config(64))]
+    /// Whether a row flies as a whole or one by one is not seen in any bit.
+    #[test]
+    fn limit_a_row_flies_as_its_structures_do(case in cases()) {
+        let [whole, single] = [Apart::Nothing, Apart::Stiff].map(|apart| run(&case, apart).0);
+        let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+        prop_assert_eq!(bits(whole), bits(single));
+    }
+
+    #[test]
+    fn reference_flights_and_pieces_come_to_the_same(case in cases()) {
+        let (flown, _) = run(&case, Apart::Nothing);
+        let (general, _) = run(&case, Apart::Late);
+        prop_assert_eq!(flown.len(), general.len());
+        let scale = general.iter().fold(0.0, |most: f64, number| most.max(number.abs()));
+        for (index, (a, b)) in flown.iter().zip(&general).enumerate() {
+            prop_assert!((a - b).abs() <= 1e-9 * scale, "{index}: {a} {b}");
+        }
+    }
+}
+
+/// A structure that only flies needs a piece for a sample and one for a turn.
+#[test]
+fn limit_a_free_structure_takes_a_piece_for_a_sample_and_for_a_turn() {
+    let case = Case {
+        structures: vec![[0.5, 0.05, f64::INFINITY]],
+        gap: 0.0,
+        law: VISCOELASTIC,
+        ground: (0..200).map(|n| libm::sin(0.1 * f64::from(n))).collect(),
+    };
+    let (numbers, work) = run(&case, Apart::Nothing);
+    let turns = numbers[3..]
+        .windows(3)
+        .filter(|u| (u[1] - u[0]) * (u[2] - u[1]) < 0.0);
+    let (turns, intervals) = (turns.count() as u64, 199);
+    assert_eq!(work.segments, intervals + turns, "{work:?}");
+    assert_eq!(work.events, intervals);
+}
+
+/// The books of a flight close to rounding: works are integrals over its series, which only they expand.
+#[test]
+fn reference_the_ledger_of_a_flight() {
+    let ground: Vec<f64> = (0..400)
+        .map(|n| 3.0 * libm::sin(0.13 * f64::from(n)))
+        .collect();
+    let excitation = Excitation::new(STEP, &ground).expect("the record is finite");
+    let column = Elastic { stiffness: 1e7 };
+    let row = Row::new(vec![Node::structure(1e5, 2e4, column)], Vec::new()).expect("valid");
+    let clock = Clock {
+        time_step: STEP,
+        n_steps: 399,
+    };
+    let mut ledger = Ledger::new(&row, excitation);
+    EXACT
+        .run(&row, excitation, clock, &mut ledger)
+        .expect("the row can be run");
+    assert!(ledger.residual() < 1e-13, "{}", ledger.residual());
+}

@@ -1,0 +1,242 @@
+//! The method of a sweep from the error that is asked for, and the errors that it then has.
+//!
+//! Nothing is assumed of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another sample measures
+//! it. Both are drawn by the same numbers in every shard.
+
+use pounding_solver::{ImpactRule, Start};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::Sweep;
+use super::permutation::Permutation;
+use crate::Method;
+use crate::tables::to_csv;
+
+/// Runs that choose the method, and others that measure it.
+const CHOOSING: usize = 64;
+const MEASURING: usize = 128;
+/// Part of the runs that a method has to bring within the error that is asked for.
+const SHARE: f64 = 0.95;
+/// The longest time step that is tried \[s\], and how often it is halved.
+const LONGEST: f64 = 0.02;
+const HALVED: i32 = 7;
+
+/// The method that was chosen for a sweep, and what it makes of the numbers that are asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepAccuracy {
+    /// The error that was asked for \[–\].
+    pub asked: f64,
+    /// The method of all runs.
+    pub method: Method,
+    /// Errors of the numbers of a row, column by column.
+    pub columns: Vec<ColumnErrors>,
+    /// Largest error in a row.
+    pub rows: ColumnErrors,
+    /// Part of the measured runs whose numbers are all within what was asked for \[–\].
+    pub within: f64,
+}
+
+/// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact one \[–\]: 1 where only one of both runs touches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnErrors {
+    /// Name of the column.
+    pub name: String,
+    /// Runs that were measured.
+    pub runs: usize,
+    /// Errors that 50, 90, 95 and 99 % of the runs do not exceed.
+    pub quantiles: [f64; 4],
+    /// The largest.
+    pub largest: f64,
+}
+
+/// Parts of the runs of [`ColumnErrors::quantiles`].
+const PARTS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
+
+impl ColumnErrors {
+    fn of(name: String, mut errors: Vec<f64>) -> Self {
+        errors.sort_by(f64::total_cmp);
+        Self {
+            name,
+            runs: errors.len(),
+            quantiles: PARTS.map(|part| at_most(&errors, part)),
+            largest: errors.last().copied().unwrap_or(0.0),
+        }
+    }
+}
+
+impl SweepAccuracy {
+    /// Errors of all columns, and of rows, as CSV.
+    pub fn csv(&self) -> String {
+        let header = ["column", "runs", "median", "p90", "p95", "p99", "largest"];
+        let row = |errors: &ColumnErrors| {
+            let numbers = errors.quantiles.iter().chain([&errors.largest]);
+            let numbers = numbers.map(|error| format!("{error:.3e}"));
+            let names = [errors.name.clone(), errors.runs.to_string()].into_iter();
+            names.chain(numbers).collect()
+        };
+        let rows: Vec<_> = self.columns.iter().chain([&self.rows]).map(row).collect();
+        to_csv(&header.map(String::from), &rows)
+    }
+}
+
+/// What a part of sorted errors does not exceed.
+fn at_most(sorted: &[f64], part: f64) -> f64 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number from 0 to the number of errors"
+    )]
+    let place = (part * sorted.len() as f64).ceil() as usize;
+    sorted.get(place.max(1) - 1).copied().unwrap_or(0.0)
+}
+
+/// Distance of two numbers of a table, as a part of the larger one.
+fn distance(a: f64, b: f64) -> f64 {
+    match (a.is_nan(), b.is_nan()) {
+        (true, true) => 0.0,
+        // The smallest number stands for zeros of both.
+        (false, false) => (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE),
+        (true, false) | (false, true) => 1.0,
+    }
+}
+
+/// The accuracy that a scene asks for in place of a method.
+pub(super) fn asked(scene: &Value) -> Option<f64> {
+    scene.get("method")?.get("accuracy")?.as_f64()
+}
+
+impl Sweep {
+    /// The method that was chosen, where the scene asks for an accuracy.
+    pub fn accuracy(&self) -> Option<&SweepAccuracy> {
+        self.accuracy.as_ref()
+    }
+
+    pub(super) fn set_method(&mut self, method: &Method) {
+        self.scene["method"] = serde_json::to_value(method).expect("a method has JSON");
+    }
+
+    /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
+    pub(super) fn choose(&mut self, asked: f64) {
+        let (chooses, measures) = self.sampled();
+        self.set_method(&Method::EXACT);
+        let [truth, measure] = [&chooses, &measures].map(|runs| self.numbers(runs));
+        let steps = (0..=HALVED).map(|n| LONGEST / f64::from(1 << n));
+        let candidates: Vec<_> = steps.map(central_difference).collect();
+        let mut holds = Vec::new();
+        for candidate in &candidates {
+            self.set_method(candidate);
+            let rows = rows(&errors(&truth, &self.numbers(&chooses)));
+            holds.push(at_most(&sorted(rows), SHARE) <= asked);
+            // One step may be lucky; the next finer one has to confirm it.
+            if holds.ends_with(&[true, true]) {
+                break;
+            }
+        }
+        let method = match holds[..] {
+            [.., true, true] => candidates[holds.len() - 2],
+            _ => Method::EXACT,
+        };
+        self.set_method(&method);
+        let errors = errors(&measure, &self.numbers(&measures));
+        let names = self.columns();
+        let names = &names[names.len() - 1 - self.n_columns()..names.len() - 1];
+        let column = |(index, name): (usize, &String)| {
+            let of_runs = errors.iter().map(|row| row[index]).collect();
+            ColumnErrors::of(name.clone(), of_runs)
+        };
+        let rows = rows(&errors);
+        let within = rows.iter().filter(|error| **error <= asked).count();
+        self.accuracy = Some(SweepAccuracy {
+            asked,
+            method,
+            columns: names.iter().enumerate().map(column).collect(),
+            within: within as f64 / rows.len().max(1) as f64,
+            rows: ColumnErrors::of("largest in a row".into(), rows),
+        });
+    }
+
+    /// Runs that choose and runs that measure: others, where there are enough.
+    fn sampled(&self) -> (Vec<u64>, Vec<u64>) {
+        let n_runs = self.n_runs();
+        let order = Permutation::new(n_runs, &mut Pcg64::new(17, 23));
+        let all: Vec<_> = (0..n_runs)
+            .take(CHOOSING + MEASURING)
+            .map(|index| order.at(index))
+            .collect();
+        if all.len() < CHOOSING + MEASURING {
+            return (all.clone(), all);
+        }
+        let (chooses, measures) = all.split_at(CHOOSING);
+        (chooses.to_vec(), measures.to_vec())
+    }
+
+    /// The numbers of some runs; nothing for one that fails.
+    fn numbers(&self, runs: &[u64]) -> Vec<Option<Vec<f64>>> {
+        let one = |run: &u64| {
+            let batch = self.batch(*run..*run + 1);
+            let numbers = batch.columns.iter().map(|column| column[0]).collect();
+            batch.failed[0].is_none().then_some(numbers)
+        };
+        runs.par_iter().map(one).collect()
+    }
+}
+
+fn central_difference(time_step_s: f64) -> Method {
+    Method::CentralDifference {
+        time_step_s,
+        start: Start::Consistent,
+        impacts: ImpactRule::VelocityJump,
+        contact_substeps: 1,
+    }
+}
+
+/// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite.
+fn errors(truth: &[Option<Vec<f64>>], found: &[Option<Vec<f64>>]) -> Vec<Vec<f64>> {
+    let pairs = truth.iter().zip(found);
+    let row = |(truth, found): (&Option<Vec<f64>>, &Option<Vec<f64>>)| {
+        let truth = truth.as_ref()?;
+        Some(match found {
+            None => vec![f64::INFINITY; truth.len()],
+            Some(found) => {
+                let pairs = truth.iter().zip(found);
+                pairs.map(|(a, b)| distance(*a, *b)).collect()
+            }
+        })
+    };
+    pairs.filter_map(row).collect()
+}
+
+/// The largest error of every run.
+fn rows(errors: &[Vec<f64>]) -> Vec<f64> {
+    let largest = |row: &Vec<f64>| row.iter().copied().fold(0.0, f64::max);
+    errors.iter().map(largest).collect()
+}
+
+fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_quantiles_and_distances() {
+        let errors: Vec<_> = (1..=100).map(f64::from).collect();
+        let of = ColumnErrors::of("x".into(), errors);
+        let bits = |numbers: [f64; 4]| numbers.map(f64::to_bits);
+        assert_eq!(bits(of.quantiles), bits([50.0, 90.0, 95.0, 99.0]));
+        for (a, b, wanted) in [
+            (0.0, 0.0, 0.0),
+            (1.0, 0.0, 1.0),
+            (f64::NAN, 2.0, 1.0),
+            (f64::NAN, f64::NAN, 0.0),
+            (2.0, 1.5, 0.25),
+            (-2.0, 2.0, 2.0),
+        ] {
+            assert_eq!(distance(a, b).to_bits(), f64::to_bits(wanted), "{a} {b}");
+        }
+    }
+}
