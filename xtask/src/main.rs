@@ -66,7 +66,7 @@ enum Task {
         /// Only scenes side by side in lanes, and sweeps of them, beside a loop written by hand for AVX-512: a minute.
         #[arg(long, conflicts_with_all = ["savings", "storeys"])]
         lanes: bool,
-        /// Only the same scenes by other programs (OpenSees, SciPy, SUNDIALS) and compiled loops, which go into a Python environment
+        /// Only the same scenes by other programs (`OpenSees`, `SciPy`, `SUNDIALS`) and compiled loops, which go into a Python environment
         /// beside this program; needs Python 3 and, the first time, the network: some six minutes, no part of the others.
         #[arg(long, conflicts_with_all = ["savings", "storeys", "lanes"])]
         peers: bool,

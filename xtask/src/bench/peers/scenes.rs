@@ -37,8 +37,7 @@ pub(super) struct Scenes<'a> {
 
 /// Accelerations of the record at its own step \[m/s²\].
 pub(super) fn ground(root: &Path) -> Result<Vec<f64>, String> {
-    let n_steps = (DURATION / GROUND_STEP).round() as usize;
-    setting::ground(root, GROUND_STEP, n_steps)
+    setting::ground(root, GROUND_STEP, clock(GROUND_STEP).n_steps)
 }
 
 /// The exact method at a tolerance.
@@ -50,6 +49,11 @@ pub(super) fn exact(tolerance: f64) -> Integrator {
 }
 
 /// The clock of a time step \[s\].
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "time steps of the ladder: some millions of steps at most"
+)]
 pub(super) fn clock(time_step: f64) -> Clock {
     Clock {
         time_step,
@@ -176,12 +180,12 @@ pub(super) fn as_json(all: &[Scenes<'_>], ground: &[f64]) -> Value {
                 gap
             ])
         };
-        let (kind, a, b) = match scenes.rows[0].pairs()[0].law {
-            ContactLaw::NonlinearViscoelastic(law) => {
+        let (kind, a, b) =
+            if let ContactLaw::NonlinearViscoelastic(law) = scenes.rows[0].pairs()[0].law {
                 (1, law.impact_stiffness, law.impact_damping_ratio)
-            }
-            _ => (0, RESTITUTION, 0.0),
-        };
+            } else {
+                (0, RESTITUTION, 0.0)
+            };
         let rows: Vec<Value> = scenes.rows[..SCENES].iter().map(numbers).collect();
         json!({"name": scenes.law, "kind": kind, "a": a, "b": b, "scenes": rows})
     };

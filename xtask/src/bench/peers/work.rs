@@ -18,8 +18,8 @@ pub(super) fn at_error(points: &[(f64, f64)], error: f64) -> Option<f64> {
         if reached <= error {
             return Some(match before {
                 Some((cheaper, worse)) if reached > 0.0 && worse.is_finite() => {
-                    let part = (worse / error).ln() / (worse / reached).ln();
-                    cheaper * (time / cheaper).powf(part)
+                    let part = libm::log(worse / error) / libm::log(worse / reached);
+                    cheaper * libm::pow(time / cheaper, part)
                 }
                 _ => time,
             });
