@@ -2,7 +2,9 @@
 
 #[cfg(target_arch = "x86_64")]
 mod lanes;
+mod peers;
 mod savings;
+mod setting;
 mod storeys;
 #[cfg(target_arch = "x86_64")]
 mod sweeps;
@@ -75,6 +77,11 @@ pub(crate) fn lanes(root: &Path) -> Result<(), String> {
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) fn lanes(_: &Path) -> Result<(), String> {
     Err("the loop by hand needs a machine with AVX-512".into())
+}
+
+/// Races other programs and compiled loops.
+pub(crate) fn peers(root: &Path) -> Result<(), String> {
+    peers::run(root)
 }
 
 /// The run of the same scene that others are compared with.

@@ -66,6 +66,10 @@ enum Task {
         /// Only scenes side by side in lanes, and sweeps of them, beside a loop written by hand for AVX-512: a minute.
         #[arg(long, conflicts_with_all = ["savings", "storeys"])]
         lanes: bool,
+        /// Only the same scenes by other programs (`OpenSees`, `SciPy`, `SUNDIALS`) and compiled loops, which go into a Python environment
+        /// beside this program; needs Python 3 and, the first time, the network: some six minutes, no part of the others.
+        #[arg(long, conflicts_with_all = ["savings", "storeys", "lanes"])]
+        peers: bool,
     },
     /// Run a sweep by `HyperQueue` from the Python package index and compare it with one without; needs Python, no part of `check`.
     Hyperqueue,
@@ -92,6 +96,7 @@ fn main() -> ExitCode {
         Task::Bench { savings: true, .. } => bench::savings(&root()),
         Task::Bench { storeys: true, .. } => bench::storeys(&root()),
         Task::Bench { lanes: true, .. } => bench::lanes(&root()),
+        Task::Bench { peers: true, .. } => bench::peers(&root()),
         Task::Bench { .. } => bench::run(&root()),
         Task::Hyperqueue => hyperqueue::run(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),

@@ -55,6 +55,7 @@ mod trade;
 mod unneeded;
 mod warning;
 mod words;
+mod work_precision;
 
 pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
@@ -115,3 +116,4 @@ pub use tables::{Table, Value, digits};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};
 pub use words::{milliseconds, percent, rounded_down, rounded_up, short};
+pub use work_precision::{Competitor, WorkPrecision, work_precision_figure};

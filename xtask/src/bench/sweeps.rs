@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use super::lanes;
+use super::{lanes, setting};
 
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/sweeps.csv";
@@ -65,21 +65,21 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
 
 /// The scenes of the other benchmark as a sweep.
 fn sweep_of(runs: u64, root: &Path) -> Value {
-    let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": lanes::MASS, "period_s": 1.0, "damping": {"ratio": lanes::DAMPING}}});
+    let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
     let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});
     json!({
         "scene": {
             "name": "pair",
-            "record": {"file": root.join(lanes::RECORD)},
+            "record": {"file": root.join(setting::RECORD)},
             "duration_s": 10.0,
             "structures": [structure("left"), structure("right")],
-            "contacts": [{"gap_m": 0.05, "law": {"stereomechanical": {"restitution": lanes::RESTITUTION}}}],
+            "contacts": [{"gap_m": 0.05, "law": {"stereomechanical": {"restitution": setting::RESTITUTION}}}],
             "method": {"central_difference": {"time_step_s": 0.01, "start": "consistent", "impacts": "velocity_jump"}},
         },
         "vary": [
-            {"field": "structures[0].sdof.period_s", "uniform": between(lanes::PERIODS)},
-            {"field": "structures[1].sdof.period_s", "uniform": between(lanes::PERIODS)},
-            {"field": "contacts[0].gap_m", "uniform": between(lanes::GAPS)},
+            {"field": "structures[0].sdof.period_s", "uniform": between(setting::PERIODS)},
+            {"field": "structures[1].sdof.period_s", "uniform": between(setting::PERIODS)},
+            {"field": "contacts[0].gap_m", "uniform": between(setting::GAPS)},
         ],
         "samples": {"count": runs, "seed": 1, "method": "random"},
         "outputs": {"pairs": ["collisions", "total_impulse_n_s"]},

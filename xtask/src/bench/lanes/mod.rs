@@ -14,13 +14,11 @@ use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, ImpactRule, Integrator, Node,
     Pair, Peaks, Row, RowsOf, SideBySide, SimultaneousImpacts, Start, Tallies,
 };
-use rand_pcg::Pcg64;
-use rand_pcg::rand_core::Rng;
+
+use super::setting::{self, DAMPING, GAPS, MASS, PERIODS, RESTITUTION, STIFFNESS};
 
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/lanes.csv";
-/// The record that shakes the scenes, from the top folder.
-pub(super) const RECORD: &str = "studies/records/el-centro-1940-ns-chopra.csv";
 /// Scenes of each law, and those of them that run one by one.
 const SCENES: usize = 4096;
 const ALONE: usize = 128;
@@ -31,15 +29,6 @@ const CLOCK: Clock = Clock {
 const NO_AVX_512: &str = "no AVX-512 on this machine, for which the loop by hand is written";
 /// Every law takes turns for as long as this.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Of the structures: mass \[kg\], damping ratio \[–\], least and largest period \[s\], least and largest gap \[m\].
-pub(super) const MASS: f64 = 1e5;
-pub(super) const DAMPING: f64 = 0.05;
-pub(super) const PERIODS: [f64; 2] = [0.2, 1.5];
-pub(super) const GAPS: [f64; 2] = [0.01, 0.08];
-/// e of all laws \[–\], and β̄ of the viscoelastic element \[N/m^1.5\].
-pub(super) const RESTITUTION: f64 = 0.65;
-const STIFFNESS: f64 = 2.75e9;
-
 const SETTINGS: CentralDifference = CentralDifference {
     start: Start::Consistent,
     impacts: ImpactRule::VelocityJump,
@@ -56,7 +45,7 @@ struct Scenes<'a> {
 
 /// Times all and keeps the ratios.
 pub(super) fn run(root: &Path) -> Result<(), String> {
-    let ground = ground(&root.join(RECORD))?;
+    let ground = ground(root)?;
     let excitation =
         Excitation::new(CLOCK.time_step, &ground).map_err(|error| error.to_string())?;
     let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
@@ -88,7 +77,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
 
 /// Time of a scene in the bare loop by hand with impacts, on so many threads at once \[s\].
 pub(super) fn seconds_by_hand(root: &Path, threads: usize) -> Result<f64, String> {
-    let ground = ground(&root.join(RECORD))?;
+    let ground = ground(root)?;
     let groups = groups(Law::Stereomechanical(RESTITUTION));
     let run = || {
         for group in &groups {
@@ -198,24 +187,14 @@ impl Scenes<'_> {
 }
 
 /// Accelerations at the nodes of the clock \[m/s²\].
-fn ground(path: &Path) -> Result<Vec<f64>, String> {
-    let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-    let bytes = fs::read(path).map_err(|error| fail(&error))?;
-    let record = pounding_motion::read(&bytes).map_err(|error| fail(&error))?;
-    let record = record.into_record(9.81).map_err(|error| fail(&error))?;
-    let record = record.resampled(CLOCK.time_step);
-    let record = record.map_err(|error| fail(&error))?;
-    Ok(record.samples()[..=CLOCK.n_steps].to_vec())
+fn ground(root: &Path) -> Result<Vec<f64>, String> {
+    setting::ground(root, CLOCK.time_step, CLOCK.n_steps)
 }
 
 /// Scenes of a law, in groups.
 fn groups(law: Law) -> Vec<Group> {
-    let mut random = Pcg64::new(7, 11);
-    let mut between = |[low, high]: [f64; 2]| {
-        // The upper 53 bits: a number in [0, 1).
-        let unit = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-        low + unit * (high - low)
-    };
+    let mut random = setting::random();
+    let mut between = |range: [f64; 2]| setting::between(&mut random, range);
     let mut group = || {
         let mut group = Group {
             masses: [[MASS; GROUP]; 2],

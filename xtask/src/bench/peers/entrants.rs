@@ -1,0 +1,151 @@
+//! Who takes part, with which methods and settings.
+
+use pounding_studies::Competitor;
+
+use super::own::{EXACT, LANES, VERLET};
+
+/// A method of somebody over a ladder of settings.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entrant {
+    pub(super) competitor: Competitor,
+    /// What answers: this project, or a tool of `worker.py`.
+    pub(super) tool: &'static str,
+    pub(super) method: &'static str,
+    /// Name in figures.
+    pub(super) label: &'static str,
+    pub(super) knob: Knob,
+    /// The law that it is for, where it is not for both.
+    pub(super) only: Option<Kind>,
+}
+
+/// What a ladder changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Knob {
+    /// The time step \[s\].
+    TimeStep,
+    /// The tolerance \[–\].
+    Tolerance,
+    /// The tolerance \[–\] of this project's exact method, which refuses more than 1e-3.
+    OwnTolerance,
+    /// Nothing: the exact method has no setting where contact is impulsive.
+    Nothing,
+}
+
+/// Kinds of laws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Impulsive,
+    Compliant,
+}
+
+/// Time steps \[s\]: they divide the step of the record, so that its corners are nodes.
+const TIME_STEPS: [f64; 12] = [
+    2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 2e-6,
+];
+const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+const OWN_TOLERANCES: [f64; 6] = [1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+/// What the exact method is asked for where its tolerance changes nothing.
+const NOTHING: [f64; 1] = [1e-16];
+
+impl Knob {
+    pub(super) fn ladder(self) -> &'static [f64] {
+        match self {
+            Self::TimeStep => &TIME_STEPS,
+            Self::Tolerance => &TOLERANCES,
+            Self::OwnTolerance => &OWN_TOLERANCES,
+            Self::Nothing => &NOTHING,
+        }
+    }
+
+    /// What a setting is, in tables.
+    pub(super) fn words(self, setting: f64) -> String {
+        match self {
+            Self::TimeStep => format!("{setting:e} s"),
+            Self::Tolerance | Self::OwnTolerance => format!("tolerance {setting:e}"),
+            Self::Nothing => String::from("none"),
+        }
+    }
+}
+
+const fn entrant(
+    competitor: Competitor,
+    [tool, method, label]: [&'static str; 3],
+    knob: Knob,
+    only: Option<Kind>,
+) -> Entrant {
+    Entrant {
+        competitor,
+        tool,
+        method,
+        label,
+        knob,
+        only,
+    }
+}
+
+/// This project in tables.
+pub(super) const OURS: &str = "pounding";
+
+/// All of them, in the order of tables and legends.
+pub(super) const ENTRANTS: [Entrant; 14] = {
+    use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
+    use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
+    let (impulsive, compliant) = (Some(Kind::Impulsive), Some(Kind::Compliant));
+    let stepping = "central_difference";
+    [
+        entrant(
+            Ours,
+            [OURS, LANES, "Ours: central difference, lanes"],
+            TimeStep,
+            None,
+        ),
+        entrant(
+            Ours,
+            [OURS, VERLET, "Ours: Verlet, impacts located"],
+            TimeStep,
+            None,
+        ),
+        entrant(Ours, [OURS, EXACT, "Ours: exact"], Nothing, impulsive),
+        entrant(Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, compliant),
+        entrant(
+            Loop,
+            ["numba", stepping, "Numba: central difference"],
+            TimeStep,
+            None,
+        ),
+        entrant(
+            Loop,
+            ["numba", "velocity_verlet", "Numba: Verlet"],
+            TimeStep,
+            None,
+        ),
+        entrant(Loop, ["numba", "rk4", "Numba: Runge–Kutta"], TimeStep, None),
+        entrant(
+            Loop,
+            ["c", stepping, "C: central difference"],
+            TimeStep,
+            None,
+        ),
+        entrant(Scipy, ["scipy", "DOP853", "SciPy: DOP853"], Tolerance, None),
+        entrant(Scipy, ["scipy", "LSODA", "SciPy: LSODA"], Tolerance, None),
+        entrant(Scipy, ["scipy", "Radau", "SciPy: Radau"], Tolerance, None),
+        entrant(
+            Sundials,
+            ["sundials", "adams", "SUNDIALS: CVODE, Adams"],
+            Tolerance,
+            None,
+        ),
+        entrant(
+            Sundials,
+            ["sundials", "bdf", "SUNDIALS: CVODE, BDF"],
+            Tolerance,
+            None,
+        ),
+        entrant(
+            OpenSees,
+            ["opensees", "newmark", "OpenSees: Newmark"],
+            TimeStep,
+            compliant,
+        ),
+    ]
+};

@@ -1,0 +1,129 @@
+//! What the race says: every setting, error levels, the least error of everybody, and the figure.
+
+use std::fmt::Write as _;
+
+use pounding_studies::{Competitor, WorkPrecision};
+
+use super::race::{Raced, Run};
+use super::work;
+
+/// Errors at which everybody is compared \[–\].
+const LEVELS: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
+
+type Points<'a> = Vec<(&'a Run, Vec<(f64, f64)>)>;
+
+/// CPU times and errors of those that are meant.
+fn points(raced: &Raced, meant: impl Fn(&Run) -> bool) -> Points<'_> {
+    let runs = raced.runs.iter().filter(|run| meant(run));
+    runs.map(|run| (run, run.points())).collect()
+}
+
+/// A ratio in a table: three digits.
+fn ratio(value: f64) -> String {
+    if value < 100.0 {
+        format!("{value:.3}")
+    } else {
+        format!("{value:.0}")
+    }
+}
+
+/// Every setting of everybody: error, CPU time over the unit, and over that of our cheapest method with the same error.
+pub(super) fn settings_csv(all: &[Raced]) -> String {
+    let mut csv =
+        String::from("law,tool,method,setting,error,cpu_time_ratio,over_ours_at_this_error\n");
+    for raced in all {
+        let ours = points(raced, Run::is_ours);
+        for run in &raced.runs {
+            for rung in &run.rungs {
+                let seconds = rung.seconds();
+                let over = work::cheapest(&ours, rung.error).map(|(_, own)| ratio(seconds / own));
+                let over = over.filter(|_| rung.error.is_finite()).unwrap_or_default();
+                let entrant = &run.entrant;
+                writeln!(
+                    csv,
+                    "{},{},{},{},{:.1e},{},{over}",
+                    raced.law,
+                    entrant.tool,
+                    entrant.method,
+                    entrant.knob.words(rung.setting),
+                    rung.error,
+                    ratio(seconds / raced.unit),
+                )
+                .expect("a string takes all");
+            }
+        }
+    }
+    csv
+}
+
+/// At every error level our cheapest method, and the best package and the best compiled loop over it.
+///
+/// Where nobody comes to the error the ratio has a `>`: that of what was spent on the finest settings, in vain.
+pub(super) fn levels_csv(all: &[Raced]) -> String {
+    let mut csv =
+        String::from("law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours\n");
+    for raced in all {
+        let ours = points(raced, Run::is_ours);
+        let packages = points(raced, |run| {
+            !run.is_ours() && run.entrant.competitor != Competitor::Loop
+        });
+        let loops = points(raced, |run| run.entrant.competitor == Competitor::Loop);
+        for level in LEVELS {
+            let Some((own, seconds)) = work::cheapest(&ours, level) else {
+                continue;
+            };
+            let cells = [&packages, &loops].map(|points| beside(points, level, seconds));
+            writeln!(
+                csv,
+                "{},{level:e},{},{}",
+                raced.law,
+                own.entrant.method,
+                cells.join(",")
+            )
+            .expect("a string takes all");
+        }
+    }
+    csv
+}
+
+/// Who is best at an error, and its CPU time over ours.
+fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
+    if let Some((run, seconds)) = work::cheapest(points, level) {
+        let name = format!("{} {}", run.entrant.tool, run.entrant.method);
+        return format!("{name},{}", ratio(seconds / ours));
+    }
+    let bound = work::spent_in_vain(points);
+    bound.map_or_else(
+        || String::from(","),
+        |seconds| format!("none,>{}", ratio(seconds / ours)),
+    )
+}
+
+/// The least error of everybody: whether all come to the same answer.
+pub(super) fn checks(all: &[Raced]) -> String {
+    let mut text = String::from("\nLeast error against the exact method, over all settings:\n");
+    for raced in all {
+        for run in &raced.runs {
+            let errors = run.rungs.iter().map(|rung| rung.error);
+            let least = errors.fold(f64::INFINITY, f64::min);
+            writeln!(text, "  {}: {}: {least:.1e}", raced.law, run.entrant.label)
+                .expect("a string takes all");
+        }
+    }
+    text
+}
+
+/// A panel of the figure.
+pub(super) fn panel(raced: &Raced) -> (&'static str, Vec<WorkPrecision>) {
+    let curve = |run: &Run| {
+        let points = run.points().into_iter();
+        WorkPrecision {
+            competitor: run.entrant.competitor,
+            label: run.entrant.label.into(),
+            points: points
+                .map(|(seconds, error)| (seconds / raced.unit, error))
+                .collect(),
+        }
+    };
+    (raced.title, raced.runs.iter().map(curve).collect())
+}
