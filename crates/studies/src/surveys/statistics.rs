@@ -33,7 +33,11 @@ pub(super) fn wilson(count: usize, of: usize) -> (f64, f64) {
     let whole = 1.0 + z * z / n;
     let centre = (share + z * z / (2.0 * n)) / whole;
     let half = z / whole * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();
-    ((centre - half).max(0.0), (centre + half).min(1.0))
+    // Between them lies the share; rounding may leave a bound on the wrong side of 0 or 1.
+    (
+        (centre - half).clamp(0.0, share),
+        (centre + half).clamp(share, 1.0),
+    )
 }
 
 #[cfg(test)]
