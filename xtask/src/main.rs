@@ -1,4 +1,4 @@
-//! Tasks of the project: `cargo xtask reproduce`, `beyond`, `check`, `bench` and `fuzz`.
+//! Tasks of the project: `cargo xtask reproduce`, `beyond`, `studies`, `check`, `bench` and `fuzz`.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -12,6 +12,7 @@ mod fuzz;
 mod hyperqueue;
 mod reproduce;
 mod results;
+mod studies;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -50,6 +51,12 @@ enum Task {
         /// Leave the records as strong as they are, instead of scaling them to the peak of the paper's.
         #[arg(long, requires = "records")]
         as_recorded: bool,
+    },
+    /// Run the surveys of studies/, one question asked of thousands of exact runs each, and write their folders of results/: a
+    /// minute or two each; no part of `check`.
+    Studies {
+        /// Names of surveys, such as required-gap; all without one.
+        names: Vec<String>,
     },
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
@@ -92,6 +99,7 @@ fn main() -> ExitCode {
             out,
             as_recorded,
         } => beyond::run(&root(), records.as_deref(), out, !as_recorded),
+        Task::Studies { names } => studies::run(&root(), &names),
         Task::Check => check::run(&root()),
         Task::Bench { savings: true, .. } => bench::savings(&root()),
         Task::Bench { storeys: true, .. } => bench::storeys(&root()),

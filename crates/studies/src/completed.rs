@@ -146,6 +146,7 @@ impl Output {
             | Self::Laws(_)
             | Self::Extremes(_)
             | Self::Beyond(_)
+            | Self::Survey(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }
@@ -168,6 +169,7 @@ impl Output {
             | Self::Laws(_)
             | Self::Extremes(_)
             | Self::Beyond(_)
+            | Self::Survey(_)
             | Self::FirstCollisionTable
             | Self::TransferredMomentumTable
             | Self::TextTable { .. }

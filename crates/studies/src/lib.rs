@@ -49,6 +49,7 @@ mod separation;
 mod spectrum;
 mod study;
 mod suite;
+mod surveys;
 mod sweep;
 mod tables;
 mod trade;
@@ -106,6 +107,10 @@ pub use spectrum::{
 };
 pub use study::{Output, Study, StudyFile};
 pub use suite::{Motion, Vertical, files_in};
+pub use surveys::{
+    Fragility, Kept, PoundingSpectra, Range, RequiredGap, Scan, Sensitivity, StiffnessRatio,
+    Survey, SurveyStudy,
+};
 pub use sweep::{
     Batch, Between, ColumnErrors, Directions, Grid, Joined, LogNormal, Normal, Outputs,
     PairQuantity, Parts, PlaceError, Records, RefusedScene, SampleMethod, Samples, SceneOf, Shard,

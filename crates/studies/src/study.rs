@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::file::read_file;
-use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Scene, StudyError};
+use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Scene, StudyError, Survey};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -60,6 +60,9 @@ pub enum Output {
     Extremes(Edges),
     /// The paper's scenes under other ground motions, and its claims; a folder of its own.
     Beyond(BeyondSettings),
+    /// One question asked of thousands of runs of which the scenes are templates; a folder of its own, which
+    /// [`SurveyStudy`](crate::SurveyStudy) makes and `reproduce` does not.
+    Survey(Survey),
     /// The record of the first scene.
     RecordFigure,
     /// Displacements of the structures of the first scene, a panel each.

@@ -37,6 +37,7 @@ pub use change::Change;
 pub use settings::{BeyondSettings, ListedMotion, Strength};
 use shaking::Shaking;
 pub use study::BeyondStudy;
+pub(crate) use study::motions_of;
 use world::World;
 
 /// A motion, by its place in the list, in one direction.

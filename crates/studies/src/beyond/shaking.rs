@@ -17,15 +17,15 @@ pub(super) const DAMPING: f64 = 0.05;
 
 /// A ground motion as it shakes the scenes, but for its direction.
 #[derive(Debug, Clone)]
-pub(super) struct Shaking {
-    pub(super) name: String,
+pub(crate) struct Shaking {
+    pub(crate) name: String,
     /// File or formula.
     origin: String,
     pub(super) record: Record,
     /// By what it was multiplied to be as strong as the first \[–\].
     factor: f64,
     /// Duration of the runs \[s\].
-    pub(super) duration: f64,
+    pub(crate) duration: f64,
 }
 
 /// A strength that motions are scaled to, and its value in the first of them \[m/s²\].
@@ -150,7 +150,7 @@ impl Shaking {
     }
 
     /// The record in a direction.
-    pub(super) fn directed(&self, reversed: bool) -> Record {
+    pub(crate) fn directed(&self, reversed: bool) -> Record {
         if reversed {
             self.record.reversed()
         } else {

@@ -38,10 +38,7 @@ impl BeyondStudy {
             return Ok(None);
         };
         let (mut study, target) = Self::first(files, (path, &settings))?;
-        let base = study.path.parent().unwrap_or_else(|| Path::new(""));
-        let read = |motion| Shaking::listed(motion, base, &settings, target);
-        let others: Result<Vec<_>, _> = settings.motions.iter().skip(1).map(read).collect();
-        let others = others.map_err(|error| error.in_file(&study.path))?;
+        let others = others(&settings, &study.path, target)?;
         study.motions.extend(others);
         Ok(Some(study))
     }
@@ -89,30 +86,9 @@ impl BeyondStudy {
         files: &[&StudyFile],
         (path, settings): (PathBuf, &BeyondSettings),
     ) -> Result<(Self, Option<Target>), StudyError> {
-        let refused = |(place, found, allowed)| StudyError::Study {
-            path: path.clone(),
-            place,
-            found,
-            allowed,
-        };
-        if let Some(fault) = settings.fault() {
-            return Err(refused(fault));
-        }
+        let (motions, target) = first(settings, &path)?;
         let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
         let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
-        let base = path.parent().unwrap_or_else(|| Path::new(""));
-        let first = settings.motions.first().map(|motion| {
-            // To scale the first to itself would cost its last digits.
-            Shaking::listed(motion, base, settings, None).map_err(|error| error.in_file(&path))
-        });
-        let motions: Vec<Shaking> = first.into_iter().collect::<Result<_, _>>()?;
-        let mut target = None;
-        if let Some(first) = motions.first() {
-            target = Target::of(settings, first).map_err(|error| {
-                let allowed = "a period and damping of which the first motion has a spectrum";
-                refused(("output.beyond.scaled_by", error.to_string(), allowed))
-            })?;
-        }
         let study = Self {
             papers: papers(settings, &scenes),
             path,
@@ -201,6 +177,61 @@ impl BeyondStudy {
             left_out: left.left_out.unwrap_or_default(),
         })
     }
+}
+
+/// The motions of a list, all as strong as the first where it scales them.
+///
+/// # Errors
+/// [`StudyError`] for a motion that is not allowed or cannot be read.
+pub(crate) fn motions_of(
+    settings: &BeyondSettings,
+    path: &Path,
+) -> Result<Vec<Shaking>, StudyError> {
+    let (mut motions, target) = first(settings, path)?;
+    motions.extend(others(settings, path, target)?);
+    Ok(motions)
+}
+
+/// The first motion of a list, and its strength, to which others are scaled.
+fn first(
+    settings: &BeyondSettings,
+    path: &Path,
+) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
+    let refused = |(place, found, allowed)| StudyError::Study {
+        path: path.to_path_buf(),
+        place,
+        found,
+        allowed,
+    };
+    if let Some(fault) = settings.fault() {
+        return Err(refused(fault));
+    }
+    let base = path.parent().unwrap_or_else(|| Path::new(""));
+    let first = settings.motions.first().map(|motion| {
+        // To scale the first to itself would cost its last digits.
+        Shaking::listed(motion, base, settings, None).map_err(|error| error.in_file(path))
+    });
+    let motions: Vec<Shaking> = first.into_iter().collect::<Result<_, _>>()?;
+    let mut target = None;
+    if let Some(first) = motions.first() {
+        target = Target::of(settings, first).map_err(|error| {
+            let allowed = "a period and damping of which the first motion has a spectrum";
+            refused(("output.beyond.scaled_by", error.to_string(), allowed))
+        })?;
+    }
+    Ok((motions, target))
+}
+
+/// The other motions of a list.
+fn others(
+    settings: &BeyondSettings,
+    path: &Path,
+    target: Option<Target>,
+) -> Result<Vec<Shaking>, StudyError> {
+    let base = path.parent().unwrap_or_else(|| Path::new(""));
+    let read = |motion| Shaking::listed(motion, base, settings, target);
+    let others: Result<Vec<_>, _> = settings.motions.iter().skip(1).map(read).collect();
+    others.map_err(|error| error.in_file(path))
 }
 
 /// A scene of the paper, under its record.

@@ -38,6 +38,7 @@ pub fn figure_png(completed: &Completed) -> Result<Option<Vec<u8>>, StudyError> 
         | Output::Laws(_)
         | Output::Extremes(_)
         | Output::Beyond(_)
+        | Output::Survey(_)
         | Output::Claims => return Ok(None),
     };
     png.map(Some).map_err(|source: PlotError| StudyError::Plot {

@@ -72,6 +72,7 @@ impl Table {
             | Output::Laws(_)
             | Output::Extremes(_)
             | Output::Beyond(_)
+            | Output::Survey(_)
             | Output::RecordFigure
             | Output::DisplacementFigure
             | Output::PoundingFigure
