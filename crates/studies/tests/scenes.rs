@@ -74,7 +74,7 @@ fn extreme_scene_name_twice() {
 fn extreme_output_unknown() {
     let mut study = study("table-5");
     study["output"] = json!("momentum_table");
-    assert_snapshot!(refused("output", &study), @"study.json, line 3, column 28: output: found `momentum_table`, allowed are `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `trade`, `laws`, `extremes`, `beyond`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure`");
+    assert_snapshot!(refused("output", &study), @"study.json, line 3, column 28: output: found `momentum_table`, allowed are `structures_table`, `pounding_forces_table`, `first_collision_table`, `transferred_momentum_table`, `text_table`, `claims`, `trade`, `laws`, `extremes`, `beyond`, `survey`, `record_figure`, `displacement_figure`, `pounding_figure`, `first_collision_figure`, `layout_figure`, `shear_force_figure`");
 }
 
 #[test]

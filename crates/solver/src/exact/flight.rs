@@ -19,8 +19,8 @@ const LONGEST: f64 = 0.999;
 /// What the structures of a row do between two samples.
 #[derive(Debug)]
 pub(super) struct Flights {
-    /// Of every node that stands on the ground, with columns of a sharp knee and a period that the samples resolve;
-    /// nothing for walls and others.
+    /// Of every structure that stands on the ground and is shaken at once, with columns of a sharp knee and a period that the
+    /// samples resolve; nothing for walls and others.
     leaps: Vec<Option<Leap>>,
     /// Whether all structures have one: then the row can fly as a whole.
     whole: bool,
@@ -80,16 +80,22 @@ struct Turn {
 impl Flights {
     pub(super) fn new(members: &[Member], step: f64) -> Self {
         let leap = |member: &Member| {
-            let flies = member.plain && member.fastest_rate * step <= LONGEST;
+            let flies = member.plain && at_once(member) && member.fastest_rate * step <= LONGEST;
             (flies && !member.is_wall()).then(|| Leap::new(member, step))
         };
         let leaps: Vec<_> = members.iter().map(leap).collect();
         let mut nodes = members.iter().zip(&leaps);
         Self {
-            whole: nodes.all(|(member, leap)| leap.is_some() || member.is_wall()),
+            whole: nodes
+                .all(|(member, leap)| leap.is_some() || (member.is_wall() && at_once(member))),
             leaps,
         }
     }
+}
+
+/// Whether the ground motion arrives at t = 0.
+fn at_once(member: &Member) -> bool {
+    member.arrival.total_cmp(&0.0).is_eq()
 }
 
 impl Leap {
@@ -248,7 +254,7 @@ impl<R: Recorder> Run<'_, R> {
     /// goes on.
     pub(super) fn fly(&mut self, time: f64) -> f64 {
         let mut now = time;
-        if self.flights.as_ref().is_some_and(|flights| flights.whole) && self.flies() {
+        if self.flights.whole && self.flies() {
             while let Some(interval) = self.interval_from(now)
                 && self.leap(&interval)
             {
@@ -302,10 +308,7 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Finds the flights of all structures to the next sample; false where more than turns could happen on the way.
     fn leap(&mut self, interval: &Interval) -> bool {
-        let Some(Flights { leaps, .. }) = &self.flights else {
-            return false;
-        };
-        for (member, leap) in self.members.iter_mut().zip(leaps) {
+        for (member, leap) in self.members.iter_mut().zip(&self.flights.leaps) {
             let Some(leap) = leap else {
                 continue;
             };
@@ -380,9 +383,6 @@ impl<R: Recorder> Run<'_, R> {
     /// Looks ahead to the next sample for a body that begins a piece: what flies there alone arrives in the same bits
     /// whatever the others do.
     pub(super) fn look_to_sample(&mut self, first: usize, time: f64) {
-        let Some(Flights { leaps, .. }) = &self.flights else {
-            return;
-        };
         let nodes = self.groups.of(first).nodes();
         let alone = nodes.len() == 1 && self.members[first].branch == Branch::Elastic;
         let goes_on = |member: &Member| {
@@ -395,7 +395,7 @@ impl<R: Recorder> Run<'_, R> {
         for node in nodes {
             self.members[*node].ahead = None;
         }
-        if let Some(leap) = leaps[first].filter(|_| alone)
+        if let Some(leap) = self.flights.leaps[first].filter(|_| alone)
             && let Some(interval) = self.interval_from(time)
         {
             let member = &mut self.members[first];

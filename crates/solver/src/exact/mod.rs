@@ -106,8 +106,8 @@ struct Run<'a, R> {
     buildings: Vec<usize>,
     /// Pairs of which this instant's impacts have been dealt with.
     settled: Vec<bool>,
-    /// From sample to sample in one go; nothing where the ground motion travels.
-    flights: Option<Flights>,
+    /// From sample to sample in one go.
+    flights: Flights,
     /// Bodies that wait for their next piece.
     landed: Vec<bool>,
     chain: Chain,
@@ -149,15 +149,11 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         .collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let groups = Groups::new(&members, &contacts, &pair_right_of);
-    let travel = row.travel(excitation);
     let mut run = Run {
         settings,
         excitation,
-        flights: match travel {
-            None => Some(Flights::new(&members, excitation.time_step())),
-            Some(_) => None,
-        },
-        travel,
+        flights: Flights::new(&members, excitation.time_step()),
+        travel: row.travel(excitation),
         ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),

@@ -18,6 +18,8 @@ const EXACT: Integrator = Integrator::Exact(Exact {
 const STEP: f64 = 0.01;
 /// What is asked between the samples \[s\].
 const LOOK: f64 = 0.0037;
+/// A delay \[s\] of a hundred looks, and of 37 samples.
+const LATER: f64 = 0.37;
 
 #[derive(Debug, Clone)]
 struct Case {
@@ -63,16 +65,15 @@ enum Apart {
     Nothing,
     /// A structure whose period the samples do not resolve, so that the row does not fly as a whole.
     Stiff,
-    /// One that the ground motion reaches later: nothing flies.
+    /// Nothing, and the ground motion arrives later: nothing flies.
     Late,
 }
 
 /// Numbers of the row, and the pieces that they took.
 fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
     let others: &[[f64; 3]] = match apart {
-        Apart::Nothing => &[],
+        Apart::Nothing | Apart::Late => &[],
         Apart::Stiff => &[[0.04, 0.05, f64::INFINITY]],
-        Apart::Late => &[[1.0, 0.05, f64::INFINITY]],
     };
     let n = case.structures.len();
     let nodes = case.structures.iter().chain(others).copied().map(node);
@@ -85,18 +86,17 @@ fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
     let pairs: Vec<_> = (0..n - 1).map(pair).collect();
     let mut row = Row::new(nodes.collect(), pairs).expect("the row is valid");
     if apart == Apart::Late {
-        let arrivals = (0..=n).map(|node| if node < n { 0.0 } else { 0.3 });
-        row = row.delayed(arrivals.collect()).expect("they are valid");
+        row = row.delayed(vec![LATER; n]).expect("they are valid");
     }
     let n_nodes = n + others.len();
     let clock = Clock {
         time_step: STEP,
-        n_steps: case.ground.len() - 1,
+        n_steps: case.ground.len() - 1 + if apart == Apart::Late { 37 } else { 0 },
     };
     let excitation = Excitation::new(STEP, &case.ground).expect("the record is finite");
     let mut recorder = (
         Peaks::new(n_nodes),
-        FloorAccelerations::new(n_nodes, excitation),
+        FloorAccelerations::new(n_nodes, excitation).travelled(row.travel(excitation).as_ref()),
         Collisions::new(n_nodes, row.pairs()),
         Histories::new(n_nodes, LOOK, clock.time(clock.n_steps)),
     );
@@ -104,13 +104,18 @@ fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
         .run(&row, excitation, clock, &mut recorder)
         .expect("the row can be run");
     let (peaks, accelerations, collisions, histories) = recorder;
+    let (later, before) = if apart == Apart::Late {
+        (LATER, 100)
+    } else {
+        (0.0, 0)
+    };
     let mut numbers = Vec::new();
     for structure in 0..n {
         let of = peaks.of(structure);
-        numbers.extend([of.displacement.value, of.displacement.time]);
+        numbers.extend([of.displacement.value, of.displacement.time - later]);
         numbers.push(accelerations.of(structure).value);
         let states = &histories.of(structure).states;
-        numbers.extend(states.iter().map(|state| state.displacement));
+        numbers.extend(states[before..].iter().map(|state| state.displacement));
     }
     numbers.extend(collisions.all().iter().map(|one| one.impulse / 1e5));
     (numbers, work)
