@@ -7,7 +7,7 @@ const MOST: usize = 24;
 
 /// The motion m ü + c u̇ + f = −m `a_g` from a start on, f a line over u and `a_g` one over time.
 ///
-/// Its power series are expanded only for those who ask what is between the ends; see [`Span::expanded`].
+/// Its power series are expanded only for those who ask what is between the ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
     /// Instant of the start \[s\].
