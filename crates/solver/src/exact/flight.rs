@@ -329,6 +329,11 @@ impl<R: Recorder> Run<'_, R> {
     /// Reports the way of every structure to the next sample, and brings its state there.
     fn land_flights(&mut self, interval: &Interval) {
         self.work.events += 1;
+        let pairs = self.lefts.iter().zip(&mut self.contacts).zip(&self.gaps);
+        for ((left, contact), gap) in pairs {
+            let reach = self.members[*left].reach() + self.members[left + 1].reach() + gap;
+            contact.scale = contact.scale.max(reach);
+        }
         for (structure, member) in self.members.iter_mut().enumerate() {
             let Some(ahead) = member.ahead.take() else {
                 continue;
@@ -412,6 +417,16 @@ impl Member {
             None => ([start; 2], 0.0),
             Some(ahead) => ([start, ahead.state.displacement], ahead.acceleration),
         }
+    }
+
+    /// Largest displacement at the end of the way and where it turns.
+    fn reach(&self) -> f64 {
+        self.ahead.map_or(self.state.displacement.abs(), |ahead| {
+            let turn = ahead
+                .turn
+                .map_or(0.0, |turn| turn.before.displacement.abs());
+            ahead.state.displacement.abs().max(turn)
+        })
     }
 
     /// The restoring force at this drift, the hysteretic part of which is known.

@@ -175,10 +175,12 @@ pub(super) fn displacement_not_recovered(runs: &Runs<'_>) -> Result<Claim, Study
         let plastic = 1e3 * nonlinear.residual(0).unwrap_or(0.0);
         holds &= peaks[1].abs() > peaks[0].abs() && plastic.abs() > 0.5 * peaks[1].abs();
         computed.push(format!(
-            "{}: peak {:.0} mm elastic, {:.0} mm nonlinear, of which {plastic:.0} mm stay at {} s",
+            "{}: peak {:.0} mm elastic, {:.0} mm nonlinear, of which {:.0} mm stay at {} s",
             law.name(),
             peaks[0],
             peaks[1],
+            // A rounded negative zero loses its sign.
+            plastic.round() + 0.0,
             digits(nonlinear.scene.duration())
         ));
     }

@@ -1,0 +1,72 @@
+//! Sweeps whose scene asks for an accuracy: which method they choose, and what they say of it.
+
+use std::fs;
+
+use pounding_studies::Sweep;
+use serde_json::{Value, json};
+
+use crate::{folder, scene, sweep, table};
+
+/// What an accuracy chooses is what one would write by hand, and it is measured.
+#[test]
+fn reference_an_accuracy_chooses_a_method_and_measures_it() {
+    let folder = folder("accuracy");
+    let words = |method: Value| {
+        let mut scene = scene();
+        scene["method"] = method;
+        json!({
+            "scene": scene,
+            "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
+            "samples": {"count": 300, "seed": 1, "method": "sobol"},
+            "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
+            "verdict": false,
+        })
+    };
+    let chosen = sweep(&folder, &words(json!({"accuracy": 0.02})));
+    let accuracy = chosen.accuracy().expect("it was asked for");
+    assert_eq!(accuracy.method.name(), "central_difference");
+    assert_eq!((accuracy.columns.len(), accuracy.rows.runs), (3, 128));
+    assert!(accuracy.within > 0.8, "{accuracy:?}");
+    let by_hand = sweep(&folder, &words(json!(accuracy.method)));
+    assert_eq!(table(&chosen, 0..300), table(&by_hand, 0..300));
+    // The exact runs of all rows tell the same of the part that is within.
+    let exact = table(&sweep(&folder, &words(json!("exact"))), 0..300);
+    let numbers = |row: &[String]| {
+        let numbers = row[4..7]
+            .iter()
+            .map(|field| field.parse().unwrap_or(f64::NAN));
+        numbers.collect::<Vec<f64>>()
+    };
+    let within = |(a, b): &(&Vec<String>, &Vec<String>)| {
+        let (a, b) = (numbers(a), numbers(b));
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 0.02 * a.abs().max(b.abs());
+        a.iter().zip(&b).all(near)
+    };
+    let rows = table(&by_hand, 0..300);
+    let within = rows.iter().zip(&exact).filter(within).count() as f64 / 300.0;
+    assert!(
+        (within - accuracy.within).abs() < 0.08,
+        "{within} {accuracy:?}"
+    );
+    // No step of the ladder is as close as that.
+    let exact = sweep(&folder, &words(json!({"accuracy": 1e-7})));
+    let accuracy = exact.accuracy().expect("it was asked for");
+    assert_eq!(accuracy.method.name(), "exact");
+    assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
+}
+
+#[test]
+fn extreme_a_method_that_is_chosen_does_not_vary() {
+    let folder = folder("accuracy_varies");
+    let mut scene = scene();
+    scene["method"] = json!({"accuracy": 0.02});
+    let words = json!({
+        "scene": scene,
+        "vary": [{"field": "method.accuracy", "values": [0.01, 0.02]}],
+    });
+    let path = folder.join("sweep.json");
+    fs::write(&path, words.to_string()).expect("a file");
+    let refused = Sweep::read(&path).expect_err("there is one method");
+    let text = refused.to_string();
+    assert!(text.contains("asks for an accuracy"), "{text}");
+}
