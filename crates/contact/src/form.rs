@@ -125,7 +125,7 @@ impl<N: Number> Form<N> {
 
 impl Form {
     /// Force and tangents at δ > 0; all are 0 where the law would pull.
-    pub(crate) fn respond(&self, deformation: f64, rate: f64) -> ContactForce {
+    pub fn respond(&self, deformation: f64, rate: f64) -> ContactForce {
         let spring = self.spring.at(deformation);
         let damping = self.damping(deformation, rate);
         let force = spring + damping * rate;

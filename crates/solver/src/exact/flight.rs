@@ -14,7 +14,7 @@ use crate::span::{Expansion, rise, value};
 use crate::{Flight, Path, Recorder, Span, State};
 
 /// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
-const LONGEST: f64 = 0.999;
+pub(crate) const LONGEST: f64 = 0.999;
 
 /// What the structures of a row do between two samples.
 #[derive(Debug)]
@@ -102,7 +102,6 @@ impl Leap {
     fn new(member: &Member, step: f64) -> Self {
         let len = in_flight(member.fastest_rate * step);
         let by = |velocity: f64, ground: [f64; 2]| {
-            let mut room = Expansion::default();
             let flight = Flight {
                 origin: 0.0,
                 displacement: 0.0,
@@ -114,9 +113,7 @@ impl Leap {
                 ground,
                 len,
             };
-            flight.expand(&mut room);
-            let ends = [room.displacement(len), room.velocity(len)];
-            ends.map(|series| value(series, step))
+            flight.ends(step)
         };
         let columns = [by(1.0, [0.0; 2]), by(0.0, [1.0, 0.0]), by(0.0, [0.0, 1.0])];
         let damping = member.damping * member.inverse_mass;

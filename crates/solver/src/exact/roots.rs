@@ -6,7 +6,7 @@
 use crate::span::value;
 
 /// Capacity of every series.
-pub(super) const CAPACITY: usize = 64;
+pub(crate) const CAPACITY: usize = 64;
 
 /// Part of the whole below which a stretch is as short as rounding.
 const SHORTEST: f64 = 1e-15;
@@ -15,7 +15,7 @@ const SHORTEST: f64 = 1e-15;
 ///
 /// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
 /// is positive from the start rises at 0.
-pub(super) fn first_rise(coefficients: &[f64], length: f64) -> Option<f64> {
+pub(crate) fn first_rise(coefficients: &[f64], length: f64) -> Option<f64> {
     let known = coefficients.iter().position(|c| *c != 0.0)?;
     let whole = &coefficients[known..];
     if whole[0] > 0.0 {

@@ -14,18 +14,22 @@
 
 mod body;
 mod column;
+mod exact;
 mod group;
 mod jump;
 mod law;
 mod number;
 mod run;
+mod tallies;
 mod tally;
 
 use fearless_simd::{Level, dispatch};
 
 pub use column::RowsOf;
 use column::SideBySideColumn;
+pub use exact::ExactSideBySide;
 use run::{IN_STEP, Task};
+pub use tallies::{PairTally, Tallies};
 
 use crate::{CentralDifference, Clock, Excitation, RestoringForce, Row, RunError, Support};
 
@@ -37,71 +41,6 @@ pub struct SideBySide {
     /// Acceleration at every node of the clock \[m/s²\].
     ground: Vec<f64>,
     level: Level,
-}
-
-/// What happened to one pair of a scene.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct PairTally {
-    /// Number of collisions, as [`Collisions`](crate::Collisions) counts them.
-    pub collisions: f64,
-    /// Sum of their impulses \[N·s\].
-    pub impulse: f64,
-    /// Largest pounding force \[N\] of a compliant pair; 0 of an impulsive one, whose force has no limit.
-    pub peak_force: f64,
-}
-
-/// What happened in many scenes of one shape, in their order.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Tallies {
-    n_structures: usize,
-    n_pairs: usize,
-    displacements: Vec<f64>,
-    pairs: Vec<PairTally>,
-    told: Vec<bool>,
-    /// Steps of groups of scenes.
-    pub steps: u64,
-    /// Those of them in which some scene of the group touched.
-    pub touching_steps: u64,
-}
-
-impl Tallies {
-    /// Displacement of the largest magnitude of a structure \[m\], with its sign.
-    pub fn displacement(&self, scene: usize, structure: usize) -> f64 {
-        self.displacements[scene * self.n_structures + structure]
-    }
-
-    /// What happened to a pair.
-    pub fn pair(&self, scene: usize, pair: usize) -> PairTally {
-        self.pairs[scene * self.n_pairs + pair]
-    }
-
-    /// Whether what happened in a scene is known. It is not where numbers have grown without bound, or a structure has gone as far
-    /// to the left as to the right, so that only the order tells the sign of its displacement: a run of the scene alone says.
-    pub fn is_told(&self, scene: usize) -> bool {
-        self.told[scene]
-    }
-
-    /// Makes room for so many scenes, with so many structures and pairs each.
-    fn begin(&mut self, n_scenes: usize, (n_structures, n_pairs): (usize, usize)) {
-        (self.n_structures, self.n_pairs) = (n_structures, n_pairs);
-        self.displacements.clear();
-        self.displacements.resize(n_scenes * n_structures, 0.0);
-        self.pairs.clear();
-        self.pairs.resize(n_scenes * n_pairs, PairTally::default());
-        self.told.clear();
-        self.told.resize(n_scenes, false);
-        (self.steps, self.touching_steps) = (0, 0);
-    }
-
-    /// Number of scenes.
-    pub fn len(&self) -> usize {
-        self.told.len()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.told.is_empty()
-    }
 }
 
 impl SideBySide {

@@ -113,10 +113,16 @@ impl<S: Simd> Mask<S> {
         Self(!self.0)
     }
 
+    /// A bit for every lane, that of the first one the lowest.
+    #[inline(always)]
+    pub(super) fn bits(self) -> u64 {
+        self.0.to_bitmask()
+    }
+
     /// Whether a lane says yes.
     #[inline(always)]
     pub(super) fn test(self, lane: usize) -> bool {
-        (self.0.to_bitmask() >> lane) & 1 == 1
+        (self.bits() >> lane) & 1 == 1
     }
 }
 

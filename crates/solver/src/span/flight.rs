@@ -1,6 +1,6 @@
 //! Free flight of a structure on one line of its columns, between two samples of the ground motion: known by its start.
 
-use super::{Path, Power, Series, Span};
+use super::{Path, Power, Series, Span, value};
 
 /// Most coefficients of an expansion.
 const MOST: usize = 24;
@@ -64,6 +64,14 @@ impl Flight {
             (u, v) = (v * next, a * next);
             force = self.stiffness * u;
         }
+    }
+
+    /// Displacement \[m\] and velocity \[m/s\] after a time.
+    pub(crate) fn ends(&self, time: f64) -> [f64; 2] {
+        let mut room = Expansion::default();
+        self.expand(&mut room);
+        let ends = [room.displacement(self.len), room.velocity(self.len)];
+        ends.map(|series| value(series, time))
     }
 
     /// Acceleration over the ground at this velocity and restoring force, under this ground acceleration.

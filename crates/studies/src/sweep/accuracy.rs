@@ -3,7 +3,7 @@
 //! Nothing is assumed of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another sample measures
 //! it. Both are drawn by the same numbers in every shard.
 
-use pounding_solver::{ImpactRule, Start};
+use pounding_solver::{ImpactRule, SimultaneousImpacts, Start};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 use serde_json::Value;
@@ -21,6 +21,10 @@ const SHARE: f64 = 0.95;
 /// The longest time step that is tried \[s\], and how often it is halved.
 const LONGEST: f64 = 0.02;
 const HALVED: i32 = 7;
+/// How often where the exact method runs scenes side by side: it then costs as much as steps of 1 to 1.5 ms (`cargo xtask bench --peers`).
+const HALVED_BESIDE: i32 = 3;
+/// Its tolerance, as a part of the error that is asked for.
+const PART: f64 = 0.1;
 
 /// The method that was chosen for a sweep, and what it makes of the numbers that are asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,13 +125,18 @@ impl Sweep {
         let (chooses, measures) = self.sampled();
         self.set_method(&Method::EXACT);
         let [truth, measure] = [&chooses, &measures].map(|runs| self.numbers(runs));
-        let steps = (0..=HALVED).map(|n| LONGEST / f64::from(1 << n));
+        // Where scenes can go side by side by the exact method, no finer steps than cost as much need be tried.
+        let flown = exact(asked * PART);
+        self.set_method(&flown);
+        let (found, beside) = self.numbers_beside(&chooses);
+        let flies = beside && holds_for(&truth, &found, asked);
+        let halved = if flies { HALVED_BESIDE } else { HALVED };
+        let steps = (0..=halved).map(|n| LONGEST / f64::from(1 << n));
         let candidates: Vec<_> = steps.map(central_difference).collect();
         let mut holds = Vec::new();
         for candidate in &candidates {
             self.set_method(candidate);
-            let rows = rows(&errors(&truth, &self.numbers(&chooses)));
-            holds.push(at_most(&sorted(rows), SHARE) <= asked);
+            holds.push(holds_for(&truth, &self.numbers(&chooses), asked));
             // One step may be lucky; the next finer one has to confirm it.
             if holds.ends_with(&[true, true]) {
                 break;
@@ -135,6 +144,8 @@ impl Sweep {
         }
         let method = match holds[..] {
             [.., true, true] => candidates[holds.len() - 2],
+            // The finest step that costs less has nothing to confirm it.
+            _ if flies => flown,
             _ => Method::EXACT,
         };
         self.set_method(&method);
@@ -173,12 +184,20 @@ impl Sweep {
 
     /// The numbers of some runs; nothing for one that fails.
     fn numbers(&self, runs: &[u64]) -> Vec<Option<Vec<f64>>> {
+        self.numbers_beside(runs).0
+    }
+
+    /// The numbers of some runs, and whether most of them can go side by side.
+    fn numbers_beside(&self, runs: &[u64]) -> (Vec<Option<Vec<f64>>>, bool) {
         let one = |run: &u64| {
             let batch = self.batch(*run..*run + 1);
             let numbers = batch.columns.iter().map(|column| column[0]).collect();
-            batch.failed[0].is_none().then_some(numbers)
+            let numbers: Option<Vec<f64>> = batch.failed[0].is_none().then_some(numbers);
+            (numbers, batch.beside)
         };
-        runs.par_iter().map(one).collect()
+        let (numbers, beside): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
+        let beside: usize = beside.iter().sum();
+        (numbers, beside as f64 >= SHARE * runs.len() as f64)
     }
 }
 
@@ -189,6 +208,19 @@ fn central_difference(time_step_s: f64) -> Method {
         impacts: ImpactRule::VelocityJump,
         contact_substeps: 1,
     }
+}
+
+/// The exact method at the tolerance nearest to this one that scenes side by side can have.
+fn exact(tolerance: f64) -> Method {
+    Method::Exact {
+        tolerance: tolerance.clamp(1e-12, 1e-3),
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    }
+}
+
+/// Whether most runs are within an error.
+fn holds_for(truth: &[Option<Vec<f64>>], found: &[Option<Vec<f64>>], asked: f64) -> bool {
+    at_most(&sorted(rows(&errors(truth, found))), SHARE) <= asked
 }
 
 /// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite.

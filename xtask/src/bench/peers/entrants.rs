@@ -2,7 +2,7 @@
 
 use pounding_studies::Competitor;
 
-use super::own::{EXACT, LANES, VERLET};
+use super::own::{EXACT, EXACT_LANES, LANES, VERLET};
 
 /// A method of somebody over a ladder of settings.
 #[derive(Debug, Clone, Copy)]
@@ -43,7 +43,7 @@ const TIME_STEPS: [f64; 12] = [
     2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 2e-6,
 ];
 const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-const OWN_TOLERANCES: [f64; 6] = [1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+const OWN_TOLERANCES: [f64; 9] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12];
 /// What the exact method is asked for where its tolerance changes nothing.
 const NOTHING: [f64; 1] = [1e-16];
 
@@ -87,7 +87,7 @@ const fn entrant(
 pub(super) const OURS: &str = "pounding";
 
 /// All of them, in the order of tables and legends.
-pub(super) const ENTRANTS: [Entrant; 14] = {
+pub(super) const ENTRANTS: [Entrant; 16] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
     use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
     let (impulsive, compliant) = (Some(Kind::Impulsive), Some(Kind::Compliant));
@@ -104,6 +104,18 @@ pub(super) const ENTRANTS: [Entrant; 14] = {
             [OURS, VERLET, "Ours: Verlet, impacts located"],
             TimeStep,
             None,
+        ),
+        entrant(
+            Ours,
+            [OURS, EXACT_LANES, "Ours: exact, lanes"],
+            Nothing,
+            impulsive,
+        ),
+        entrant(
+            Ours,
+            [OURS, EXACT_LANES, "Ours: exact, lanes"],
+            OwnTolerance,
+            compliant,
         ),
         entrant(Ours, [OURS, EXACT, "Ours: exact"], Nothing, impulsive),
         entrant(Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, compliant),

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use pounding_solver::{
-    CentralDifference, ImpactRule, Integrator, RowsOf, SideBySide, Start, Tallies, Verlet,
-    VerletImpacts,
+    CentralDifference, Exact, ExactSideBySide, ImpactRule, Integrator, RowsOf, SideBySide,
+    SimultaneousImpacts, Start, Tallies, Verlet, VerletImpacts,
 };
 
 use super::race::Measured;
@@ -16,6 +16,7 @@ use super::scenes::{Found, IN_LANES, SCENES, Scenes, clock, exact, solved};
 pub(super) const LANES: &str = "central_difference_in_lanes";
 pub(super) const VERLET: &str = "velocity_verlet_located";
 pub(super) const EXACT: &str = "exact";
+pub(super) const EXACT_LANES: &str = "exact_in_lanes";
 
 /// A measurement repeats what is shorter, as `worker.py` does.
 const LEAST: Duration = Duration::from_millis(20);
@@ -41,6 +42,7 @@ pub(super) fn measured(
             Ok(alone(scenes, Integrator::Verlet(settings), setting))
         }
         // The exact method keeps no time step; a clock says how long it runs.
+        EXACT_LANES => exact_in_lanes(scenes, setting),
         EXACT => Ok(alone(scenes, exact(setting), 0.02)),
         _ => Err(format!(
             "{method}: no such method; name one of those in own.rs"
@@ -54,22 +56,46 @@ fn in_lanes(scenes: &Scenes<'_>, time_step: f64) -> Result<Measured, String> {
     let together = SideBySide::new(CENTRAL_DIFFERENCE, scenes.excitation, clock);
     let together = together.map_err(|error| error.to_string())?;
     let n_steps = [clock.n_steps; IN_LANES];
+    let rows = RowsOf::Elastic(&scenes.rows);
+    Ok(beside(|tallies| {
+        together.run(rows, &n_steps, tallies);
+    }))
+}
+
+/// The same by the exact method.
+fn exact_in_lanes(scenes: &Scenes<'_>, tolerance: f64) -> Result<Measured, String> {
+    let settings = Exact {
+        // The least that lanes take; with impacts it changes nothing.
+        tolerance: tolerance.max(1e-12),
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    };
+    let together = ExactSideBySide::new(settings, scenes.excitation, clock(0.02));
+    let together = together.map_err(|error| error.to_string())?;
+    let rows: Vec<_> = scenes.rows.iter().enumerate().collect();
+    Ok(beside(|tallies| {
+        tallies.begin(rows.len(), (2, 1));
+        together.run(&rows, tallies);
+    }))
+}
+
+/// What a run of all scenes side by side takes and tells; a scene that it does not tell has no error that could be compared.
+fn beside(mut run: impl FnMut(&mut Tallies)) -> Measured {
     let mut tallies = Tallies::default();
     let seconds = timed(|| {
-        together.run(RowsOf::Elastic(&scenes.rows), &n_steps, &mut tallies);
+        run(&mut tallies);
         black_box(&tallies);
     });
     let found = |scene: usize| -> Found {
-        if !tallies.is_told(scene) {
+        if scene >= tallies.len() || !tallies.is_told(scene) {
             return [f64::NAN; 3];
         }
         let peak = |structure| tallies.displacement(scene, structure).abs();
         [peak(0), peak(1), tallies.pair(scene, 0).impulse]
     };
-    Ok(Measured {
+    Measured {
         seconds: seconds / IN_LANES as f64,
         found: (0..SCENES).map(found).collect(),
-    })
+    }
 }
 
 /// One scene after the other, each with its recorders.

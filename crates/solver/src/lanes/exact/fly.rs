@@ -1,0 +1,387 @@
+//! Two groups of scenes from sample to sample: what happens in one does not wait for the other.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::pair::{Scene, Side};
+use super::{ExactSideBySide, Interval};
+use crate::exact::in_flight;
+use crate::lanes::Tallies;
+use crate::lanes::number::{LANES, Lanes, Mask};
+use crate::{Elastic, Flight, Row};
+
+/// Scenes that run in step.
+pub(super) const IN_STEP: usize = 2 * LANES;
+
+/// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
+const NEWTON: usize = 3;
+const TERMS: usize = 22;
+/// Part of the time to a turn within which its jerk tells the rest.
+const NEAR: f64 = 1e-3;
+
+/// Runs up to [`IN_STEP`] rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in
+/// them.
+#[inline(always)]
+pub(super) fn run<S: Simd>(
+    simd: S,
+    method: &ExactSideBySide,
+    rows: &[(usize, &Row<Elastic>)],
+    tallies: &mut Tallies,
+) {
+    let (one, other) = rows.split_at(rows.len().min(LANES));
+    // A group without scenes repeats the other one, and is not told.
+    let parts = [one, if other.is_empty() { one } else { other }];
+    let mut groups = parts.map(|rows| Group::new(simd, method, rows));
+    for interval in &method.intervals {
+        for group in &mut groups {
+            group.go(interval, method.step);
+        }
+    }
+    for (scene, (place, _)) in rows.iter().enumerate() {
+        groups[scene / LANES].tell(scene % LANES, (*place, tallies));
+    }
+    let told = 1 + usize::from(!other.is_empty());
+    for group in &groups[..told] {
+        tallies.steps += method.intervals.len() as u64;
+        tallies.touching_steps += group.alone;
+    }
+}
+
+/// As many scenes as there are lanes.
+struct Group<S: Simd> {
+    flyers: [Flyer<S>; 2],
+    gap: Lanes<S>,
+    scenes: [Scene; LANES],
+    /// Scenes in compliant contact, and those that have been given up.
+    pressed: u64,
+    lost: u64,
+    /// Intervals in which some scene went alone.
+    alone: u64,
+}
+
+/// A structure of every scene, or its wall.
+struct Flyer<S: Simd> {
+    /// Change of the displacement, and velocity at the next sample, by a unit of velocity, of load over mass that stays, and of load
+    /// over mass that grows by one in a second.
+    change: [Lanes<S>; 3],
+    end: [Lanes<S>; 3],
+    /// c/m \[1/s\], k/m \[1/s²\], and 1 or 0 of walls.
+    damping: Lanes<S>,
+    stiffness: Lanes<S>,
+    mobile: Lanes<S>,
+    /// By how much more than at its ends, and by its load, a structure can accelerate on the way.
+    growth: Lanes<S>,
+    displacement: Lanes<S>,
+    velocity: Lanes<S>,
+    /// Least and largest displacement so far \[m\].
+    extremes: [Lanes<S>; 2],
+}
+
+/// Where a structure would be at the next sample.
+#[derive(Clone, Copy)]
+struct Landing<S: Simd> {
+    displacement: Lanes<S>,
+    velocity: Lanes<S>,
+    /// How far it could be on the way from the line between the ends \[m\].
+    bow: Lanes<S>,
+    /// Where it turns on the way, if that is farther than it has reached \[m\].
+    turned: Lanes<S>,
+}
+
+impl<S: Simd> Flyer<S> {
+    #[inline(always)]
+    fn new(simd: S, sides: &[Side; LANES], step: f64) -> Self {
+        let gather = |number: &dyn Fn(&Side) -> f64| {
+            let mut values = [0.0; LANES];
+            for (value, side) in values.iter_mut().zip(sides) {
+                *value = number(side);
+            }
+            Lanes::new(simd, &values)
+        };
+        let weights = sides.map(|side| weights(&side, step));
+        let weight = |place: usize, part: usize| {
+            Lanes::new(simd, &weights.map(|weights| weights[place][part]))
+        };
+        let over_mass = |side: &Side| {
+            let [damping, stiffness] = [side.damping, side.stiffness];
+            [damping * side.inverse_mass, stiffness * side.inverse_mass]
+        };
+        let growth = |side: &Side| {
+            let [damping, stiffness] = over_mass(side);
+            // No instant is farther than half a step from one of the ends.
+            1.0 / (1.0 - 0.5 * step * (damping + 0.5 * step * stiffness))
+        };
+        Self {
+            change: std::array::from_fn(|part| weight(0, part)),
+            end: std::array::from_fn(|part| weight(1, part)),
+            damping: gather(&|side| over_mass(side)[0]),
+            stiffness: gather(&|side| over_mass(side)[1]),
+            mobile: gather(&|side| side.mobile),
+            growth: gather(&growth),
+            displacement: gather(&|side| side.displacement),
+            velocity: gather(&|side| side.velocity),
+            extremes: [
+                gather(&|side| side.extremes[0]),
+                gather(&|side| side.extremes[1]),
+            ],
+        }
+    }
+
+    /// Where the structure would be at the next sample, and where it could turn on the way beyond what it has reached, unless
+    /// [`Self::turn`] has found how far it goes.
+    #[inline(always)]
+    fn ahead(&self, interval: &Interval) -> (Landing<S>, Mask<S>) {
+        let (u, v) = (self.displacement, self.velocity);
+        let zero = u.like(0.0);
+        let ground = self.mobile * u.like(interval.value);
+        let slope = self.mobile * u.like(interval.slope);
+        let last = ground + slope * u.like(interval.length);
+        let load = ground + self.stiffness * u;
+        let by = |[velocity, constant, growing]: [Lanes<S>; 3]| {
+            velocity * v + constant * load + growing * slope
+        };
+        let (displacement, velocity) = (u + by(self.change), by(self.end));
+        let before = zero - (self.damping * v + load);
+        let after = zero - (self.damping * velocity + self.stiffness * displacement + last);
+        let half = u.like(0.5 * interval.length);
+        let arc = half * half * u.like(0.5);
+        let fastest = v.abs().max(velocity.abs());
+        let push = self.stiffness * fastest + slope.abs();
+        let most = self.growth * (before.abs().max(after.abs()) + half * push);
+        let bow = arc * most;
+        let mut landing = Landing {
+            displacement,
+            velocity,
+            bow,
+            turned: u,
+        };
+        let farther = (u.max(displacement) + bow).exceeds(self.extremes[1]);
+        let farther = farther.or(self.extremes[0].exceeds(u.min(displacement) - bow));
+        if !Lanes::any(farther) {
+            return (landing, farther);
+        }
+        let jerk = self.damping * most + self.stiffness * (fastest + half * most) + slope.abs();
+        let slowest = v.abs().min(velocity.abs());
+        let on = v * velocity;
+        let straight = on.exceeds(zero).and(slowest.exceeds(arc * jerk));
+        let turns = farther.and(straight.not());
+        if !Lanes::any(turns) {
+            return (landing, turns);
+        }
+        let least = before.abs().min(after.abs());
+        let bent = arc * (self.damping * jerk + self.stiffness * most);
+        let one_way = (before * after).exceeds(zero).and(least.exceeds(bent));
+        let once = turns.and(zero.exceeds(on)).and(one_way);
+        if Lanes::any(once) {
+            let ends = [v, before, velocity, after];
+            let (turned, found) = self.turn(slope, interval.length, ends);
+            let known = once.and(found);
+            landing.turned = Number::select(known, turned, u);
+            return (landing, turns.and(known.not()));
+        }
+        (landing, turns)
+    }
+
+    /// Displacement where the velocity, which has these values and slopes at the ends of an interval, goes through zero once, and
+    /// where it has been found to rounding.
+    #[inline(always)]
+    fn turn(
+        &self,
+        slope: Lanes<S>,
+        length: f64,
+        [v, a, velocity, acceleration]: [Lanes<S>; 4],
+    ) -> (Lanes<S>, Mask<S>) {
+        let like = |number: f64| v.like(number);
+        // The cubic through the ends; its zero from the secant by Newton's method.
+        let (rise, first, last) = (velocity - v, like(length) * a, like(length) * acceleration);
+        let cubic = first + last - rise - rise;
+        let square = rise - first - cubic;
+        let mut x = (like(0.0) - v) / rise;
+        for _ in 0..NEWTON {
+            let at = v + x * (first + x * (square + x * cubic));
+            let change = first + x * (square + square + x * (cubic + cubic + cubic));
+            x = x - at / change;
+        }
+        let time = x * like(length);
+        // The series of the motion there, term by term.
+        let (damping, stiffness) = (self.damping * time, self.stiffness * time * time);
+        let mut terms = [self.displacement, v * time, a * time * time];
+        let mut sums = terms;
+        let mut growing = slope * time * time * time;
+        for n in 1..TERMS {
+            let part = like(1.0 / n as f64);
+            let (u, v) = (terms[1] * part, terms[2] * part);
+            let force = damping * v + stiffness * u + growing;
+            growing = like(0.0);
+            terms = [u, v, like(0.0) - force];
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                *sum = *sum + term;
+            }
+        }
+        let [u, v, a] = sums;
+        // What is left to the zero, in parts of this time: with the jerk nothing is left but rounding.
+        let [half, sixth, zero] = [0.5, 1.0 / 6.0, 0.0].map(like);
+        let jerk = zero - (stiffness * v + damping * a + slope * time * time * time);
+        let straight = (zero - v) / a;
+        let way = straight - half * (jerk / a) * straight * straight;
+        let turned = u + way * (v + way * (half * a + way * sixth * jerk));
+        (turned, like(NEAR).exceeds(way.abs()))
+    }
+
+    #[inline(always)]
+    fn land(&mut self, landing: Landing<S>) {
+        self.displacement = landing.displacement;
+        self.velocity = landing.velocity;
+        let [least, largest] = self.extremes;
+        self.extremes = [
+            least.min(landing.displacement).min(landing.turned),
+            largest.max(landing.displacement).max(landing.turned),
+        ];
+    }
+
+    /// Gives a scene the motion of its lane.
+    #[inline(always)]
+    fn put(&self, lane: usize, side: &mut Side) {
+        side.displacement = self.displacement.lane(lane);
+        side.velocity = self.velocity.lane(lane);
+        side.extremes = [self.extremes[0].lane(lane), self.extremes[1].lane(lane)];
+    }
+
+    /// Takes the motion of a scene into its lane.
+    #[inline(always)]
+    fn take(&mut self, lane: usize, side: &Side) {
+        self.displacement.set(lane, side.displacement);
+        self.velocity.set(lane, side.velocity);
+        self.extremes[0].set(lane, side.extremes[0]);
+        self.extremes[1].set(lane, side.extremes[1]);
+    }
+}
+
+impl<S: Simd> Flyer<S> {
+    /// Whether it has not moved.
+    #[inline(always)]
+    fn rests(&self, lane: usize) -> bool {
+        let [least, largest] = self.extremes.map(|extreme| extreme.lane(lane));
+        least.total_cmp(&largest).is_eq()
+    }
+}
+
+/// What a unit of velocity, of load over mass and of its slope make of the displacement and the velocity over an interval.
+fn weights(side: &Side, step: f64) -> [[f64; 3]; 2] {
+    let by = |velocity: f64, ground: [f64; 2]| {
+        let flight = Flight {
+            origin: 0.0,
+            displacement: 0.0,
+            velocity,
+            restoring_force: 0.0,
+            stiffness: side.stiffness,
+            damping: side.damping,
+            inverse_mass: side.inverse_mass,
+            ground,
+            len: side.len,
+        };
+        flight.ends(step)
+    };
+    let columns = [by(1.0, [0.0; 2]), by(0.0, [1.0, 0.0]), by(0.0, [0.0, 1.0])];
+    [0, 1].map(|place| columns.map(|column| side.mobile * column[place]))
+}
+
+impl<S: Simd> Group<S> {
+    #[inline(always)]
+    fn new(simd: S, method: &ExactSideBySide, rows: &[(usize, &Row<Elastic>)]) -> Self {
+        let mut lost = 0;
+        let scenes: [Scene; LANES] = std::array::from_fn(|lane| {
+            let (_, row) = rows[lane.min(rows.len() - 1)];
+            let rates = [0, 1].map(|node: usize| Side::fastest_rate(&row.nodes()[node]));
+            if !rates.into_iter().all(|rate| method.reaches(rate)) {
+                lost |= 1 << lane;
+            }
+            let lens = rates.map(|rate| in_flight(rate * method.step));
+            Scene::new(row, (method.tolerance, lens))
+        });
+        let side = |index: usize| std::array::from_fn(|lane| scenes[lane].sides[index]);
+        Self {
+            flyers: [
+                Flyer::new(simd, &side(0), method.step),
+                Flyer::new(simd, &side(1), method.step),
+            ],
+            gap: Lanes::new(simd, &std::array::from_fn(|lane| scenes[lane].gap)),
+            scenes,
+            pressed: 0,
+            lost,
+            alone: 0,
+        }
+    }
+
+    /// Brings all scenes to the next sample.
+    #[inline(always)]
+    fn go(&mut self, interval: &Interval, step: f64) {
+        let [left, right] = &self.flyers;
+        let (one, turns) = left.ahead(interval);
+        let (other, also) = right.ahead(interval);
+        let before = left.displacement - right.displacement;
+        let after = one.displacement - other.displacement;
+        let reached = before.max(after) + one.bow + other.bow;
+        let events = turns.or(also).or(reached.reaches(self.gap));
+        let mut alone = (events.bits() | self.pressed) & !self.lost;
+        if interval.length < step {
+            alone = !self.lost & ((1 << LANES) - 1);
+        }
+        if alone == 0 {
+            self.flyers[0].land(one);
+            self.flyers[1].land(other);
+            return;
+        }
+        self.alone += 1;
+        self.put(alone);
+        self.flyers[0].land(one);
+        self.flyers[1].land(other);
+        while alone != 0 {
+            let lane = alone.trailing_zeros() as usize;
+            alone &= alone - 1;
+            self.go_alone(lane, interval);
+        }
+    }
+
+    /// Gives scenes the motions of their lanes.
+    #[inline(always)]
+    fn put(&mut self, lanes: u64) {
+        for (lane, scene) in self.scenes.iter_mut().enumerate() {
+            if lanes >> lane & 1 == 1 {
+                self.flyers[0].put(lane, &mut scene.sides[0]);
+                self.flyers[1].put(lane, &mut scene.sides[1]);
+            }
+        }
+    }
+
+    /// Brings a scene alone to the next sample.
+    #[inline(always)]
+    fn go_alone(&mut self, lane: usize, interval: &Interval) {
+        let scene = &mut self.scenes[lane];
+        let bit = 1 << lane;
+        if scene.go(interval).is_err() {
+            self.lost |= bit;
+        }
+        self.pressed &= !bit;
+        if scene.contact.is_some() {
+            self.pressed |= bit;
+        }
+        self.flyers[0].take(lane, &scene.sides[0]);
+        self.flyers[1].take(lane, &scene.sides[1]);
+    }
+
+    /// Tells what happened in a lane, as that scene.
+    #[inline(always)]
+    fn tell(&self, lane: usize, (scene, tallies): (usize, &mut Tallies)) {
+        let mut told = self.lost >> lane & 1 == 0;
+        for (node, flyer) in self.flyers.iter().enumerate() {
+            let [least, largest] = flyer.extremes.map(|extreme| extreme.lane(lane));
+            let peak = if -least > largest { least } else { largest };
+            let differ = (-least).total_cmp(&largest).is_ne() || flyer.rests(lane);
+            tallies.displacements[2 * scene + node] = peak;
+            told &= differ && flyer.displacement.lane(lane).is_finite();
+        }
+        tallies.pairs[scene] = self.scenes[lane].tally();
+        tallies.told[scene] = told;
+    }
+}

@@ -1,0 +1,183 @@
+//! The exact method side by side: what it tells is what the exact method alone finds.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Integrator, Node, Pair,
+    PairTally, Peaks, Row, SimultaneousImpacts, Tallies,
+};
+use proptest::prelude::*;
+
+use crate::random_rows::{any_law, config};
+
+/// Samples of the record every 0.02 s.
+const GROUND_STEP: f64 = 0.02;
+/// The runs end between two samples.
+const CLOCK: Clock = Clock {
+    time_step: 0.005,
+    n_steps: 801,
+};
+
+#[derive(Debug, Clone)]
+struct Case {
+    /// Mass \[kg\], period \[s\], damping ratio, initial velocity \[m/s\]; no period for a wall.
+    sides: [[f64; 4]; 2],
+    gap: f64,
+    law: ContactLaw,
+}
+
+impl Case {
+    fn row(&self) -> Row<Elastic> {
+        let node = |[mass, period, ratio, velocity]: [f64; 4]| {
+            if period.is_nan() {
+                return Node::wall(Elastic { stiffness: 1.0 });
+            }
+            let omega = 2.0 * std::f64::consts::PI / period;
+            let column = Elastic {
+                stiffness: mass * omega * omega,
+            };
+            Node {
+                initial_velocity: velocity,
+                ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
+            }
+        };
+        let pair = Pair {
+            left: 0,
+            right: 1,
+            gap: self.gap,
+            law: self.law,
+        };
+        Row::new(self.sides.map(node).to_vec(), vec![pair]).expect("the row is valid")
+    }
+}
+
+fn cases() -> impl Strategy<Value = Case> {
+    let side = || {
+        let velocity = prop_oneof![3 => Just(0.0), 1 => -0.3..0.3_f64];
+        let log_mass = 4.0..7.0_f64;
+        let structure = (log_mass, 0.13..2.0_f64, 0.0..0.3_f64, velocity);
+        structure.prop_map(|(log_mass, period, ratio, velocity)| {
+            [libm::pow(10.0, log_mass), period, ratio, velocity]
+        })
+    };
+    let right = prop_oneof![4 => side(), 1 => Just([1.0, f64::NAN, 0.0, 0.0])];
+    let impulsive = (0.1..1.0_f64)
+        .prop_map(|restitution| ContactLaw::Stereomechanical(Stereomechanical { restitution }));
+    let law = prop_oneof![1 => impulsive, 2 => any_law()];
+    (side(), right, 0.002..0.08_f64, law).prop_map(|(left, right, gap, law)| Case {
+        sides: [left, right],
+        gap,
+        law,
+    })
+}
+
+fn settings(tolerance: f64) -> Exact {
+    Exact {
+        tolerance,
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    }
+}
+
+/// Peak displacements \[m\], sum of impulses \[N·s\], and peak force \[N\] with the number of collisions.
+type Found = ([f64; 3], [f64; 2]);
+
+/// What the exact method finds in a row alone.
+fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<Found> {
+    let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
+    let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
+    Integrator::Exact(settings(1e-14))
+        .run(row, excitation, CLOCK, &mut recorder)
+        .ok()?;
+    let (peaks, collisions) = recorder;
+    let mut tally = PairTally::default();
+    for one in collisions.all() {
+        tally.collisions += 1.0;
+        tally.impulse += one.impulse;
+        tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
+    }
+    let peak = |node| peaks.of(node).displacement.value;
+    Some(found([peak(0), peak(1)], tally))
+}
+
+fn found([left, right]: [f64; 2], tally: PairTally) -> Found {
+    let numbers = [left, right, tally.impulse];
+    (numbers, [tally.peak_force, tally.collisions])
+}
+
+/// What is told of rows side by side; nothing of those that have to run alone.
+fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> Vec<Option<Found>> {
+    let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
+    let together = ExactSideBySide::new(settings(tolerance), excitation, CLOCK).expect("valid");
+    let mut tallies = Tallies::default();
+    tallies.begin(rows.len(), (2, 1));
+    let places: Vec<_> = rows.iter().enumerate().collect();
+    together.run(&places, &mut tallies);
+    let tell = |scene: usize| {
+        let peaks = [0, 1].map(|structure| tallies.displacement(scene, structure));
+        let told = tallies.is_told(scene);
+        told.then(|| found(peaks, tallies.pair(scene, 0)))
+    };
+    (0..rows.len()).map(tell).collect()
+}
+
+/// The largest difference of peaks and impulses, relative to the larger of them.
+fn distance(one: &Found, other: &Found) -> f64 {
+    let relative = |a: f64, b: f64| (a - b).abs() / a.abs().max(b.abs()).max(1e-12);
+    let peaks = one.0.iter().zip(&other.0);
+    let peaks = peaks.map(|(a, b)| relative(*a, *b)).fold(0.0, f64::max);
+    peaks.max(relative(one.1[0], other.1[0]))
+}
+
+fn scaled(ground: &[f64], by: f64) -> Vec<f64> {
+    ground.iter().map(|a| by * a).collect()
+}
+
+proptest! {
+    #![proptest_config(config(24))]
+
+    /// Distances are held to that between exact runs under records that differ by less than the tolerance would.
+    #[test]
+    fn reference_what_is_told_is_what_the_exact_method_finds_alone(
+        cases in prop::collection::vec(cases(), 11),
+        ground in prop::collection::vec(-4.0..4.0_f64, 190),
+    ) {
+        let rows: Vec<_> = cases.iter().map(Case::row).collect();
+        let tolerance = 1e-9;
+        let told = beside(&rows, &ground, tolerance);
+        for (case, (row, told)) in cases.iter().zip(rows.iter().zip(told)) {
+            let Some(told) = told else {
+                continue;
+            };
+            let exact = alone(row, &ground);
+            prop_assert!(exact.is_some(), "{case:?}");
+            let exact = exact.expect("asserted");
+            let part = if case.law.impulsive().is_some() { 1e-13 } else { tolerance };
+            let moved = alone(row, &scaled(&ground, 1.0 + part)).expect("it ran before");
+            let condition = distance(&exact, &moved);
+            let error = distance(&exact, &told);
+            prop_assert!(error <= 100.0 * (part + condition), "{error:e} {condition:e} {case:?} {exact:?} {told:?}");
+            if condition < 1e-6 {
+                prop_assert!((exact.1[1] - told.1[1]).abs() < 0.5, "{case:?}");
+            }
+        }
+    }
+
+    /// Whom a scene runs beside is not seen in any bit.
+    #[test]
+    fn limit_a_lane_does_not_know_the_others(
+        cases in prop::collection::vec(cases(), 19),
+        ground in prop::collection::vec(-4.0..4.0_f64, 60),
+    ) {
+        let rows: Vec<_> = cases.iter().map(Case::row).collect();
+        let mut reversed = rows.clone();
+        reversed.reverse();
+        let forth = beside(&rows, &ground, 1e-8);
+        let mut back = beside(&reversed, &ground, 1e-8);
+        back.reverse();
+        let bits = |all: Vec<Option<Found>>| -> Vec<_> {
+            all.into_iter().map(|one| one.map(|(a, b)| (a.map(f64::to_bits), b.map(f64::to_bits)))).collect()
+        };
+        prop_assert_eq!(bits(forth), bits(back));
+        let single: Vec<_> = rows.iter().flat_map(|row| beside(std::slice::from_ref(row), &ground, 1e-8)).collect();
+        prop_assert_eq!(bits(beside(&rows, &ground, 1e-8)), bits(single));
+    }
+}
