@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use pounding_studies::Sweep;
+use pounding_studies::{Method, Sweep};
 use serde_json::{Value, json};
 
 use crate::{folder, scene, sweep, table};
@@ -48,10 +48,47 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
         (within - accuracy.within).abs() < 0.08,
         "{within} {accuracy:?}"
     );
-    // No step of the ladder is as close as that.
+    // No step of the ladder is as close as that, and columns that yield go alone.
     let exact = sweep(&folder, &words(json!({"accuracy": 1e-7})));
     let accuracy = exact.accuracy().expect("it was asked for");
     assert_eq!(accuracy.method.name(), "exact");
+    assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
+}
+
+/// Where no step is close enough, elastic structures go side by side by the exact method.
+#[test]
+fn reference_a_fine_accuracy_is_met_side_by_side() {
+    let folder = folder("accuracy_beside");
+    let chosen = |accuracy: f64| {
+        let mut scene = scene();
+        let left = &mut scene["structures"][0]["sdof"];
+        let fields = left.as_object_mut().expect("an object");
+        fields.remove("yield_displacement_m");
+        scene["method"] = json!({"accuracy": accuracy});
+        let words = json!({
+            "scene": scene,
+            "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
+            "samples": {"count": 300, "seed": 1, "method": "sobol"},
+            "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
+            "verdict": false,
+        });
+        sweep(&folder, &words)
+    };
+    let flown = chosen(1e-7);
+    let accuracy = flown.accuracy().expect("it was asked for");
+    let tolerance = json!({"exact": {"tolerance": 1e-7 * 0.1}});
+    let wanted: Method = serde_json::from_value(tolerance).expect("a method");
+    assert_eq!(accuracy.method, wanted);
+    let [_, _, p95, _] = accuracy.rows.quantiles;
+    assert!(p95 < 1e-7 && accuracy.rows.largest > 0.0, "{accuracy:?}");
+    // What is told of a run does not depend on those that it goes beside.
+    let batch = flown.batch(0..300);
+    assert!(batch.beside > 290, "{}", batch.beside);
+    assert_eq!(table(&flown, 0..300)[131..150], table(&flown, 131..150));
+    // Nothing but the exact method alone is as close as this.
+    let alone = chosen(1e-15);
+    let accuracy = alone.accuracy().expect("it was asked for");
+    assert_eq!(accuracy.method, Method::EXACT);
     assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
 }
 
