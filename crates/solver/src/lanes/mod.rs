@@ -141,7 +141,7 @@ impl SideBySide {
 
     fn run_alike<Column: SideBySideColumn>(
         &self,
-        rows: &[Row<Column>],
+        rows: &[&Row<Column>],
         n_steps: &[usize],
         tallies: &mut Tallies,
     ) -> bool {
@@ -167,7 +167,7 @@ impl SideBySide {
 }
 
 /// Whether rows are of one shape that can run side by side.
-fn are_alike<Column: RestoringForce>(rows: &[Row<Column>]) -> bool {
+fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
     let single = |row: &Row<Column>| {
         let nodes = row.nodes();
         let on_ground = nodes.iter().all(|node| node.support == Support::Ground);
@@ -180,5 +180,5 @@ fn are_alike<Column: RestoringForce>(rows: &[Row<Column>]) -> bool {
             && pairs
                 .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
     };
-    rows.iter().all(|row| single(row) && alike(row, &rows[0]))
+    rows.iter().all(|row| single(row) && alike(row, rows[0]))
 }

@@ -53,10 +53,11 @@ fn in_lanes(scenes: &Scenes<'_>, time_step: f64) -> Result<Measured, String> {
     let clock = clock(time_step);
     let together = SideBySide::new(CENTRAL_DIFFERENCE, scenes.excitation, clock);
     let together = together.map_err(|error| error.to_string())?;
+    let rows: Vec<_> = scenes.rows.iter().collect();
     let n_steps = [clock.n_steps; IN_LANES];
     let mut tallies = Tallies::default();
     let seconds = timed(|| {
-        together.run(RowsOf::Elastic(&scenes.rows), &n_steps, &mut tallies);
+        together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
         black_box(&tallies);
     });
     let found = |scene: usize| -> Found {
