@@ -108,36 +108,26 @@ impl Prepared {
         Self::of_checked(scene, motion, &|_| ())?.enforced()
     }
 
-    /// The same row of structures of one storey under the same motion with other numbers of structures and contacts, which is all that
-    /// `change` may set; in its own memory, and the same bits as prepared anew. Nothing where they are refused: preparing the
-    /// scene says why. `duration_s` is what the scene says.
-    pub(crate) fn renumbered(
-        self,
+    /// Gives a row of structures of one storey under the same motion other numbers of structures and contacts, which is all that
+    /// `change` may set; the bits are those of the scene prepared anew. Nothing where they are refused: then this is of no more use,
+    /// and preparing the scene says why. `duration_s` is what the scene says.
+    pub(crate) fn renumber(
+        &mut self,
         duration_s: Option<f64>,
         change: impl FnOnce(&mut Scene) -> Option<()>,
-    ) -> Option<Self> {
-        let Self {
-            mut scene,
-            mut floors,
-            model,
-            ..
-        } = self;
+    ) -> Option<()> {
+        let scene = &mut self.scene;
         scene.duration_s = duration_s;
-        change(&mut scene)?;
-        check::scene(&scene).ok()?;
+        change(scene)?;
+        check::scene(scene).ok()?;
         let duration = scene.duration_under(self.record.duration());
         scene.duration_s = Some(duration);
-        check::check_method(&scene).ok()?;
-        check::free_limit(&scene).ok()?;
-        floors.renumber(&scene);
-        let model = model.renumbered(&scene, &floors).ok()?;
-        Some(Self {
-            clock: scene.method.clock(duration),
-            scene,
-            floors,
-            model,
-            ..self
-        })
+        check::check_method(scene).ok()?;
+        check::free_limit(scene).ok()?;
+        self.floors.renumber(scene);
+        self.model.renumber(scene, &self.floors).ok()?;
+        self.clock = scene.method.clock(duration);
+        Some(())
     }
 
     /// Not forced: refused where its time step is beyond the limit of stability.

@@ -76,15 +76,13 @@ impl Model {
         }
     }
 
-    /// The same row with other numbers, in its own memory.
-    pub(super) fn renumbered(self, scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
+    /// Gives the row other numbers, in its own memory.
+    pub(super) fn renumber(&mut self, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
         match self {
-            Self::Elastic(row) => renumbered(row, scene, floors, elastic).map(Self::Elastic),
-            Self::ElastoPlastic(row) => {
-                renumbered(row, scene, floors, elasto_plastic).map(Self::ElastoPlastic)
-            }
-            Self::Bilinear(row) => renumbered(row, scene, floors, bilinear).map(Self::Bilinear),
-            Self::Mixed(row) => renumbered(row, scene, floors, mixed).map(Self::Mixed),
+            Self::Elastic(row) => renumber(row, scene, floors, elastic),
+            Self::ElastoPlastic(row) => renumber(row, scene, floors, elasto_plastic),
+            Self::Bilinear(row) => renumber(row, scene, floors, bilinear),
+            Self::Mixed(row) => renumber(row, scene, floors, mixed),
         }
     }
 
@@ -196,19 +194,21 @@ fn row<Column: Hysteretic>(
     }
 }
 
-/// A row with other numbers in its own memory; the motion arrives everywhere at once.
-fn renumbered<Column: Hysteretic>(
-    row: Row<Column>,
+/// Gives a row other numbers, in its own memory; the motion arrives everywhere at once.
+fn renumber<Column: Hysteretic>(
+    row: &mut Row<Column>,
     scene: &Scene,
     floors: &Floors,
     column: impl Fn(&Columns) -> Column,
-) -> Result<Row<Column>, ModelError> {
-    let (mut all, mut touching) = row.into_parts();
+) -> Result<(), ModelError> {
+    let nothing = Row::new(Vec::new(), Vec::new())?;
+    let (mut all, mut touching) = std::mem::replace(row, nothing).into_parts();
     all.clear();
     all.extend(nodes(scene, floors, column));
     touching.clear();
     touching.extend(pairs(scene, floors));
-    Row::new(all, touching)
+    *row = Row::new(all, touching)?;
+    Ok(())
 }
 
 fn nodes<Column>(

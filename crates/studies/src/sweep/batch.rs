@@ -93,7 +93,7 @@ impl Sweep {
                     let prepared = self.prepared(motion, &settings, &mut scene);
                     let prepared = prepared.map_err(|refused| refused.to_string())?;
                     if self.row.fits(prepared.floors()) {
-                        Ok(prepared)
+                        Ok(Box::new(prepared))
                     } else {
                         Err("another number of floors or pairs than in the first run".into())
                     }
@@ -111,7 +111,7 @@ impl Sweep {
     }
 
     /// Runs scenes that are ready, each with its place in the batch: side by side where they can, else one after the other.
-    fn run_ready(&self, ready: &[(usize, Prepared)], batch: &mut Batch) {
+    fn run_ready(&self, ready: &[(usize, Box<Prepared>)], batch: &mut Batch) {
         let tallies = self.beside(ready);
         let mut numbers = Vec::with_capacity(self.n_columns());
         for (scene, (place, prepared)) in ready.iter().enumerate() {

@@ -104,9 +104,9 @@ impl Renumbered {
     pub(super) fn prepared(
         &mut self,
         settings: &[Setting],
-        ran: Option<Prepared>,
-    ) -> Option<Prepared> {
-        let ran = ran.unwrap_or_else(|| self.prepared.clone());
+        ran: Option<Box<Prepared>>,
+    ) -> Option<Box<Prepared>> {
+        let mut ready = ran.unwrap_or_else(|| Box::new(self.prepared.clone()));
         let mut gaps = Vec::new();
         for (axis, slot) in &self.slots {
             // What is not finite JSON would leave out.
@@ -120,7 +120,7 @@ impl Renumbered {
                 Slot::Law(place) => *place.slot(&mut self.scene)? = value_of(number),
             }
         }
-        ran.renumbered(self.duration_s, |scene| {
+        ready.renumber(self.duration_s, |scene| {
             for (index, words) in &self.structures {
                 if let Structure::Sdof(structure) = &mut scene.structures[*index] {
                     words.renumber(structure)?;
@@ -135,7 +135,8 @@ impl Renumbered {
                 contacts[index].gap_m = gap;
             }
             Some(())
-        })
+        })?;
+        Some(ready)
     }
 }
 
@@ -250,7 +251,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(100) })]
 
         /// Numbers set in a scene that was prepared give the rows, and the reasons for failing, of scenes that are read.
         #[test]
@@ -265,6 +266,8 @@ mod tests {
             // Without any of the others the gap varies.
             for ((field, number), (varies, how)) in fields(&law, yields).into_iter().zip(which) {
                 if varies || field.ends_with("gap_m") {
+                    // Two of the longest periods are too long a run where a period is any number.
+                    let how = if lasts { how } else { how % 2 };
                     let (word, numbers) = spread(number, how);
                     vary.push(json!({"field": field, word: numbers}));
                 }
