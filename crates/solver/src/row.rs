@@ -195,6 +195,11 @@ impl<Column: RestoringForce> Row<Column> {
         })
     }
 
+    /// Its nodes and pairs, for another row of them.
+    pub fn into_parts(self) -> (Vec<Node<Column>>, Vec<Pair>) {
+        (self.nodes, self.pairs)
+    }
+
     /// The floors and walls: those on the ground from left to right, then those of the next level, and so on.
     pub fn nodes(&self) -> &[Node<Column>] {
         &self.nodes

@@ -6,7 +6,7 @@ use pounding_solver::Levels;
 
 use levels::elevations;
 
-use crate::{Columns, Scene, SceneError, Structure};
+use crate::{Columns, Scene, SceneError, Sdof, Structure};
 
 /// Heights of floors that differ by no more are equal \[m\].
 pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
@@ -91,6 +91,17 @@ impl Floor {
     }
 }
 
+impl Made {
+    fn of(sdof: &Sdof) -> Self {
+        Self {
+            mass_kg: sdof.mass_kg,
+            columns: sdof.columns(),
+            height_m: sdof.height_m,
+            initial: (sdof.initial_displacement_m, sdof.initial_velocity_m_per_s),
+        }
+    }
+}
+
 impl Floors {
     /// Of a scene whose structures were checked.
     ///
@@ -119,6 +130,16 @@ impl Floors {
             facing,
             levels,
         })
+    }
+
+    /// Takes other numbers of a row of structures of one storey and walls, which stand as they stood.
+    pub(crate) fn renumber(&mut self, scene: &Scene) {
+        for floor in &mut self.all {
+            if let Structure::Sdof(sdof) = &scene.structures[floor.structure] {
+                floor.elevation_m = sdof.height_m;
+                floor.made_of = Some(Made::of(sdof));
+            }
+        }
     }
 
     /// All of them, in the order of the row.
@@ -220,12 +241,7 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
             storey: None,
             name,
             elevation_m: sdof.height_m,
-            made_of: Some(Made {
-                mass_kg: sdof.mass_kg,
-                columns: sdof.columns(),
-                height_m: sdof.height_m,
-                initial: (sdof.initial_displacement_m, sdof.initial_velocity_m_per_s),
-            }),
+            made_of: Some(Made::of(sdof)),
         },
         Structure::Building(building) => {
             let one = &building.storeys[storey];

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 use pounding::studies::{
-    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, merge,
+    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
 };
 
 use super::suite::{STOPPED, stop_when_asked};
@@ -64,7 +64,15 @@ pub(crate) struct Arguments {
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let shard = match asked.shard {
         Some(shard) => shard,
-        None => task::shard(asked.shards, |name| std::env::var(name).ok())?,
+        None => {
+            let task = task::shard(asked.shards, |name| std::env::var(name).ok())?;
+            if let Some((variable, shard)) = task {
+                eprintln!(
+                    "{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole"
+                );
+            }
+            task.map_or(Shard::WHOLE, |(_, shard)| shard)
+        }
     };
     let out = match &asked.out {
         Some(out) => out.clone(),
@@ -126,7 +134,12 @@ fn runs(sweep: &Sweep, shard: Shard, n_runs: u64) -> String {
 /// What is said of the method that an accuracy chose; the errors of all columns go beside the table.
 fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     // Every shard measures the same.
-    let path = out.with_extension("accuracy.csv");
+    let table = if compresses(out) {
+        out.with_extension("")
+    } else {
+        out.to_path_buf()
+    };
+    let path = table.with_extension("accuracy.csv");
     new_file::write(&path, accuracy.csv().as_bytes(), true)?;
     let ColumnErrors {
         runs,

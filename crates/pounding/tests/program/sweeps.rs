@@ -133,6 +133,25 @@ fn limit_the_same_bytes_whatever_the_threads_and_shards() {
     );
 }
 
+/// A variable that somebody forgot must not make half a table silently.
+#[test]
+fn issue_a_task_of_a_job_array_says_that_it_runs_a_shard() {
+    let folder = with_sweep("sweep_task", &sweep(4));
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
+        .args(["sweep", "sweep.json"])
+        .current_dir(&folder)
+        .envs([
+            ("SLURM_ARRAY_TASK_ID", "2"),
+            ("SLURM_ARRAY_TASK_COUNT", "4"),
+            ("SLURM_ARRAY_TASK_MIN", "1"),
+        ])
+        .output();
+    let output = output.expect("the program starts");
+    assert!(output.status.success());
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_snapshot!(said, @"SLURM_ARRAY_TASK_ID is set: runs shard 2/4 alone; --shard 1/1 runs the whole");
+}
+
 /// How many parts of a table there are.
 fn parts_of(folder: &Path, table: &str) -> usize {
     let there = fs::read_dir(folder.join(format!("{table}.parts")));

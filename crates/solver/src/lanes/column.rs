@@ -11,11 +11,11 @@ use crate::{Bilinear, Elastic, ElastoPlastic, RestoringForce, Row};
 #[derive(Debug, Clone, Copy)]
 pub enum RowsOf<'a> {
     /// Columns that never yield.
-    Elastic(&'a [Row<Elastic>]),
+    Elastic(&'a [&'a Row<Elastic>]),
     /// Columns that are perfectly plastic once they yield.
-    ElastoPlastic(&'a [Row<ElastoPlastic>]),
+    ElastoPlastic(&'a [&'a Row<ElastoPlastic>]),
     /// Columns that harden.
-    Bilinear(&'a [Row<Bilinear>]),
+    Bilinear(&'a [&'a Row<Bilinear>]),
 }
 
 /// Columns that run side by side with their like.

@@ -44,12 +44,12 @@ pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn> {
 
 /// Rows of one shape, 1 to [`LANES`] of them; lanes without one repeat the last.
 #[derive(Clone, Copy)]
-pub(super) struct Rows<'a, Column>(pub(super) &'a [Row<Column>]);
+pub(super) struct Rows<'a, Column>(pub(super) &'a [&'a Row<Column>]);
 
 impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
     /// The row of a lane.
     pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
-        &self.0[lane.min(self.0.len() - 1)]
+        self.0[lane.min(self.0.len() - 1)]
     }
 
     /// A structure of all rows, at the first node to be solved; `ground` is the acceleration at t = 0.

@@ -80,7 +80,7 @@ impl SideBySide {
 
     fn run_alike<Column: SideBySideColumn>(
         &self,
-        rows: &[Row<Column>],
+        rows: &[&Row<Column>],
         n_steps: &[usize],
         tallies: &mut Tallies,
     ) -> bool {
@@ -106,7 +106,7 @@ impl SideBySide {
 }
 
 /// Whether rows are of one shape that can run side by side.
-fn are_alike<Column: RestoringForce>(rows: &[Row<Column>]) -> bool {
+fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
     let single = |row: &Row<Column>| {
         let nodes = row.nodes();
         let on_ground = nodes.iter().all(|node| node.support == Support::Ground);
@@ -119,5 +119,5 @@ fn are_alike<Column: RestoringForce>(rows: &[Row<Column>]) -> bool {
             && pairs
                 .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
     };
-    rows.iter().all(|row| single(row) && alike(row, &rows[0]))
+    rows.iter().all(|row| single(row) && alike(row, rows[0]))
 }

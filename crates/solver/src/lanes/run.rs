@@ -15,7 +15,7 @@ pub(super) const IN_STEP: usize = 2 * LANES;
 
 /// Rows of one shape with the number of steps of each, and where what happened in them is told.
 pub(super) struct Task<'a, Column> {
-    pub(super) rows: &'a [Row<Column>],
+    pub(super) rows: &'a [&'a Row<Column>],
     pub(super) n_steps: &'a [usize],
     /// Index of the first among the scenes of `tallies`.
     pub(super) first: usize,

@@ -99,20 +99,21 @@ fn alone<Column: Hysteretic>(
 }
 
 /// Names the columns of rows.
-type Kind<'a, Column> = fn(&'a [Row<Column>]) -> RowsOf<'a>;
+type Kind<Column> = for<'a> fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
 /// Holds every scene of some rows to itself alone.
-fn compare<'a, Column: Hysteretic>(
+fn compare<Column: Hysteretic>(
     settings: CentralDifference,
-    (rows, kind): (&'a [Row<Column>], Kind<'a, Column>),
+    (rows, kind): (&[Row<Column>], Kind<Column>),
     ground: &[f64],
 ) -> Result<(), TestCaseError> {
     let excitation = Excitation::new(0.01, ground).expect("the record is finite");
     let together = SideBySide::new(settings, excitation, CLOCK).expect("the settings are valid");
     let mut found = Tallies::default();
     let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
+    let all: Vec<_> = rows.iter().collect();
     prop_assert!(
-        together.run(kind(rows), &n_steps, &mut found),
+        together.run(kind(&all), &n_steps, &mut found),
         "the rows are of one shape"
     );
     prop_assert_eq!(found.len(), rows.len());
@@ -233,12 +234,12 @@ fn limit_rows_of_other_shapes_are_not_taken() {
     let one = pair_of(0.5);
     let apart = Row::new(one.nodes().to_vec(), vec![]).expect("valid");
     assert!(
-        !together.run(RowsOf::Elastic(&[one.clone(), apart]), &[9, 9], &mut found),
+        !together.run(RowsOf::Elastic(&[&one, &apart]), &[9, 9], &mut found),
         "another number of pairs"
     );
     let late = one.clone().delayed(vec![0.0, 0.1]).expect("valid");
     assert!(
-        !together.run(RowsOf::Elastic(&[late]), &[9], &mut found),
+        !together.run(RowsOf::Elastic(&[&late]), &[9], &mut found),
         "a motion that travels"
     );
     assert!(
@@ -247,16 +248,12 @@ fn limit_rows_of_other_shapes_are_not_taken() {
     );
     let too_long = CLOCK.n_steps + 1;
     assert!(
-        !together.run(
-            RowsOf::Elastic(std::slice::from_ref(&one)),
-            &[too_long],
-            &mut found
-        ),
+        !together.run(RowsOf::Elastic(&[&one]), &[too_long], &mut found),
         "more steps than the clock has"
     );
     assert!(found.is_empty(), "nothing has run");
     assert!(
-        together.run(RowsOf::Elastic(&[one]), &[9], &mut found),
+        together.run(RowsOf::Elastic(&[&one]), &[9], &mut found),
         "a row of one shape"
     );
     let settings = CentralDifference {
@@ -286,7 +283,7 @@ fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
     let together = side_by_side(SETTINGS, clock).expect("valid");
     let mut found = Tallies::default();
     assert!(
-        together.run(RowsOf::Elastic(&[row.clone(), row]), &[1, 2], &mut found),
+        together.run(RowsOf::Elastic(&[&row, &row]), &[1, 2], &mut found),
         "one shape"
     );
     assert!(found.is_told(0), "it has not come back yet");
@@ -314,6 +311,7 @@ fn limit_no_lane_looks_at_contact_while_none_touches() {
     };
     for (gaps, touching) in [(&[1.0][..], false), (&[1.0, 0.01], true)] {
         let rows: Vec<_> = gaps.iter().map(|gap| with_gap(*gap)).collect();
+        let rows: Vec<_> = rows.iter().collect();
         let n_steps = vec![CLOCK.n_steps; rows.len()];
         let ran = together.run(RowsOf::Elastic(&rows), &n_steps, &mut found);
         assert!(ran, "rows of one shape");

@@ -108,6 +108,28 @@ impl Prepared {
         Self::of_checked(scene, motion, &|_| ())?.enforced()
     }
 
+    /// Gives a row of structures of one storey under the same motion other numbers of structures and contacts, which is all that
+    /// `change` may set; the bits are those of the scene prepared anew. Nothing where they are refused: then this is of no more use,
+    /// and preparing the scene says why. `duration_s` is what the scene says.
+    pub(crate) fn renumber(
+        &mut self,
+        duration_s: Option<f64>,
+        change: impl FnOnce(&mut Scene) -> Option<()>,
+    ) -> Option<()> {
+        let scene = &mut self.scene;
+        scene.duration_s = duration_s;
+        change(scene)?;
+        check::scene(scene).ok()?;
+        let duration = scene.duration_under(self.record.duration());
+        scene.duration_s = Some(duration);
+        check::check_method(scene).ok()?;
+        check::free_limit(scene).ok()?;
+        self.floors.renumber(scene);
+        self.model.renumber(scene, &self.floors).ok()?;
+        self.clock = scene.method.clock(duration);
+        Some(())
+    }
+
     /// Not forced: refused where its time step is beyond the limit of stability.
     fn enforced(mut self) -> Result<Self, StudyError> {
         self.forced = false;

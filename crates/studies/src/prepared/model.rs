@@ -67,7 +67,7 @@ impl Model {
     pub(super) fn new(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
         let made = floors.all().iter().filter_map(|floor| floor.made_of);
         let most = made.map(|made| Asked::of(&made.columns)).max();
-        let pairs = pairs(scene, floors);
+        let pairs = pairs(scene, floors).collect();
         match most.unwrap_or(Asked::Nothing) {
             Asked::Nothing => row(scene, floors, elastic, pairs).map(Self::Elastic),
             Asked::Yielding => row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic),
@@ -76,12 +76,22 @@ impl Model {
         }
     }
 
+    /// Gives the row other numbers, in its own memory.
+    pub(super) fn renumber(&mut self, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
+        match self {
+            Self::Elastic(row) => renumber(row, scene, floors, elastic),
+            Self::ElastoPlastic(row) => renumber(row, scene, floors, elasto_plastic),
+            Self::Bilinear(row) => renumber(row, scene, floors, bilinear),
+            Self::Mixed(row) => renumber(row, scene, floors, mixed),
+        }
+    }
+
     /// The same with what a scene can ask for and this one does not: columns that remember their yielding, and all floors
     /// that face each other as pairs.
     pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
         let lean = Self::new(scene, floors)?;
         let pairs = match &scene.contacts {
-            Some(_) => pairs(scene, floors),
+            Some(_) => pairs(scene, floors).collect(),
             None => pairs_out_of_reach(floors),
         };
         match lean {
@@ -140,7 +150,7 @@ fn mixed(columns: &Columns) -> Mixed {
     }
 }
 
-fn pairs(scene: &Scene, floors: &Floors) -> Vec<Pair> {
+fn pairs(scene: &Scene, floors: &Floors) -> impl Iterator<Item = Pair> {
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     let pair = |facing: &Facing| {
         let contact = &contacts[facing.contact];
@@ -151,7 +161,7 @@ fn pairs(scene: &Scene, floors: &Floors) -> Vec<Pair> {
             law: contact.law,
         }
     };
-    floors.facing().iter().map(pair).collect()
+    floors.facing().iter().map(pair)
 }
 
 fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
@@ -174,13 +184,53 @@ fn row<Column: Hysteretic>(
     column: impl Fn(&Columns) -> Column,
     pairs: Vec<Pair>,
 ) -> Result<Row<Column>, ModelError> {
-    let dampings: Vec<_> = scene.structures.iter().map(Structure::dampings).collect();
-    let node = |(index, floor): (usize, &Floor)| {
+    let row = Row::new(nodes(scene, floors, column).collect(), pairs)?;
+    match &scene.arrivals_s {
+        None => Ok(row),
+        Some(arrivals) => {
+            let arrival = |floor: &Floor| arrivals[floor.structure];
+            row.delayed(floors.all().iter().map(arrival).collect())
+        }
+    }
+}
+
+/// Gives a row other numbers, in its own memory; the motion arrives everywhere at once.
+fn renumber<Column: Hysteretic>(
+    row: &mut Row<Column>,
+    scene: &Scene,
+    floors: &Floors,
+    column: impl Fn(&Columns) -> Column,
+) -> Result<(), ModelError> {
+    let nothing = Row::new(Vec::new(), Vec::new())?;
+    let (mut all, mut touching) = std::mem::replace(row, nothing).into_parts();
+    all.clear();
+    all.extend(nodes(scene, floors, column));
+    touching.clear();
+    touching.extend(pairs(scene, floors));
+    *row = Row::new(all, touching)?;
+    Ok(())
+}
+
+fn nodes<Column>(
+    scene: &Scene,
+    floors: &Floors,
+    column: impl Fn(&Columns) -> Column,
+) -> impl Iterator<Item = Node<Column>> {
+    // Those of a building are found together.
+    let of_building = |one: &Structure| match one {
+        Structure::Building(building) => building.dampings(),
+        Structure::Sdof(_) | Structure::Wall => Vec::new(),
+    };
+    let dampings: Vec<_> = scene.structures.iter().map(of_building).collect();
+    let node = move |(index, floor): (usize, &Floor)| {
         let Some(made) = floor.made_of else {
             return Node::wall(column(&Columns::elastic(1.0)));
         };
         let (_, storey) = floors.levels().place(index);
-        let (damping, ground_damping) = dampings[floor.structure][storey];
+        let (damping, ground_damping) = match &scene.structures[floor.structure] {
+            Structure::Sdof(sdof) => (sdof.damping_coefficient(), 0.0),
+            Structure::Building(_) | Structure::Wall => dampings[floor.structure][storey],
+        };
         let storey = Storey {
             mass: made.mass_kg,
             damping,
@@ -193,14 +243,7 @@ fn row<Column: Hysteretic>(
             ..floors.levels().floor(index, storey)
         }
     };
-    let row = Row::new(floors.all().iter().enumerate().map(node).collect(), pairs)?;
-    match &scene.arrivals_s {
-        None => Ok(row),
-        Some(arrivals) => {
-            let arrival = |floor: &Floor| arrivals[floor.structure];
-            row.delayed(floors.all().iter().map(arrival).collect())
-        }
-    }
+    floors.all().iter().enumerate().map(node)
 }
 
 impl Method {

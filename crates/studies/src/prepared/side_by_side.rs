@@ -15,7 +15,7 @@ macro_rules! rows {
             .iter()
             .map(|scene| {
                 if let Model::$kind(row) = &scene.model {
-                    Some(row.clone())
+                    Some(row)
                 } else {
                     None
                 }

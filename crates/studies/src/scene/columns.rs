@@ -59,7 +59,7 @@ pub(super) struct ColumnWords {
 
 /// Columns that a file gives in too many or wrong words.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum ColumnWordsError {
+pub(crate) enum ColumnWordsError {
     #[error(
         "found several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`, allowed is at most one; delete \
          the others"

@@ -6,6 +6,7 @@ mod columns;
 mod damping;
 mod generated;
 mod method;
+mod numbers;
 mod processing;
 mod record;
 mod structure;
@@ -19,8 +20,10 @@ pub use columns::{BoucWen, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
 pub use method::Method;
+pub(crate) use numbers::{SetNumber, set_number};
 pub use processing::{Detrend, FilterBand, ScaleTo};
 pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
+pub(crate) use structure::Words as SdofWords;
 pub use structure::{Sdof, Structure};
 
 /// One row of structures under one record, with the method that integrates it.

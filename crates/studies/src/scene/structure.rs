@@ -74,16 +74,6 @@ impl Structure {
         }
     }
 
-    /// Damping coefficients of every storey \[N·s/m\]: between its floor and what it stands on, and of its floor against the
-    /// ground besides that.
-    pub(crate) fn dampings(&self) -> Vec<(f64, f64)> {
-        match self {
-            Self::Sdof(structure) => vec![(structure.damping_coefficient(), 0.0)],
-            Self::Building(building) => building.dampings(),
-            Self::Wall => Vec::new(),
-        }
-    }
-
     /// Its fastest free oscillation, which a time step has to follow; nothing for a wall.
     pub fn fastest(&self) -> Option<Oscillation> {
         match self {
@@ -163,45 +153,45 @@ pub struct Sdof {
 }
 
 /// A structure of one storey in the words of a file.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(inline)]
-struct Words {
+pub(crate) struct Words {
     /// Name for tables and figures.
     name: String,
     /// Mass \[kg\], > 0.
-    mass_kg: f64,
+    pub(super) mass_kg: f64,
     /// Elastic stiffness \[N/m\], > 0; or `period_s`.
-    stiffness_n_per_m: Option<f64>,
+    pub(super) stiffness_n_per_m: Option<f64>,
     /// Natural period \[s\], > 0; or `stiffness_n_per_m`.
-    period_s: Option<f64>,
+    pub(super) period_s: Option<f64>,
     /// Viscous damping.
     #[serde(deserialize_with = "choice::one")]
-    damping: Damping,
+    pub(super) damping: Damping,
     /// Yield force \[N\], > 0; without it, and without a yield displacement or drift ratio, the columns stay elastic.
-    yield_force_n: Option<f64>,
+    pub(super) yield_force_n: Option<f64>,
     /// Displacement at which the columns yield \[m\], > 0.
-    yield_displacement_m: Option<f64>,
+    pub(super) yield_displacement_m: Option<f64>,
     /// The same divided by `height_m` \[–\], > 0.
-    yield_drift_ratio: Option<f64>,
+    pub(super) yield_drift_ratio: Option<f64>,
     /// Stiffness after yielding over that before \[–\], 0 to less than 1; 0 if left out.
-    hardening_ratio: Option<f64>,
+    pub(super) hardening_ratio: Option<f64>,
     /// Smooth yielding; if left out, columns yield at one point.
     bouc_wen: Option<BoucWen>,
     /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
     /// gap between neighbours of the same height; beside a building it says which floors face each other.
-    height_m: Option<f64>,
+    pub(super) height_m: Option<f64>,
     /// Displacement at t = 0 \[m\].
     #[serde(default)]
-    initial_displacement_m: f64,
+    pub(super) initial_displacement_m: f64,
     /// Velocity at t = 0 \[m/s\].
     #[serde(default)]
-    initial_velocity_m_per_s: f64,
+    pub(super) initial_velocity_m_per_s: f64,
 }
 
 /// A structure that a file gives in too few or too many words.
 #[derive(Debug, thiserror::Error)]
-enum WordsError {
+pub(crate) enum WordsError {
     #[error(
         "found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known"
     )]
@@ -217,33 +207,49 @@ enum WordsError {
 impl TryFrom<Words> for Sdof {
     type Error = WordsError;
 
-    fn try_from(words: Words) -> Result<Self, WordsError> {
-        let stiffness = words.stiffness()?;
-        let columns = ColumnWords {
-            yield_force_n: words.yield_force_n,
-            yield_displacement_m: words.yield_displacement_m,
-            yield_drift_ratio: words.yield_drift_ratio,
-            hardening_ratio: words.hardening_ratio,
-            bouc_wen: words.bouc_wen,
-            height_m: words.height_m,
-        };
-        let columns = columns.columns(stiffness)?;
-        Ok(Self {
-            stiffness_n_per_m: stiffness,
-            yield_force_n: columns.yield_force_n,
-            hardening_ratio: columns.hardening_ratio,
-            bouc_wen: columns.bouc_wen,
-            name: words.name,
-            mass_kg: words.mass_kg,
-            damping: words.damping,
-            height_m: words.height_m,
-            initial_displacement_m: words.initial_displacement_m,
-            initial_velocity_m_per_s: words.initial_velocity_m_per_s,
-        })
+    fn try_from(mut words: Words) -> Result<Self, WordsError> {
+        let columns = words.columns()?;
+        let name = std::mem::take(&mut words.name);
+        Ok(words.sdof(name, columns))
     }
 }
 
 impl Words {
+    /// Gives a structure the numbers of these words, but its name; nothing where they are refused, as they are when it is read.
+    pub(crate) fn renumber(&self, structure: &mut Sdof) -> Option<()> {
+        let columns = self.columns().ok()?;
+        let name = std::mem::take(&mut structure.name);
+        *structure = self.sdof(name, columns);
+        Some(())
+    }
+
+    fn sdof(&self, name: String, columns: Columns) -> Sdof {
+        Sdof {
+            name,
+            mass_kg: self.mass_kg,
+            stiffness_n_per_m: columns.stiffness_n_per_m,
+            damping: self.damping,
+            yield_force_n: columns.yield_force_n,
+            hardening_ratio: columns.hardening_ratio,
+            bouc_wen: columns.bouc_wen,
+            height_m: self.height_m,
+            initial_displacement_m: self.initial_displacement_m,
+            initial_velocity_m_per_s: self.initial_velocity_m_per_s,
+        }
+    }
+
+    fn columns(&self) -> Result<Columns, WordsError> {
+        let columns = ColumnWords {
+            yield_force_n: self.yield_force_n,
+            yield_displacement_m: self.yield_displacement_m,
+            yield_drift_ratio: self.yield_drift_ratio,
+            hardening_ratio: self.hardening_ratio,
+            bouc_wen: self.bouc_wen,
+            height_m: self.height_m,
+        };
+        Ok(columns.columns(self.stiffness()?)?)
+    }
+
     fn stiffness(&self) -> Result<f64, WordsError> {
         match (self.stiffness_n_per_m, self.period_s) {
             (None, None) => Err(WordsError::NoStiffness),

@@ -41,7 +41,8 @@ pub struct SweepAccuracy {
     pub within: f64,
 }
 
-/// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact one \[–\]: 1 where only one of both runs touches.
+/// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact one \[–\], of peaks of their magnitudes: 1 where only
+/// one of both runs touches.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnErrors {
     /// Name of the column.
@@ -182,18 +183,28 @@ impl Sweep {
         (chooses.to_vec(), measures.to_vec())
     }
 
-    /// The numbers of some runs; nothing for one that fails.
+    /// The numbers of some runs, of peaks their magnitudes; nothing for a run that fails.
+    ///
+    /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
+    /// number with its sign, and none of what the row went through.
     fn numbers(&self, runs: &[u64]) -> Vec<Option<Vec<f64>>> {
         self.numbers_beside(runs).0
     }
 
-    /// The numbers of some runs, and whether most of them can go side by side.
+    /// The same, and whether most of the runs can go side by side.
     fn numbers_beside(&self, runs: &[u64]) -> (Vec<Option<Vec<f64>>>, bool) {
+        let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
+        let of_floors = of_floor.cycle();
+        let of_floors = of_floors.take(self.outputs.structures.len() * self.row.floors.len());
+        let are_peaks: Vec<_> = of_floors.collect();
         let one = |run: &u64| {
             let batch = self.batch(*run..*run + 1);
-            let numbers = batch.columns.iter().map(|column| column[0]).collect();
-            let numbers: Option<Vec<f64>> = batch.failed[0].is_none().then_some(numbers);
-            (numbers, batch.beside)
+            let number = |(column, values): (usize, &Vec<f64>)| {
+                let is_peak = are_peaks.get(column).is_some_and(|is_peak| *is_peak);
+                if is_peak { values[0].abs() } else { values[0] }
+            };
+            let numbers: Vec<f64> = batch.columns.iter().enumerate().map(number).collect();
+            (batch.failed[0].is_none().then_some(numbers), batch.beside)
         };
         let (numbers, beside): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
         let beside: usize = beside.iter().sum();

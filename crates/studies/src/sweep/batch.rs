@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Sweep;
 use super::quantity::Ran;
+use super::sampling::Point;
 use crate::prepared::Asked;
 use crate::{Prepared, StudyError};
 
@@ -75,18 +76,24 @@ impl Sweep {
     /// Runs a range of runs under one motion.
     fn run_under(&self, motion: usize, runs: Range<u64>, batch: &mut Batch) {
         let mut scene = self.scene.clone();
-        let (mut point, mut settings) = (Vec::new(), Vec::new());
-        let mut ready = Vec::new();
+        let (mut point, mut settings) = (Point::default(), Vec::new());
+        // What is made ready for the numbers of many runs is of no use to one.
+        let many = runs.end - runs.start > 1;
+        let mut renumbered = many.then(|| self.renumbered(motion)).flatten();
+        let (mut ready, mut ran) = (Vec::new(), Vec::new());
         let mut next = runs.start;
         while next < runs.end {
-            ready.clear();
             for run in (next..runs.end).take(BESIDE) {
                 self.plan.settings(run, &mut point, &mut settings);
                 let prepared = caught(|| {
+                    let one = renumbered.as_mut();
+                    if let Some(one) = one.and_then(|one| one.prepared(&settings, ran.pop())) {
+                        return Ok(one);
+                    }
                     let prepared = self.prepared(motion, &settings, &mut scene);
                     let prepared = prepared.map_err(|refused| refused.to_string())?;
                     if self.row.fits(prepared.floors()) {
-                        Ok(prepared)
+                        Ok(Box::new(prepared))
                     } else {
                         Err("another number of floors or pairs than in the first run".into())
                     }
@@ -98,11 +105,13 @@ impl Sweep {
                 next = run + 1;
             }
             self.run_ready(&ready, batch);
+            ran.clear();
+            ran.extend(ready.drain(..).map(|(_, prepared)| prepared));
         }
     }
 
     /// Runs scenes that are ready, each with its place in the batch: side by side where they can, else one after the other.
-    fn run_ready(&self, ready: &[(usize, Prepared)], batch: &mut Batch) {
+    fn run_ready(&self, ready: &[(usize, Box<Prepared>)], batch: &mut Batch) {
         let tallies = self.beside(ready);
         let mut numbers = Vec::with_capacity(self.n_columns());
         for (scene, (place, prepared)) in ready.iter().enumerate() {

@@ -12,11 +12,11 @@ use crate::prepared::side_by_side;
 
 impl Sweep {
     /// What happened in scenes that are ready, where they could run side by side.
-    pub(super) fn beside(&self, ready: &[(usize, Prepared)]) -> Option<Tallies> {
+    pub(super) fn beside(&self, ready: &[(usize, Box<Prepared>)]) -> Option<Tallies> {
         if !self.asks_for_tallies() {
             return None;
         }
-        let scenes: Vec<_> = ready.iter().map(|(_, prepared)| prepared).collect();
+        let scenes: Vec<_> = ready.iter().map(|(_, prepared)| &**prepared).collect();
         catch_unwind(AssertUnwindSafe(|| side_by_side(&scenes)))
             .ok()
             .flatten()

@@ -115,7 +115,13 @@ fn write(
         encoder.set_drain(&mut drain);
         encoder.compress();
     } else {
-        io::copy(&mut table, &mut drain).map_err(SweepError::file(path))?;
+        // Part by part, which is more at a time than `io::copy` takes.
+        while table.goes_on() {
+            drain
+                .write_all(&table.bytes)
+                .map_err(SweepError::file(path))?;
+            table.read = table.bytes.len();
+        }
     }
     if let Some(error) = table.refused {
         return Err(error);
@@ -145,7 +151,12 @@ impl<Parts: Iterator<Item = (usize, PathBuf)>> Table<'_, Parts> {
         self.bytes = fs::read(&path).map_err(SweepError::file(&path))?;
         self.read = 0;
         let runs = self.manifest.runs_of(index as u64);
-        let (found, allowed) = (count(&self.bytes, b"\n"), runs.end - runs.start);
+        let (mut found, mut empty, allowed) = (0, 0, runs.end - runs.start);
+        // The reason is the last field of a row, and empty in one that did not fail.
+        for end in memchr::memchr_iter(b'\n', &self.bytes) {
+            found += 1;
+            empty += u64::from(end > 0 && self.bytes[end - 1] == b',');
+        }
         let ends = self.bytes.last() == Some(&b'\n');
         if found != allowed || !ends {
             return Err(SweepError::Damaged {
@@ -155,28 +166,30 @@ impl<Parts: Iterator<Item = (usize, PathBuf)>> Table<'_, Parts> {
             });
         }
         self.joined.runs += found;
-        // The reason is the last field of a row, and empty in one that did not fail.
-        self.joined.failed += found - count(&self.bytes, b",\n");
+        self.joined.failed += found - empty;
         Ok(true)
     }
-}
 
-fn count(bytes: &[u8], wanted: &[u8]) -> u64 {
-    let windows = bytes.windows(wanted.len());
-    windows.filter(|window| *window == wanted).count() as u64
+    /// Whether there are bytes to read; those of the next part where all of this one were.
+    fn goes_on(&mut self) -> bool {
+        while self.read == self.bytes.len() {
+            match self.next() {
+                Ok(true) => {}
+                Ok(false) => return false,
+                Err(error) => {
+                    self.refused = Some(error);
+                    return false;
+                }
+            }
+        }
+        true
+    }
 }
 
 impl<Parts: Iterator<Item = (usize, PathBuf)>> Read for Table<'_, Parts> {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
-        while self.read == self.bytes.len() {
-            match self.next() {
-                Ok(true) => {}
-                Ok(false) => return Ok(0),
-                Err(error) => {
-                    self.refused = Some(error);
-                    return Ok(0);
-                }
-            }
+        if !self.goes_on() {
+            return Ok(0);
         }
         let rest = &self.bytes[self.read..];
         let n = rest.len().min(to.len());

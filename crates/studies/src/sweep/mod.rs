@@ -20,6 +20,7 @@ mod place;
 mod plan;
 mod quantile;
 mod quantity;
+mod renumbered;
 mod rows;
 mod sampling;
 mod shard;

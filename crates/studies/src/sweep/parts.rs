@@ -1,8 +1,9 @@
 //! The parts of a table: files of a fixed number of runs, each written under another name and then renamed, so that one that
 //! is there is whole.
 
-use std::fs;
+use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io::Write as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,12 +16,28 @@ use super::{Shard, Sweep, SweepError};
 /// Name of the file that says of what a folder holds parts.
 pub(super) const MANIFEST: &str = "manifest.json";
 
-/// About how many parts a table has, so that little is lost with the one that is not whole.
-const USUAL_PARTS: u64 = 1024;
-/// Least runs of a part whose runs go side by side: they fill the lanes twice.
-const LEAST_BESIDE: u64 = 32;
-/// Most runs of a part, which a thread holds in memory.
-const MOST_RUNS: u64 = 4096;
+/// How a table is cut into parts.
+struct Cut {
+    /// About how many parts there are, so that little is lost with the one that is not whole.
+    parts: u64,
+    /// Least runs of a part.
+    least: u64,
+    /// Most runs of a part, which a thread holds in memory.
+    most: u64,
+}
+
+/// Of runs that take longer than a file.
+const ALONE: Cut = Cut {
+    parts: 1024,
+    least: 1,
+    most: 4096,
+};
+/// Of runs side by side: the file of a part takes as long as some fifty of them.
+const BESIDE: Cut = Cut {
+    parts: 128,
+    least: 512,
+    most: 16_384,
+};
 
 /// Of what a folder holds parts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -38,16 +55,16 @@ pub(super) struct Manifest {
 impl Manifest {
     fn of(sweep: &Sweep) -> Self {
         let runs = sweep.n_runs();
-        let part = (runs / USUAL_PARTS).next_power_of_two();
-        let least = if sweep.asks_for_tallies() {
-            LEAST_BESIDE
+        let cut = if sweep.asks_for_tallies() {
+            BESIDE
         } else {
-            1
+            ALONE
         };
+        let part = (runs / cut.parts).next_power_of_two();
         Self {
             sweep: sweep.sha256().into(),
             runs,
-            runs_per_part: part.clamp(least, MOST_RUNS),
+            runs_per_part: part.clamp(cut.least, cut.most),
             header: String::from_utf8_lossy(&sweep.header()).into_owned(),
         }
     }
@@ -60,6 +77,15 @@ impl Manifest {
         }
         let bytes = fs::read(&path).map_err(SweepError::file(&path))?;
         Ok(Some(crate::file::parse(&bytes, &path)?))
+    }
+
+    /// Whether the parts of another manifest are of the same rows, however they are cut.
+    fn has_rows_of(&self, other: &Self) -> bool {
+        let cut_alike = Self {
+            runs_per_part: self.runs_per_part,
+            ..other.clone()
+        };
+        *self == cut_alike && other.runs_per_part > 0
     }
 
     pub(super) fn n_parts(&self) -> u64 {
@@ -88,14 +114,20 @@ fn has_parts(folder: &Path) -> Result<bool, SweepError> {
     Ok(entries.flatten().any(shown))
 }
 
-/// Writes a file under another name, then gives it its own, so that nobody finds half of it.
-pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), SweepError> {
+/// Writes a file under another name, then gives it its own, so that nobody finds half of it. What is `kept` is also there after a
+/// power failure.
+fn write_whole(path: &Path, bytes: &[u8], kept: bool) -> Result<(), SweepError> {
     // Of this call alone: processes of several machines may work in one folder, with the same numbers.
     let beside = beside(
         path,
         &format!("{:x}", RandomState::new().build_hasher().finish()),
     );
-    fs::write(&beside, bytes).map_err(SweepError::file(&beside))?;
+    let write = || {
+        let mut file = File::create(&beside)?;
+        file.write_all(bytes)?;
+        if kept { file.sync_all() } else { Ok(()) }
+    };
+    write().map_err(SweepError::file(&beside))?;
     fs::rename(&beside, path).map_err(SweepError::file(path))
 }
 
@@ -128,10 +160,16 @@ impl Parts {
         // Asked in this order: a shard that begins at the same moment writes its manifest before its first part.
         let has_parts = has_parts(&folder)?;
         let found = Manifest::read(&folder)?;
-        let parts = Self { folder, manifest };
-        if found.as_ref() == Some(&parts.manifest) {
-            return Ok(parts);
-        }
+        let parts = match &found {
+            // Another version may have cut the table otherwise: its parts stay what they are.
+            Some(found) if manifest.has_rows_of(found) => {
+                return Ok(Self {
+                    folder,
+                    manifest: found.clone(),
+                });
+            }
+            _ => Self { folder, manifest },
+        };
         if found.is_some() || has_parts {
             // What has no manifest is not ours to delete.
             if !overwritten || found.is_none() {
@@ -142,7 +180,7 @@ impl Parts {
         fs::create_dir_all(&parts.folder).map_err(SweepError::file(&parts.folder))?;
         let mut text = serde_json::to_string_pretty(&parts.manifest).unwrap_or_default();
         text.push('\n');
-        write_whole(&parts.folder.join(MANIFEST), text.as_bytes())?;
+        write_whole(&parts.folder.join(MANIFEST), text.as_bytes(), true)?;
         Ok(parts)
     }
 
@@ -197,7 +235,7 @@ impl Parts {
                 return Ok(());
             }
             let batch = sweep.batch(self.manifest.runs_of(part));
-            write_whole(&path_of(&self.folder, part), &sweep.rows(&batch))?;
+            write_whole(&path_of(&self.folder, part), &sweep.rows(&batch), false)?;
             done(self.n_runs(part));
             Ok(())
         })

@@ -82,6 +82,16 @@ impl Place {
         steps(text).is_some_and(|steps| self.0.starts_with(&steps))
     }
 
+    /// Of a field of an item of a list its index, and the way from there: of `structures[0].sdof.mass_kg` 0 and `sdof.mass_kg`.
+    pub(super) fn in_item_of(&self, list: &str) -> Option<(usize, String)> {
+        match &self.0[..] {
+            [Step::Field(name), Step::Item(index), rest @ ..] if name == list => {
+                Some((*index, named(rest)))
+            }
+            _ => None,
+        }
+    }
+
     /// The value there, made where it is left out; nothing where something else stands on the way.
     pub(super) fn slot<'v>(&self, scene: &'v mut Value) -> Option<&'v mut Value> {
         self.0.iter().try_fold(scene, |value, step| {

@@ -5,7 +5,7 @@ use serde_json::{Number, Value};
 use super::SweepError;
 use super::file::{MOST, Samples, Vary};
 use super::place::Place;
-use super::sampling::{Sampler, most_sobol_axes};
+use super::sampling::{Point, Sampler, most_sobol_axes};
 use super::spread::Spread;
 
 /// Something that varies.
@@ -103,12 +103,12 @@ impl Plan {
     }
 
     /// The values of a run, axis by axis, put where others were.
-    pub(super) fn settings(&self, run: u64, point: &mut Vec<f64>, to: &mut Vec<Setting>) {
+    pub(super) fn settings(&self, run: u64, point: &mut Point, to: &mut Vec<Setting>) {
         let place = run % self.runs_per_motion;
         if let Some(sampler) = &self.sampler {
             sampler.point(place % self.n_samples, point);
         }
-        let mut coordinates = point.iter();
+        let mut coordinates = point.coordinates.iter();
         to.clear();
         to.extend(self.axes.iter().map(|axis| {
             axis.setting(place, || {
@@ -196,7 +196,7 @@ impl Spread {
 }
 
 /// A number as a scene says it: a whole one without a point, so that it also fits where whole ones are asked for.
-fn value_of(number: f64) -> Value {
+pub(super) fn value_of(number: f64) -> Value {
     const EXACT: f64 = 9_007_199_254_740_992.0;
     let whole = number.trunc().total_cmp(&number).is_eq() && number.abs() < EXACT;
     if whole && (number != 0.0 || number.is_sign_positive()) {

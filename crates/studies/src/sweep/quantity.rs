@@ -60,6 +60,21 @@ pub(super) struct Ran<'a> {
 }
 
 impl StructureQuantity {
+    /// Whether it is the value of largest magnitude of something that goes to both sides.
+    pub(super) fn is_peak(self) -> bool {
+        match self {
+            Self::PeakDisplacementM
+            | Self::PeakShearForceN
+            | Self::PeakDriftM
+            | Self::PeakAccelerationMPerS2 => true,
+            Self::PeakDisplacementTimeS
+            | Self::ResidualDisplacementAtEndM
+            | Self::Ductility
+            | Self::DriftRatio
+            | Self::TransferredMomentumNS => false,
+        }
+    }
+
     /// Of a floor; nothing where it has no such number.
     pub(super) fn of(self, ran: &Ran<'_>, index: usize) -> Option<f64> {
         let floor = &ran.prepared.floors().all()[index];

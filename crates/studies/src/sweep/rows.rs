@@ -1,57 +1,65 @@
 //! Batches as rows of CSV.
 
+use std::io::Write as _;
+
 use super::plan::{Axis, Setting};
 use super::quantity::name;
+use super::sampling::Point;
 use super::{Batch, Sweep};
 
-/// Rows of CSV in memory.
-struct Rows(csv::Writer<Vec<u8>>);
+/// Rows of CSV in memory, field by field; every field ends with a comma, which the end of a row writes over.
+#[derive(Default)]
+struct Rows(Vec<u8>);
 
 impl Rows {
-    fn new() -> Self {
-        // The number of fields is ours.
-        let builder = csv::WriterBuilder::new()
-            .flexible(true)
-            .from_writer(Vec::new());
-        Self(builder)
-    }
-
     /// A text; its line breaks become blanks, so that a row is a line.
     fn field(&mut self, field: &str) {
-        let field = field.replace(['\n', '\r'], " ");
-        self.0.write_field(field).expect("memory takes all");
+        if !field.is_empty() {
+            self.0.extend(quoted(&field.replace(['\n', '\r'], " ")));
+        }
+        self.0.push(b',');
     }
 
-    /// A number in the shortest digits that read back to the same bits; nothing for NaN.
+    /// A number in the shortest digits that read back to the same bits; nothing for NaN. No digits need quotes.
     fn number(&mut self, number: f64) {
-        if number.is_nan() {
-            return self.field("");
+        if !number.is_nan() {
+            let mut digits = zmij::Buffer::new();
+            let digits = digits.format(number);
+            let digits = digits.strip_suffix(".0").unwrap_or(digits);
+            self.0.extend_from_slice(digits.as_bytes());
         }
-        let mut digits = zmij::Buffer::new();
-        let digits = digits.format(number);
-        let digits = digits.strip_suffix(".0").unwrap_or(digits);
-        self.0.write_field(digits).expect("memory takes all");
+        self.0.push(b',');
+    }
+
+    fn count(&mut self, count: u64) {
+        write!(self.0, "{count},").expect("memory takes all");
     }
 
     fn end(&mut self) {
-        let nothing: [&[u8]; 0] = [];
-        self.0.write_record(nothing).expect("memory takes all");
+        if let Some(last) = self.0.last_mut() {
+            *last = b'\n';
+        }
     }
+}
 
-    fn bytes(self) -> Vec<u8> {
-        self.0.into_inner().expect("memory takes all")
-    }
+/// A text as a field of CSV, in quotes where it needs them.
+fn quoted(text: &str) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([text]).expect("memory takes all");
+    let mut bytes = writer.into_inner().expect("memory takes all");
+    bytes.pop();
+    bytes
 }
 
 impl Sweep {
     /// The row that names the columns.
     pub fn header(&self) -> Vec<u8> {
-        let mut rows = Rows::new();
+        let mut rows = Rows::default();
         for column in self.columns() {
             rows.field(&column);
         }
         rows.end();
-        rows.bytes()
+        rows.0
     }
 
     /// Names of the columns: the run, its record and direction, what varies, what came out, and why it failed.
@@ -81,17 +89,16 @@ impl Sweep {
 
     /// A row for each run of a batch; each is one line.
     pub fn rows(&self, batch: &Batch) -> Vec<u8> {
-        let mut rows = Rows::new();
-        let (mut point, mut settings) = (Vec::new(), Vec::new());
+        let mut rows = Rows::default();
+        let (mut point, mut settings) = (Point::default(), Vec::new());
+        let (mut shaken, mut of_motion) = (None, Vec::new());
         for (index, run) in batch.runs.clone().enumerate() {
-            let shaking = &self.motions.all[self.plan.motion(run).0];
-            rows.field(&run.to_string());
-            rows.field(&shaking.name);
-            rows.field(if shaking.is_reversed() {
-                "true"
-            } else {
-                "false"
-            });
+            let motion = self.plan.motion(run).0;
+            if shaken != Some(motion) {
+                (shaken, of_motion) = (Some(motion), self.fields_of_motion(motion));
+            }
+            rows.count(run);
+            rows.0.extend_from_slice(&of_motion);
             self.plan.settings(run, &mut point, &mut settings);
             for (axis, setting) in self.plan.axes().iter().zip(&settings) {
                 rows.setting(axis, *setting);
@@ -103,7 +110,20 @@ impl Sweep {
             rows.field(reason);
             rows.end();
         }
-        rows.bytes()
+        rows.0
+    }
+
+    /// Name and direction of a motion, as fields.
+    fn fields_of_motion(&self, motion: usize) -> Vec<u8> {
+        let shaking = &self.motions.all[motion];
+        let mut fields = Rows::default();
+        fields.field(&shaking.name);
+        fields.field(if shaking.is_reversed() {
+            "true"
+        } else {
+            "false"
+        });
+        fields.0
     }
 }
 

@@ -9,6 +9,7 @@ use super::error::RefusedScene;
 use super::plan::{Axis, Plan, Setting};
 use super::{Sweep, SweepError};
 use crate::floors::Floors;
+use crate::ground_motion::SharedMotion;
 use crate::{Prepared, Scene, SceneError, StudyError, check};
 
 /// Values of an axis that are tried: the first ones.
@@ -171,10 +172,20 @@ impl Sweep {
         settings: &[Setting],
         scene: &mut Value,
     ) -> Result<Prepared, RefusedScene> {
+        let (scene, motion) = self.shaken(motion, settings, scene)?;
+        Ok(Prepared::shaken(&scene, motion)?)
+    }
+
+    /// The same before it is prepared, and the motion.
+    pub(super) fn shaken(
+        &self,
+        motion: usize,
+        settings: &[Setting],
+        scene: &mut Value,
+    ) -> Result<(Scene, SharedMotion), RefusedScene> {
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
             axis.put(*setting, scene);
         }
-        let (scene, motion) = self.motions.shake(motion, scene_of(scene)?)?;
-        Ok(Prepared::shaken(&scene, motion)?)
+        Ok(self.motions.shake(motion, scene_of(scene)?)?)
     }
 }

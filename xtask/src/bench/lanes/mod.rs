@@ -120,8 +120,9 @@ impl Scenes<'_> {
         let together = SideBySide::new(SETTINGS, self.excitation, CLOCK);
         let together = together.map_err(|error| error.to_string())?;
         let mut tallies = Tallies::default();
-        let n_steps = vec![CLOCK.n_steps; self.rows.len()];
-        together.run(RowsOf::Elastic(&self.rows), &n_steps, &mut tallies);
+        let rows: Vec<_> = self.rows.iter().collect();
+        let n_steps = vec![CLOCK.n_steps; rows.len()];
+        together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
         let distance = if self.by_hand {
             self.distance(&tallies)?
         } else {
@@ -144,7 +145,7 @@ impl Scenes<'_> {
             runs.push(("by hand, bare", &mut bare));
         }
         let mut lanes = || {
-            together.run(RowsOf::Elastic(&self.rows), &n_steps, &mut tallies);
+            together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
             black_box(&tallies);
         };
         let stepping = Integrator::CentralDifference(SETTINGS);

@@ -55,10 +55,10 @@ fn in_lanes(scenes: &Scenes<'_>, time_step: f64) -> Result<Measured, String> {
     let clock = clock(time_step);
     let together = SideBySide::new(CENTRAL_DIFFERENCE, scenes.excitation, clock);
     let together = together.map_err(|error| error.to_string())?;
+    let rows: Vec<_> = scenes.rows.iter().collect();
     let n_steps = [clock.n_steps; IN_LANES];
-    let rows = RowsOf::Elastic(&scenes.rows);
     Ok(beside(|tallies| {
-        together.run(rows, &n_steps, tallies);
+        together.run(RowsOf::Elastic(&rows), &n_steps, tallies);
     }))
 }
 

@@ -2,14 +2,14 @@
 
 use pounding::studies::Shard;
 
-/// The shard of this process: the whole where no variable names a task.
+/// The shard of this process with the variable that names its task; nothing where none does.
 ///
 /// With a number of shards tasks count from 1, so that some of them can be submitted again; task 0, of an array that counts from
 /// there, has the last shard. Without it the array itself says how many tasks it has.
 pub(super) fn shard(
     shards: Option<u64>,
     variable: impl Fn(&str) -> Option<String>,
-) -> Result<Shard, String> {
+) -> Result<Option<(&'static str, Shard)>, String> {
     let number = |name: &'static str| -> Result<Option<u64>, String> {
         let Some(text) = variable(name).filter(|text| !text.is_empty()) else {
             return Ok(None);
@@ -23,14 +23,14 @@ pub(super) fn shard(
         None => number("HQ_TASK_ID")?.map(|task| ("HQ_TASK_ID", task)),
     };
     match (task, shards) {
-        (None, None) => Ok(Shard::WHOLE),
+        (None, None) => Ok(None),
         (None, Some(_)) => Err(
             "--shards: found neither SLURM_ARRAY_TASK_ID nor HQ_TASK_ID, allowed is it in a job array; elsewhere say --shard I/N"
                 .into(),
         ),
         (Some((name, task)), Some(shards)) => {
             let index = if task == 0 { shards } else { task };
-            Shard::new(index, shards).map_err(|_| {
+            Shard::new(index, shards).map(|shard| Some((name, shard))).map_err(|_| {
                 format!(
                     "{name}: found {task}, allowed are 1 to {shards} with --shards {shards}, or 0 to {last}; change --shards or the array",
                     last = shards.saturating_sub(1)
@@ -40,7 +40,7 @@ pub(super) fn shard(
         (Some(("HQ_TASK_ID", _)), None) => Err(
             "HQ_TASK_ID: found a task, but not how many there are; add --shards N, or --shard 1/1 for the whole".into(),
         ),
-        (Some((_, task)), None) => {
+        (Some((name, task)), None) => {
             let count = number("SLURM_ARRAY_TASK_COUNT")?;
             let first = number("SLURM_ARRAY_TASK_MIN")?.unwrap_or(0);
             let step = number("SLURM_ARRAY_TASK_STEP")?.unwrap_or(1).max(1);
@@ -48,7 +48,7 @@ pub(super) fn shard(
             let shard = count.zip(away).and_then(|(count, away)| {
                 Shard::new(away / step + 1, count).ok()
             });
-            shard.ok_or_else(|| {
+            shard.map(|shard| Some((name, shard))).ok_or_else(|| {
                 "SLURM_ARRAY_TASK_ID: found a task of an array without equal steps; number the tasks from 1 and add --shards N".into()
             })
         }
@@ -66,7 +66,14 @@ mod tests {
             found.map(|(_, value)| (*value).to_string())
         };
         match shard(shards, variable) {
-            Ok(shard) => shard.to_string(),
+            Ok(Some((variable, shard))) => {
+                assert!(
+                    set.iter().any(|(known, _)| *known == variable),
+                    "{variable}"
+                );
+                shard.to_string()
+            }
+            Ok(None) => "the whole".into(),
             Err(message) => message,
         }
     }
@@ -82,7 +89,7 @@ mod tests {
             ]
         };
         for (shards, set, wanted) in [
-            (None, &[][..], "1/1"),
+            (None, &[][..], "the whole"),
             (None, &slurm("0", "4", "0", "1"), "1/4"),
             (None, &slurm("3", "4", "0", "1"), "4/4"),
             (None, &slurm("8", "4", "1", "7"), "2/4"),
