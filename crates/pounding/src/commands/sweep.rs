@@ -60,19 +60,24 @@ pub(crate) struct Arguments {
     shards: Option<u64>,
 }
 
+/// The shard of the task of a job array, where this is one; else the whole.
+#[expect(
+    clippy::print_stderr,
+    reason = "who did not ask for a shard learns why this is one, before the work begins"
+)]
+fn shard_of_task(shards: Option<u64>) -> Result<Shard, String> {
+    let task = task::shard(shards, |name| std::env::var(name).ok())?;
+    if let Some((variable, shard)) = &task {
+        eprintln!("{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole");
+    }
+    Ok(task.map_or(Shard::WHOLE, |(_, shard)| shard))
+}
+
 /// Runs a sweep, or what is missing of it.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let shard = match asked.shard {
         Some(shard) => shard,
-        None => {
-            let task = task::shard(asked.shards, |name| std::env::var(name).ok())?;
-            if let Some((variable, shard)) = task {
-                eprintln!(
-                    "{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole"
-                );
-            }
-            task.map_or(Shard::WHOLE, |(_, shard)| shard)
-        }
+        None => shard_of_task(asked.shards)?,
     };
     let out = match &asked.out {
         Some(out) => out.clone(),
