@@ -9,9 +9,9 @@ mod bench;
 mod beyond;
 mod check;
 mod fuzz;
-mod hyperqueue;
 mod reproduce;
 mod results;
+mod schedulers;
 mod studies;
 
 use std::path::{Path, PathBuf};
@@ -80,6 +80,9 @@ enum Task {
     },
     /// Run a sweep by `HyperQueue` from the Python package index and compare it with one without; needs Python, no part of `check`.
     Hyperqueue,
+    /// Run the same sweep by SLURM on this machine and compare it with one without; needs root and Debian's packages slurm-wlm and munge,
+    /// no part of `check`.
+    Slurm,
     /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
     Fuzz {
         /// How long each target runs, in seconds.
@@ -106,7 +109,8 @@ fn main() -> ExitCode {
         Task::Bench { lanes: true, .. } => bench::lanes(&root()),
         Task::Bench { peers: true, .. } => bench::peers(&root()),
         Task::Bench { .. } => bench::run(&root()),
-        Task::Hyperqueue => hyperqueue::run(&root()),
+        Task::Hyperqueue => schedulers::hyperqueue(&root()),
+        Task::Slurm => schedulers::slurm(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
     };
     match outcome {

@@ -6,6 +6,7 @@ use std::cell::Cell;
 use crate::common::{
     METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
 };
+use crate::watch::Watch;
 use pounding_solver::{Excitation, Ledger, Peaks, Row, TransferredMomentum};
 
 /// The system's allocator with a counter.
@@ -58,7 +59,7 @@ fn limit_a_step_allocates_nothing() {
                 );
                 let before = allocations();
                 let work = method
-                    .run(&row, excitation, clock(0.005, duration), &mut recorder)
+                    .watch(&row, excitation, clock(0.005, duration), &mut recorder)
                     .unwrap();
                 (allocations() - before, work)
             };

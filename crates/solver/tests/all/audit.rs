@@ -11,6 +11,7 @@ use std::fmt::Write;
 use crate::common::{
     METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, histories, pairs, yielding,
 };
+use crate::watch::Watch;
 
 /// Checks every span and impact of a run on the grid of the ground motion.
 struct Audit<'a> {
@@ -184,7 +185,7 @@ fn limit_spans_and_impacts_keep_their_promises() {
             };
             let excitation = Excitation::new(time_step, &samples).unwrap();
             let work = method
-                .run(&row, excitation, clock(time_step, 10.0), &mut audit)
+                .watch(&row, excitation, clock(time_step, 10.0), &mut audit)
                 .unwrap();
             assert!(work.touching_steps > 0, "{name}: the row must collide");
             assert!(

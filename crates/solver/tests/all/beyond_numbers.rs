@@ -7,6 +7,7 @@ use pounding_solver::{
 };
 
 use crate::common::{STIFF, VISCOELASTIC, WEAK, clock, elastic, pairs, yielding};
+use crate::watch::Watch;
 
 const EXACT: Integrator = Integrator::Exact(Exact {
     tolerance: 1e-16,
@@ -19,7 +20,7 @@ fn run(law: ContactLaw, velocity: f64) -> Result<Work, RunError> {
     nodes[0].initial_velocity = velocity;
     let row = Row::new(nodes, pairs(2, 0.01, law)).expect("a good row");
     let rest = Excitation::new(0.01, &[0.0]).expect("good samples");
-    EXACT.run(&row, rest, clock(0.1, 0.1), &mut ())
+    EXACT.watch(&row, rest, clock(0.1, 0.1), &mut ())
 }
 
 /// Coefficients of the contact force overflowed, and the search for its zeros went through its stretch in steps of 1e-15.
@@ -58,7 +59,7 @@ fn issue_a_record_of_almost_no_duration_is_over() {
     for time_step in [1e-17, 1e-25, 1e-300, f64::MIN_POSITIVE] {
         let brief = Excitation::new(time_step, &[1.0, -1.0]).expect("good samples");
         let mut seen = Peaks::new(1);
-        match EXACT.run(&row, brief, clock(1.0, 1.0), &mut seen) {
+        match EXACT.watch(&row, brief, clock(1.0, 1.0), &mut seen) {
             Ok(_) => {
                 let peak = seen.of(0).displacement.value;
                 assert!(peak.abs() < 1e-12, "{time_step:e}: {peak}");
@@ -87,7 +88,7 @@ fn issue_substeps_have_a_limit() {
             impacts: ImpactRule::VelocityJump,
             contact_substeps,
         });
-        let run = method.run(&row, rest, once, &mut ());
+        let run = method.watch(&row, rest, once, &mut ());
         assert_eq!(run.is_ok(), good, "{contact_substeps} sub-steps");
     }
 }

@@ -3,6 +3,7 @@
 use pounding_solver::{Elastic, Excitation, Histories, Integrator, Node, Row};
 
 use crate::common::{AVERAGE, CENTRAL, LINEAR, METHODS, clock, histories};
+use crate::watch::Watch;
 
 /// The structure of Examples 5.2 to 5.4: 0.2533 kip·s²/in, 10 kip/in, ζ = 5 %.
 const MASS: f64 = 0.2533;
@@ -34,7 +35,7 @@ fn displacements(method: Integrator, time_step: f64) -> Vec<f64> {
     let mut histories = Histories::new(1, 0.1, 1.0);
     let excitation = Excitation::new(time_step, &samples).expect("the load is finite");
     method
-        .run(
+        .watch(
             &example(),
             excitation,
             clock(time_step, 1.0),

@@ -7,6 +7,7 @@ use pounding_solver::{
 };
 
 use crate::common::{METHODS, STIFF, WEAK, clock, elastic, ground, pairs};
+use crate::watch::Watch;
 
 const GAP: f64 = 0.0;
 
@@ -42,7 +43,7 @@ fn counts(method: Integrator, time_step: f64) -> [usize; 3] {
         Histories::new(2, 1e-4, 10.0),
     );
     method
-        .run(&row, excitation, clock(time_step, 10.0), &mut seen)
+        .watch(&row, excitation, clock(time_step, 10.0), &mut seen)
         .expect("the run ends");
     let (collisions, pushes, histories) = seen;
     let [left, right] = [0, 1].map(|structure| &histories.of(structure).states);
@@ -103,7 +104,7 @@ fn issue_energy_given_back_after_a_clamp_was_taken_before() {
             Collisions::new(2, row.pairs()),
         );
         method
-            .run(&row, excitation, clock(1e-5, 0.2), &mut seen)
+            .watch(&row, excitation, clock(1e-5, 0.2), &mut seen)
             .expect("the run ends");
         let (ledger, pushes, collisions) = seen;
         assert_eq!((pushes.n, collisions.all().len()), (2, 1), "{name}");

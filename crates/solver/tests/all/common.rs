@@ -1,4 +1,5 @@
 //! What the tests of the solver share: structures of the paper, a synthetic ground motion, shorthands.
+use crate::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
@@ -127,7 +128,7 @@ pub(crate) fn histories<Column: Hysteretic>(
     let mut histories = Histories::new(row.nodes().len(), clock.time_step, duration);
     let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
     let work = method
-        .run(row, excitation, clock, &mut histories)
+        .watch(row, excitation, clock, &mut histories)
         .expect("the run ends");
     (histories, work)
 }
@@ -157,7 +158,7 @@ pub(crate) fn book<'a, Column: Hysteretic>(
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
     let mut ledger = Ledger::new(row, excitation);
     method
-        .run(row, excitation, clock, &mut ledger)
+        .watch(row, excitation, clock, &mut ledger)
         .expect("the run ends");
     ledger
 }

@@ -6,6 +6,7 @@ use pounding_solver::{
 };
 
 use crate::common::{AVERAGE, CENTRAL, HHT, JUMPING, LINEAR, MOREAU_JEAN, RK4, SUBSTEPPED, VERLET};
+use crate::watch::Watch;
 
 const MASS: f64 = 75e3;
 const STIFFNESS: f64 = 9.35e7;
@@ -40,7 +41,10 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
         n_steps: N_STEPS,
     };
     let mut histories = Histories::new(2, time_step, clock.time(N_STEPS));
-    if method.run(&row, excitation, clock, &mut histories).is_err() {
+    if method
+        .watch(&row, excitation, clock, &mut histories)
+        .is_err()
+    {
         return f64::INFINITY;
     }
     let rest = -PUSH * MASS / STIFFNESS;

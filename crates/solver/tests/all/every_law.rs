@@ -1,6 +1,7 @@
 //! Every law of the literature under every method, against what the law delivers to a free pair.
 
 use crate::common::{METHODS, RK4, STIFF, WEAK, clock, elastic, ground, pairs};
+use crate::watch::Watch;
 use pounding_contact::{Calibration, ContactLaw, FreeImpact, FreePair, LawName};
 use pounding_solver::{
     Clock, Collisions, Elastic, Exact, Excitation, Histories, Impact, Integrator, Node, Recorder,
@@ -51,7 +52,7 @@ fn collide(law: ContactLaw, method: Integrator, clock: Clock) -> Delivered {
     );
     let excitation = Excitation::new(1.0, &[0.0]).expect("as built");
     method
-        .run(&row, excitation, clock, &mut recorders)
+        .watch(&row, excitation, clock, &mut recorders)
         .expect("as built");
     let (momentum, collisions, LastVelocities([left, right])) = recorders;
     Delivered {
@@ -136,7 +137,7 @@ fn shaken(law: ContactLaw, method: Integrator, time_step: f64) -> (Vec<f64>, usi
     let ground = ground();
     let excitation = Excitation::new(0.01, &ground).expect("as built");
     method
-        .run(&row, excitation, clock(time_step, duration), &mut recorders)
+        .watch(&row, excitation, clock(time_step, duration), &mut recorders)
         .expect("as built");
     let states = &recorders.0.of(0).states;
     let displacements = states.iter().map(|state| state.displacement).collect();

@@ -9,6 +9,7 @@ use pounding_solver::{
 use crate::common::{
     STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs, yielding,
 };
+use crate::watch::Watch;
 
 const FREE: Elastic = Elastic { stiffness: 0.0 };
 
@@ -40,7 +41,7 @@ fn run<Column: Hysteretic>(
     );
     let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
     let work = Integrator::Exact(settings)
-        .run(row, excitation, clock, &mut recorders)
+        .watch(row, excitation, clock, &mut recorders)
         .expect("the run ends");
     let (collisions, momentum, peaks, histories) = recorders;
     Outcome {
@@ -114,7 +115,7 @@ fn extreme_neighbours_that_press_and_bounce_for_ever_end_the_run() {
         let mut collisions = Collisions::new(2, row.pairs());
         let clock = clock(0.01, 10.0);
         let outcome =
-            Integrator::Exact(Exact::default()).run(&row, excitation, clock, &mut collisions);
+            Integrator::Exact(Exact::default()).watch(&row, excitation, clock, &mut collisions);
         (outcome, collisions.all().len())
     };
     let (outcome, impacts) = throw(1.0);

@@ -8,6 +8,7 @@ use pounding_solver::{
 use proptest::prelude::*;
 
 use crate::random_rows::{Case, SI, Units, any_law, cases, config, stereomechanical};
+use crate::watch::Watch;
 
 const CLOCK: Clock = Clock {
     time_step: 0.01,
@@ -35,7 +36,7 @@ fn run(case: &Case, units: Units) -> Option<Outcome> {
             Histories::new(n, time_step / 32.0, duration),
         ),
     );
-    match Integrator::Exact(Exact::default()).run(&row, excitation, clock, &mut recorders) {
+    match Integrator::Exact(Exact::default()).watch(&row, excitation, clock, &mut recorders) {
         Ok(_) => {}
         Err(RunError::BouncesWithoutEnd { restitution, .. }) if restitution > 0.999 => return None,
         Err(RunError::CrawlsInContact { .. }) => return None,

@@ -9,6 +9,7 @@ use proptest::prelude::*;
 
 use crate::common::VISCOELASTIC;
 use crate::random_rows::config;
+use crate::watch::Watch;
 
 const EXACT: Integrator = Integrator::Exact(Exact {
     tolerance: 1e-14,
@@ -101,7 +102,7 @@ fn run(case: &Case, apart: Apart) -> (Vec<f64>, Work) {
         Histories::new(n_nodes, LOOK, clock.time(clock.n_steps)),
     );
     let work = EXACT
-        .run(&row, excitation, clock, &mut recorder)
+        .watch(&row, excitation, clock, &mut recorder)
         .expect("the row can be run");
     let (peaks, accelerations, collisions, histories) = recorder;
     let (later, before) = if apart == Apart::Late {
@@ -186,7 +187,7 @@ fn extreme_a_touch_between_two_samples_is_not_flown_over() {
             Histories::new(2, STEP, clock.time(clock.n_steps)),
         );
         EXACT
-            .run(&row, excitation, clock, &mut recorder)
+            .watch(&row, excitation, clock, &mut recorder)
             .expect("the row can be run");
         recorder
     };
@@ -228,7 +229,7 @@ fn issue_the_uncertainty_of_a_touch_knows_what_was_flown() {
         let excitation = Excitation::new(STEP, &ground).expect("the record is finite");
         let mut collisions = Collisions::new(2, row.pairs()).travelled(row.travel(excitation));
         EXACT
-            .run(&row, excitation, clock, &mut collisions)
+            .watch(&row, excitation, clock, &mut collisions)
             .expect("the row can be run");
         let touches = collisions.all().iter().filter_map(|one| one.uncertainty);
         touches.collect::<Vec<_>>()
@@ -257,7 +258,7 @@ fn reference_the_ledger_of_a_flight() {
     };
     let mut ledger = Ledger::new(&row, excitation);
     EXACT
-        .run(&row, excitation, clock, &mut ledger)
+        .watch(&row, excitation, clock, &mut ledger)
         .expect("the row can be run");
     assert!(ledger.residual() < 1e-13, "{}", ledger.residual());
 }

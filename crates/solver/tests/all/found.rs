@@ -1,5 +1,6 @@
 //! Brutal random rows that the exact method once got wrong.
 
+use crate::watch::Watch;
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     Clock, ElastoPlastic, Exact, Excitation, Integrator, Ledger, Node, Pair, Row,
@@ -140,7 +141,7 @@ fn check(seed: u64) {
     };
     let mut ledger = Ledger::new(&row, excitation);
     Integrator::Exact(Exact::default())
-        .run(&row, excitation, clock, &mut ledger)
+        .watch(&row, excitation, clock, &mut ledger)
         .unwrap_or_else(|error| panic!("row {seed}: {error}"));
     let balances = [ledger.residual(), ledger.identity(), ledger.momentum()];
     assert!(

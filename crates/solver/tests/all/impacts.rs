@@ -4,6 +4,7 @@ use crate::common::{
     AVERAGE, HHT, JUMPING, LOCATED, MOREAU_JEAN, RK4, STEREOMECHANICAL, SUBSTEPPED, VERLET, clock,
     free, histories, pairs,
 };
+use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Collisions, Elastic, Excitation, Histories, Integrator, Node, Row};
 use proptest::prelude::*;
@@ -93,7 +94,7 @@ fn reference_a_located_impact_of_free_masses_is_exact() {
         let mut recorder = (Histories::new(2, dt, 0.3), Collisions::new(2, row.pairs()));
         let excitation = Excitation::new(1.0, &[0.0]).unwrap();
         LOCATED
-            .run(&row, excitation, clock(dt, 0.3), &mut recorder)
+            .watch(&row, excitation, clock(dt, 0.3), &mut recorder)
             .unwrap();
         let (histories, collisions) = recorder;
         let [collision] = collisions.all() else {

@@ -9,6 +9,7 @@ use pounding_solver::{
 use proptest::prelude::*;
 
 use crate::random_rows::{Case, SI, any_law, cases, config};
+use crate::watch::Watch;
 
 /// More than run in one group, and no whole number of groups.
 const SCENES: usize = 19;
@@ -80,7 +81,7 @@ fn alone<Column: Hysteretic>(
 ) -> Alone {
     let (n, pairs) = (row.nodes().len(), row.pairs());
     let mut recorder = (Peaks::new(n), Collisions::new(n, pairs));
-    Integrator::CentralDifference(settings).run(
+    Integrator::CentralDifference(settings).watch(
         row,
         excitation,
         Clock { n_steps, ..CLOCK },

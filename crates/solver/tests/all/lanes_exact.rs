@@ -8,6 +8,7 @@ use pounding_solver::{
 use proptest::prelude::*;
 
 use crate::random_rows::{any_law, config};
+use crate::watch::Watch;
 
 /// Samples of the record every 0.02 s.
 const GROUND_STEP: f64 = 0.02;
@@ -85,7 +86,7 @@ fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<Found> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
     let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
     Integrator::Exact(settings(1e-14))
-        .run(row, excitation, CLOCK, &mut recorder)
+        .watch(row, excitation, CLOCK, &mut recorder)
         .ok()?;
     let (peaks, collisions) = recorder;
     let mut tally = PairTally::default();

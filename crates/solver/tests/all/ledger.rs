@@ -11,6 +11,7 @@ use crate::common::{
     AVERAGE, CENTRAL, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VISCOELASTIC,
     WEAK, book, clock, elastic, free, ground, moreau_jean, pairs, yielding,
 };
+use crate::watch::Watch;
 
 const MIDDLE: (f64, f64, f64) = (120e3, 5e6, 90e3);
 
@@ -152,7 +153,7 @@ fn issue_the_published_rule_creates_energy_between_elastic_neighbours() {
     let excitation = Excitation::new(0.01, &samples).unwrap();
     let known = |laws| {
         let mut ledger = Ledger::new(&row, excitation).held_to(laws);
-        let outcome = CENTRAL.run(&row, excitation, clock(0.01, 10.0), &mut ledger);
+        let outcome = CENTRAL.watch(&row, excitation, clock(0.01, 10.0), &mut ledger);
         outcome.unwrap();
         ledger.verdict().is_ok()
     };

@@ -14,6 +14,7 @@ use crate::common::{
     elastic, free, ground, pairs, slope, yielding,
 };
 use crate::ledger::rows;
+use crate::watch::Watch;
 
 #[test]
 fn reference_the_exact_method_balances_to_rounding() {
@@ -245,7 +246,7 @@ fn issue_a_force_from_the_right_pulled_inside_a_span() {
     let excitation = Excitation::new(0.01, &samples).unwrap();
     let mut middles = Middles { pushed: false };
     Integrator::Exact(Exact::default())
-        .run(&row, excitation, clock(0.01, 5.0), &mut middles)
+        .watch(&row, excitation, clock(0.01, 5.0), &mut middles)
         .unwrap();
     assert!(middles.pushed, "the row must collide");
 }

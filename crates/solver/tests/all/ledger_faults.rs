@@ -10,6 +10,7 @@ use pounding_solver::{
 use crate::common::{
     AVERAGE, CENTRAL, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
 };
+use crate::watch::Watch;
 
 /// Passes a run on to a ledger with a fault put in.
 struct Faulty<'a, S, I> {
@@ -57,7 +58,7 @@ fn found(
         impact,
     };
     method
-        .run(&row, excitation, clock(0.001, 5.0), &mut faulty)
+        .watch(&row, excitation, clock(0.001, 5.0), &mut faulty)
         .expect("the run ends");
     let ledger = faulty.ledger;
     (

@@ -4,6 +4,7 @@ use crate::common::{
     AVERAGE, CENTRAL, HHT, JUMPING, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED,
     VERLET, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
 };
+use crate::watch::Watch;
 use pounding_solver::{ElastoPlastic, Hht, Histories, Integrator, Node, Row, State};
 
 /// Every state of every structure.
@@ -175,7 +176,7 @@ fn limit_histories_do_not_depend_on_their_interval() {
     let samples = ground();
     let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
     CENTRAL
-        .run(&row, excitation, clock(0.01, 4.0), &mut sparse)
+        .watch(&row, excitation, clock(0.01, 4.0), &mut sparse)
         .unwrap();
     assert_eq!(sparse.of(0).states.len(), 101);
     assert!(
@@ -262,7 +263,7 @@ fn limit_sub_steps_all_the_time_are_a_smaller_step() {
         let mut histories = Histories::new(2, 0.004, 0.016);
         let excitation = pounding_solver::Excitation::new(0.01, &samples).unwrap();
         let work = method
-            .run(&row, excitation, clock(dt, 0.016), &mut histories)
+            .watch(&row, excitation, clock(dt, 0.016), &mut histories)
             .unwrap();
         (histories, work)
     };

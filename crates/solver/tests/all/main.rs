@@ -44,3 +44,4 @@ mod travel;
 mod travel_books;
 mod travel_orders;
 mod very_start;
+mod watch;

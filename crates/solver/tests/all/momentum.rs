@@ -1,6 +1,7 @@
 //! Laws of mechanics in free collisions: momentum, restitution, impulses.
 
 use crate::common::{CENTRAL, METHODS, STEREOMECHANICAL, VISCOELASTIC, clock, pairs};
+use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Collisions, Elastic, Excitation, Histories, Integrator, Node, Row, TransferredMomentum,
@@ -26,7 +27,7 @@ fn collide(row: &Row<Elastic>, method: Integrator, time_step: f64) -> ([f64; 2],
         TransferredMomentum::new(2),
     );
     method
-        .run(
+        .watch(
             row,
             Excitation::new(1.0, &[0.0]).expect("no shaking"),
             clock,
@@ -104,7 +105,7 @@ fn issue_the_published_rule_hits_twice() {
     let mut collisions = Collisions::new(2, row.pairs());
     let excitation = Excitation::new(1.0, &[0.0]).unwrap();
     CENTRAL
-        .run(&row, excitation, clock(0.009_5, 0.2), &mut collisions)
+        .watch(&row, excitation, clock(0.009_5, 0.2), &mut collisions)
         .unwrap();
     let impulses: Vec<f64> = collisions
         .all()
@@ -162,7 +163,7 @@ fn limit_forces_from_both_sides_cancel_in_the_transferred_momentum() {
             let mut recorder = (TransferredMomentum::new(3), Collisions::new(3, row.pairs()));
             let excitation = Excitation::new(1.0, &[0.0]).unwrap();
             method
-                .run(&row, excitation, clock(0.001, 0.05), &mut recorder)
+                .watch(&row, excitation, clock(0.001, 0.05), &mut recorder)
                 .unwrap();
             let (momentum, collisions) = recorder;
             assert!(

@@ -9,6 +9,7 @@ use proptest::prelude::*;
 
 use crate::common::ground;
 use crate::random_rows::{Case, SI, cases, config};
+use crate::watch::Watch;
 
 fn impulsive(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
@@ -23,7 +24,7 @@ fn run(
 ) -> Result<([f64; 2], Result<(), LedgerError>), RunError> {
     let excitation = Excitation::new(0.01, ground).expect("the ground motion is finite");
     let mut ledger = Ledger::new(row, excitation);
-    Integrator::MoreauJean(MoreauJean { theta }).run(row, excitation, clock, &mut ledger)?;
+    Integrator::MoreauJean(MoreauJean { theta }).watch(row, excitation, clock, &mut ledger)?;
     Ok((
         [ledger.identity(), ledger.momentum()],
         ledger.verdict().map(|_| ()),

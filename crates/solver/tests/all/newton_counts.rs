@@ -7,6 +7,7 @@ use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 use pounding_solver::{Excitation, Integrator, Row, RunError, Work};
 
 use crate::common::{AVERAGE, HHT, STIFF, WEAK, clock, elastic, ground, pairs};
+use crate::watch::Watch;
 
 /// A law calibrated to e = 0.65, at a multiple of its usual stiffness; springs as they are.
 fn law(name: LawName, factor: f64) -> Option<ContactLaw> {
@@ -28,7 +29,7 @@ fn run(law: ContactLaw, method: Integrator) -> Result<Work, RunError> {
         Row::new(vec![elastic(WEAK), elastic(STIFF)], pairs(2, 0.002, law)).expect("as built");
     let ground = ground();
     let excitation = Excitation::new(0.01, &ground).expect("as built");
-    method.run(&row, excitation, clock(1e-3, 2.0), &mut ())
+    method.watch(&row, excitation, clock(1e-3, 2.0), &mut ())
 }
 
 /// Newton iterations, force evaluations (halved corrections need more of them) and steps in contact.

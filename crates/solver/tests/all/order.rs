@@ -11,6 +11,7 @@ use crate::common::{
     CENTRAL, FIRST_ORDER, METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, elastic,
     ground, histories, pairs, slope, yielding,
 };
+use crate::watch::Watch;
 
 /// Displacement of a damped structure released at u₀ under a load that rises linearly: closed form.
 fn ramp(node: &Node<Elastic>, initial: f64, rate: f64, time: f64) -> f64 {
@@ -81,7 +82,7 @@ fn measure<Column: Hysteretic>(
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
     // Up to the end of the first collisions only: later ones would multiply the errors of the first.
     method
-        .run(row, excitation, clock(time_step, 3.0), recorder)
+        .watch(row, excitation, clock(time_step, 3.0), recorder)
         .expect("the run ends");
 }
 

@@ -11,6 +11,7 @@ use crate::common::{
     AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, RK4, STEREOMECHANICAL, VERLET, WEAK, central,
     elastic, ground, moreau_jean, pairs,
 };
+use crate::watch::Watch;
 
 fn row(nodes: Vec<Node<Elastic>>, pairs: Vec<Pair>) -> ModelError {
     Row::new(nodes, pairs).expect_err("the row must be refused")
@@ -20,7 +21,7 @@ fn run(row: &Row<Elastic>, method: Integrator, clock: Clock) -> RunError {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
     method
-        .run(row, excitation, clock, &mut ())
+        .watch(row, excitation, clock, &mut ())
         .expect_err("the run must end early")
 }
 
@@ -143,7 +144,7 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
         damping(0.0, 0.7),
         damping(0.1, 0.6),
     ] {
-        let work = method.run(&row, excitation, clock(0.999 * critical), &mut ());
+        let work = method.watch(&row, excitation, clock(0.999 * critical), &mut ());
         assert!(work.is_ok(), "{name}, just below the limit: {work:?}");
         let error = run(&row, method, clock(1.01 * critical));
         assert!(
@@ -153,7 +154,7 @@ fn extreme_a_step_beyond_the_limit_is_caught_and_one_below_is_not() {
     }
     assert_snapshot!(run(&row, CENTRAL, clock(1.01 * 2.0 / omega)));
     for method in [AVERAGE, HHT, MOREAU_JEAN] {
-        let work = method.run(&row, excitation, clock(100.0 / omega), &mut ());
+        let work = method.watch(&row, excitation, clock(100.0 / omega), &mut ());
         assert!(work.is_ok(), "no limit: {method:?}, {work:?}");
     }
 }
@@ -167,7 +168,7 @@ fn issue_a_motion_that_dies_out_ends_no_run() {
         time_step: 10.0,
         n_steps: 2000,
     };
-    let work = Integrator::Hht(Hht { alpha: -0.3 }).run(&row, excitation, clock, &mut ());
+    let work = Integrator::Hht(Hht { alpha: -0.3 }).watch(&row, excitation, clock, &mut ());
     assert!(work.is_ok(), "{work:?}");
 }
 
@@ -178,7 +179,7 @@ fn extreme_a_number_that_overflows_ends_the_run() {
         let soft = Node::structure(1.0, 0.0, Elastic { stiffness: 1e-3 });
         let row = Row::new(vec![elastic(WEAK), soft], vec![]).unwrap();
         let excitation = Excitation::new(0.01, &samples).unwrap();
-        let outcome = method.run(
+        let outcome = method.watch(
             &row,
             excitation,
             Clock {
@@ -210,7 +211,7 @@ fn extreme_mass_ratios_and_a_closed_gap() {
                     time_step: 0.000_1,
                     n_steps: 20_000,
                 };
-                let work = method.run(&row, excitation, clock, &mut ());
+                let work = method.watch(&row, excitation, clock, &mut ());
                 assert!(
                     work.as_ref().is_ok_and(|work| work.touching_steps > 0),
                     "{name}, {ratio}, {law:?}: {work:?}"

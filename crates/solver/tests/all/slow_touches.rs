@@ -7,6 +7,7 @@ use pounding_solver::{
 };
 
 use crate::common::{METHODS, RK4, clock, free, pairs};
+use crate::watch::Watch;
 
 const DURATION: f64 = 0.3;
 
@@ -47,7 +48,7 @@ fn pressed(
     let ground = [-3.0; 32];
     let excitation = Excitation::new(0.01, &ground).expect("as built");
     let clock = clock(time_step, DURATION);
-    let work = method.run(&row, excitation, clock, &mut histories)?;
+    let work = method.watch(&row, excitation, clock, &mut histories)?;
     let states = &histories.of(0).states;
     Ok((
         work,

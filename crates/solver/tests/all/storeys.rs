@@ -4,6 +4,7 @@ use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{Clock, Elastic, Excitation, Histories, Integrator, Pair, Rk4};
 
 use crate::towers::{Rayleigh, row, uniform};
+use crate::watch::Watch;
 
 /// Undamped shear building of equal storeys: ω = 2 √(k/m) sin((2j − 1) π / (4n + 2)) in mode j; Chopra, *Dynamics of
 /// Structures*, 12.8 gives five storeys.
@@ -37,7 +38,7 @@ fn reference_rk4_vibrates_in_the_first_mode_of_five_storeys() {
     };
     let mut histories = Histories::new(5, 0.1, 2.0);
     Integrator::Rk4(Rk4)
-        .run(&row, excitation, clock, &mut histories)
+        .watch(&row, excitation, clock, &mut histories)
         .expect("a run");
     for (index, node) in levels.of(0).iter().enumerate() {
         for (n, state) in histories.of(*node).states.iter().enumerate() {

@@ -10,6 +10,7 @@ use pounding_solver::{
 
 use crate::common::{STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, yielding};
 use crate::towers::{Rayleigh, Tower, row, uniform};
+use crate::watch::Watch;
 
 pub(crate) const DAMPING: Rayleigh = Rayleigh {
     alpha: 0.5,
@@ -34,7 +35,7 @@ pub(crate) fn histories<Column: Hysteretic>(
     let mut histories = Histories::new(row.nodes().len(), 0.01, clock.time(clock.n_steps));
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
     let work = method
-        .run(row, excitation, clock, &mut histories)
+        .watch(row, excitation, clock, &mut histories)
         .expect("the run ends");
     (histories, work)
 }

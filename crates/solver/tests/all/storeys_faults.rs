@@ -5,6 +5,7 @@ use pounding_solver::{Excitation, Hysteretic, Impact, Ledger, LedgerError, Path,
 use crate::common::{RK4, clock, ground};
 use crate::storeys_ledger::{DAMPING, TOWERS, bilinear, elastic, plastic, smooth};
 use crate::towers::row;
+use crate::watch::Watch;
 
 /// Passes a run of a tower of two storeys on to a ledger, both spans of a step with a fault put in.
 struct Faulty<'a, F> {
@@ -64,7 +65,7 @@ fn found<Column: Hysteretic>(
         lower: None,
         fault,
     };
-    RK4.run(&row, excitation, clock(0.001, 5.0), &mut faulty)
+    RK4.watch(&row, excitation, clock(0.001, 5.0), &mut faulty)
         .expect("the run ends");
     let ledger = faulty.ledger;
     (

@@ -13,6 +13,7 @@ use crate::common::{STEREOMECHANICAL, VISCOELASTIC, clock, ground};
 use crate::random_rows::any_law;
 use crate::storeys_books::{Books, Columns};
 use crate::storeys_exact::EXACT;
+use crate::watch::Watch;
 
 /// A row of buildings under a record.
 #[derive(Debug, Clone)]
@@ -152,7 +153,7 @@ fn run(case: &Case) -> Result<(f64, &'static str), RunError> {
         Books::new(&row, &case.ground),
         Histories::new(row.nodes().len(), 0.01 / 16.0, 0.6),
     );
-    EXACT.run(&row, excitation, clock, &mut recorders)?;
+    EXACT.watch(&row, excitation, clock, &mut recorders)?;
     let (books, dense) = recorders;
     let overlap = overlap(&row, &dense) / 1e-11;
     let worst = books.worst();
@@ -226,7 +227,7 @@ fn reference_energies_of_elastic_towers_balance() {
         let mut recorders = (Books::new(&row, &samples), Histories::new(9, 0.01, 10.0));
         let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
         EXACT
-            .run(&row, excitation, clock(0.01, 10.0), &mut recorders)
+            .watch(&row, excitation, clock(0.01, 10.0), &mut recorders)
             .expect("the run ends");
         let (books, histories) = recorders;
         let worst = books.worst();

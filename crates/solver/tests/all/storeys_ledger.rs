@@ -11,6 +11,7 @@ use proptest::test_runner::TestCaseError;
 
 use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, book, clock, ground, slope};
 use crate::towers::{Rayleigh, Tower, row};
+use crate::watch::Watch;
 
 pub(crate) const DAMPING: Rayleigh = Rayleigh {
     alpha: 0.4,
@@ -239,7 +240,7 @@ fn reference_the_critical_time_step_of_a_tower() {
             time_step: part * least,
             n_steps: 20_000,
         };
-        RK4.run(&row, excitation, clock, &mut ())
+        RK4.watch(&row, excitation, clock, &mut ())
     };
     assert!(run(0.999).is_ok(), "below {least}: {:?}", run(0.999));
     let above = run(1.01);

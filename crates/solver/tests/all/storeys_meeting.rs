@@ -15,6 +15,7 @@ use crate::common::{RK4, clock, ground, moreau_jean};
 use crate::random_rows::config;
 use crate::storeys_implicit::{DAMPING, Momentum, elastic, facing, off, run};
 use crate::towers::{Rayleigh, Tower, row, uniform};
+use crate::watch::Watch;
 
 /// A building whose floors are nodes of a row as [`Levels`] numbers them, moving as a whole.
 fn moving(row: &Row<Elastic>, levels: &Levels, velocities: &[f64]) -> Row<Elastic> {
@@ -248,7 +249,7 @@ proptest! {
         let (ground, clock) = (ground(), clock(time_step, 2.0));
         let excitation = Excitation::new(0.01, &ground).expect("a finite ground motion");
         let mut recorder = (momentum, steps);
-        let outcome = moreau_jean(theta).run(&row, excitation, clock, &mut recorder);
+        let outcome = moreau_jean(theta).watch(&row, excitation, clock, &mut recorder);
         prop_assert!(outcome.is_ok(), "{:?}", outcome);
         let (momentum, steps) = recorder;
         // A floor of 1 t under one of 10 000 t whose storey is a million times as stiff: what Newton's tolerance leaves.

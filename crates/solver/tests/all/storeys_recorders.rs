@@ -8,6 +8,7 @@ use pounding_solver::{
 use crate::allocations::allocations;
 use crate::common::{RK4, STEREOMECHANICAL, VISCOELASTIC, clock, ground};
 use crate::storeys_ledger::{plastic, smooth, strong, towers};
+use crate::watch::Watch;
 
 /// What recorders say of one run of towers, one against the other.
 #[test]
@@ -27,7 +28,7 @@ fn limit_recorders_of_one_run_agree_on_every_level() {
             ),
             TransferredMomentum::new(n),
         );
-        RK4.run(&row, excitation, run, &mut recorder).unwrap();
+        RK4.watch(&row, excitation, run, &mut recorder).unwrap();
         let (collisions, ledger, (peaks, accelerations, histories), momentum) = recorder;
         for (index, pair) in row.pairs().iter().enumerate() {
             let of_pair = collisions.all().iter().filter(|it| it.pair == index);
@@ -99,7 +100,7 @@ fn limit_recorders_of_towers_allocate_nothing_in_a_step() {
             Ledger::new(&row, excitation),
         );
         let before = allocations();
-        RK4.run(&row, excitation, clock(0.005, duration), &mut recorder)
+        RK4.watch(&row, excitation, clock(0.005, duration), &mut recorder)
             .unwrap();
         allocations() - before
     };

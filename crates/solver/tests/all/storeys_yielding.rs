@@ -8,6 +8,7 @@ use pounding_solver::{
 use crate::common::{STEREOMECHANICAL, VISCOELASTIC, clock, ground};
 use crate::storeys_exact::{DAMPING, EXACT, distance, exact, facing, histories, same};
 use crate::towers::{Tower, row};
+use crate::watch::Watch;
 
 const KNEES: [Smoothness; 5] = [
     knee(1, 0.5),
@@ -195,7 +196,7 @@ fn reference_forces_follow_the_loop() {
         };
         let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
         EXACT
-            .run(&row, excitation, clock(0.01, 10.0), &mut loops)
+            .watch(&row, excitation, clock(0.01, 10.0), &mut loops)
             .expect("the run ends");
         loops.off / loops.most
     }

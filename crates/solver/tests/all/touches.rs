@@ -4,6 +4,7 @@ use pounding_contact::ContactLaw;
 use pounding_solver::{Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Row};
 
 use crate::common::{METHODS, STEREOMECHANICAL, VISCOELASTIC, clock, pairs};
+use crate::watch::Watch;
 
 /// First collision of an oscillator (period 2π s, velocity 1 m/s at t = 0: u = sin t) with a wall.
 fn first(gap: f64, law: ContactLaw, method: Integrator) -> Option<Collision> {
@@ -16,7 +17,7 @@ fn first(gap: f64, law: ContactLaw, method: Integrator) -> Option<Collision> {
     let mut collisions = Collisions::new(2, row.pairs());
     let excitation = Excitation::new(1.0, &[0.0]).expect("the ground motion is finite");
     method
-        .run(&row, excitation, clock(1e-3, 2.0), &mut collisions)
+        .watch(&row, excitation, clock(1e-3, 2.0), &mut collisions)
         .expect("the run ends");
     collisions.all().first().copied()
 }

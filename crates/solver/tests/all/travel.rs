@@ -12,6 +12,7 @@ use crate::common::{
 };
 use crate::storeys_ledger::{DAMPING, TOWERS};
 use crate::towers::{Tower, row};
+use crate::watch::Watch;
 
 pub(crate) const EXACT: Integrator = Integrator::Exact(Exact {
     tolerance: 1e-16,
@@ -163,7 +164,7 @@ fn collisions<Column: Hysteretic>(
         Collisions::new(row.nodes().len(), row.pairs()).travelled(row.travel(excitation));
     let clock = clock(time_step, duration);
     method
-        .run(row, excitation, clock, &mut recorder)
+        .watch(row, excitation, clock, &mut recorder)
         .expect("the run ends");
     recorder.all().to_vec()
 }

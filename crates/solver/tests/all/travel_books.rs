@@ -8,6 +8,7 @@ use crate::common::{
     pairs, yielding,
 };
 use crate::travel::{EXACT, all, towers};
+use crate::watch::Watch;
 
 /// The paper's structures and a wall, each with its arrival.
 fn rows(law: ContactLaw) -> [Row<Elastic>; 3] {
@@ -82,7 +83,7 @@ fn reference_every_method_reports_what_it_did_while_grounds_move_apart() {
                 let mut ledger = Ledger::new(row, excitation).held_to(laws);
                 let clock = clock(2e-4, 3.0);
                 method
-                    .run(row, excitation, clock, &mut ledger)
+                    .watch(row, excitation, clock, &mut ledger)
                     .expect("the run ends");
                 if method == CENTRAL && law == STEREOMECHANICAL {
                     // The published rule creates energy.

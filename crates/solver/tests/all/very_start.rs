@@ -1,5 +1,6 @@
 //! What happens at t = 0, and what is refused before it.
 
+use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Clock, Elastic, Exact, Excitation, Integrator, Ledger, MoreauJean, Node, Pair, Row, RunError,
@@ -42,7 +43,7 @@ fn issue_an_impact_at_the_very_start_was_left_out_of_the_balances() {
     for method in methods {
         let mut ledger = Ledger::new(&row, rest);
         method
-            .run(&row, rest, CLOCK, &mut ledger)
+            .watch(&row, rest, CLOCK, &mut ledger)
             .expect("the run ends");
         for balance in [ledger.identity(), ledger.momentum()] {
             assert!(balance < 1e-12, "{method:?}: {balance:e}");
@@ -53,7 +54,7 @@ fn issue_an_impact_at_the_very_start_was_left_out_of_the_balances() {
 #[test]
 fn extreme_a_structure_too_stiff_for_the_exact_method_is_refused_at_once() {
     let rest = Excitation::new(0.1, &[0.0]).expect("a record");
-    let run = Integrator::Exact(Exact::default()).run(&row(1e300), rest, CLOCK, &mut ());
+    let run = Integrator::Exact(Exact::default()).watch(&row(1e300), rest, CLOCK, &mut ());
     assert!(
         matches!(run, Err(RunError::TooStiff { structure: 0, .. })),
         "{run:?}"

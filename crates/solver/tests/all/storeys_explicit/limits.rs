@@ -14,6 +14,7 @@ use crate::common::{
     yielding,
 };
 use crate::towers::Tower;
+use crate::watch::Watch;
 
 const LAWS: [ContactLaw; 2] = [STEREOMECHANICAL, VISCOELASTIC];
 
@@ -192,7 +193,7 @@ fn extreme_a_tower_that_diverges_ends_the_run() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).unwrap();
     for method in [CENTRAL, VERLET] {
-        let error = method.run(&row, excitation, clock(0.1, 1000.0), &mut ());
+        let error = method.watch(&row, excitation, clock(0.1, 1000.0), &mut ());
         let diverged = matches!(error, Err(RunError::Diverged { structure, .. }) if structure < 3);
         assert!(diverged, "{method:?}: {error:?}");
     }
@@ -242,7 +243,7 @@ fn limit_a_step_of_towers_allocates_nothing() {
                 let mut recorder = (Peaks::new(n), TransferredMomentum::new(n));
                 let before = ALLOCATIONS.get();
                 let work = method
-                    .run(&row, excitation, clock(0.005, duration), &mut recorder)
+                    .watch(&row, excitation, clock(0.005, duration), &mut recorder)
                     .unwrap();
                 (ALLOCATIONS.get() - before, work)
             };

@@ -11,6 +11,7 @@ use super::{
 use crate::common::{
     CENTRAL, LOCATED, RK4, STEREOMECHANICAL, VERLET, VISCOELASTIC, clock, ground, slope,
 };
+use crate::watch::Watch;
 
 /// Instants at which displacements are compared \[s\].
 const INTERVAL: f64 = 0.02;
@@ -25,7 +26,7 @@ fn follow<Column: Hysteretic>(
     let mut histories = Histories::new(row.nodes().len(), INTERVAL, duration);
     let excitation = Excitation::new(0.01, samples).expect("the ground motion is finite");
     method
-        .run(row, excitation, clock, &mut histories)
+        .watch(row, excitation, clock, &mut histories)
         .expect("the run ends");
     histories
 }

@@ -8,6 +8,7 @@ use pounding_solver::{
 
 use super::{EXPLICIT, JUMPS, elastic, plastic, side_by_side, soft, started, stiff};
 use crate::common::{STEREOMECHANICAL, SUBSTEPPED, VISCOELASTIC, clock, ground};
+use crate::watch::Watch;
 
 /// A span, with what it borrowed.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +71,7 @@ fn keep<Column: Hysteretic>(row: &Row<Column>, method: Integrator, dt: f64) -> K
     let (samples, mut keeper) = (ground(), Keeper::default());
     let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
     method
-        .run(row, excitation, clock(dt, 5.0), &mut keeper)
+        .watch(row, excitation, clock(dt, 5.0), &mut keeper)
         .expect("the run ends");
     keeper
 }

@@ -15,6 +15,7 @@ use pounding_solver::{
 
 use crate::common::{AVERAGE, HHT, LINEAR, MOREAU_JEAN, moreau_jean};
 use crate::towers::{Rayleigh, Tower, uniform};
+use crate::watch::Watch;
 
 const IMPLICIT: [(&str, Integrator); 4] = [
     ("Newmark 1/4", AVERAGE),
@@ -90,7 +91,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
 ) -> Work {
     let excitation = Excitation::new(0.01, ground).expect("a finite ground motion");
     method
-        .run(row, excitation, clock, recorder)
+        .watch(row, excitation, clock, recorder)
         .unwrap_or_else(|error| panic!("{method:?}: {error}"))
 }
 
