@@ -144,6 +144,10 @@ proptest! {
         let rows: Vec<_> = cases.iter().map(Case::row).collect();
         let tolerance = 1e-9;
         let told = beside(&rows, &ground, tolerance);
+        // Long steps give nothing up.
+        let coarse = beside(&rows, &ground, 1e-3);
+        let lost = told.iter().zip(&coarse).filter(|(fine, coarse)| fine.is_some() && coarse.is_none());
+        prop_assert_eq!(lost.count(), 0);
         for (case, (row, told)) in cases.iter().zip(rows.iter().zip(told)) {
             let Some(told) = told else {
                 continue;

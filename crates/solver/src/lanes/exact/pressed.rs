@@ -87,25 +87,21 @@ pub(super) struct Ahead {
 impl Pressed {
     /// A step, no longer than to where the force bends sharply (dampers let go or act again) or neighbours part.
     pub(super) fn ahead(&self, here: &Point, step: f64) -> Ahead {
-        let (next, error) = self.step(here, step);
-        let bends = self.bends(here, &next);
-        let parts = !bends && self.deformation(&next.state) < 0.0;
-        let step = if bends {
+        let (mut next, mut error) = self.step(here, step);
+        let mut step = step;
+        if self.bends(here, &next) {
             let away = -self.branch(here).signum();
-            self.rise((here, &next), ROUGHLY, |point| away * self.branch(point))
-        } else if parts {
-            self.rise((here, &next), FULLY, |point| {
+            step = self.rise((here, &next), ROUGHLY, |point| away * self.branch(point));
+            (next, error) = self.step(here, step);
+        }
+        // What would bend behind a parting bends nothing.
+        let parts = self.deformation(&next.state) < 0.0;
+        if parts {
+            step = self.rise((here, &next), FULLY, |point| {
                 -self.deformation(&point.state)
-            })
-        } else {
-            return Ahead {
-                next,
-                step,
-                error,
-                parts,
-            };
-        };
-        let (next, error) = self.step(here, step);
+            });
+            (next, error) = self.step(here, step);
+        }
         Ahead {
             next,
             step,
@@ -230,14 +226,23 @@ impl Pressed {
         let mut x = first_zero(between, [number(here), number(next)]);
         let [before, after] = [(x - PROBE).max(0.0), (x + PROBE).min(1.0)];
         let slope = (between(after) - between(before)) / (after - before);
+        let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..MOST_SEARCH {
             let value = number(&self.step(here, x * whole).0);
-            let change = value / slope;
-            if change.is_nan() || change.abs() >= 1.0 {
-                break;
+            if value < 0.0 {
+                low = x;
+            } else {
+                high = x;
             }
-            x = (x - change).clamp(0.0, 1.0);
-            if change.abs() <= part {
+            let straight = x - value / slope;
+            let next = if (low..=high).contains(&straight) {
+                straight
+            } else {
+                0.5 * (low + high)
+            };
+            let change = (next - x).abs();
+            x = next;
+            if change <= part {
                 break;
             }
         }
