@@ -87,7 +87,7 @@ fn main() {
             group.bench_function(method, |bencher| bencher.iter(run));
         }
         let together = SideBySide::new(CENTRAL, excitation, CLOCK).expect("valid settings");
-        let (rows, n_steps) = (vec![row; LANES], [CLOCK.n_steps; LANES]);
+        let (rows, n_steps) = (vec![&row; LANES], [CLOCK.n_steps; LANES]);
         let mut tallies = Tallies::default();
         group.throughput(Throughput::Elements((LANES * CLOCK.n_steps) as u64));
         group.bench_function("lanes", |bencher| {

@@ -94,9 +94,13 @@ impl Pressed {
             step = self.rise((here, &next), ROUGHLY, |point| away * self.branch(point));
             (next, error) = self.step(here, step);
         }
-        // What would bend behind a parting bends nothing.
-        let parts = self.deformation(&next.state) < 0.0;
-        if parts {
+        // What would bend behind a parting bends nothing; who has just touched is together to rounding, and parts where the rate says so.
+        let overlapped = self.deformation(&here.state) > 0.0;
+        let parts = self.deformation(&next.state) < 0.0 && (overlapped || next.rate() < 0.0);
+        if parts && here.s == 0.0 {
+            // The first step went through the whole contact.
+            error = f64::INFINITY;
+        } else if parts {
             step = self.rise((here, &next), FULLY, |point| {
                 -self.deformation(&point.state)
             });
@@ -261,20 +265,26 @@ fn first_zero(number: impl Fn(f64) -> f64, [start, end]: [f64; 2]) -> f64 {
             break;
         }
         let secant = high.0 - high.1 * (high.0 - low.0) / (high.1 - low.1);
-        let near = (secant - x).abs() < PROBE;
-        x = secant;
+        // Behind a parting a branch may be no number.
+        let next = if (low.0..=high.0).contains(&secant) {
+            secant
+        } else {
+            0.5 * (low.0 + high.0)
+        };
+        let near = (next - x).abs() < PROBE;
+        x = next;
         if near {
             break;
         }
         let value = number(x);
-        if value >= 0.0 {
-            high = (x, value);
-            low.1 *= if side == 1 { 0.5 } else { 1.0 };
-            side = 1;
-        } else {
+        if value < 0.0 {
             low = (x, value);
             high.1 *= if side == -1 { 0.5 } else { 1.0 };
             side = -1;
+        } else {
+            high = (x, value);
+            low.1 *= if side == 1 { 0.5 } else { 1.0 };
+            side = 1;
         }
     }
     x
