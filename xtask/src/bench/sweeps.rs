@@ -1,6 +1,5 @@
 //! Sweeps as a user runs them, beside the loop by hand on all cores: time for a run, and memory.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -13,8 +12,8 @@ use super::{lanes, setting};
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/sweeps.csv";
 /// Numbers of runs, and how often each sweep runs.
-const RUNS: [u64; 3] = [10_000, 100_000, 1_000_000];
-const REPEATS: usize = 3;
+const RUNS: [(u64, usize); 4] = [(10_000, 5), (100_000, 5), (1_000_000, 3), (10_000_000, 1)];
+const HEADER: &str = "instructions,runs,threads,time_over_loop_by_hand,largest_memory_mb";
 /// How often a sweep that runs is asked for its memory.
 const LOOK: Duration = Duration::from_millis(2);
 
@@ -33,18 +32,15 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let (program, home) = (own.with_file_name("pounding"), own.with_file_name("sweeps"));
     fs::create_dir_all(&home).map_err(|error| format!("{}: {error}", home.display()))?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let Some(by_hand) = lanes::seconds_by_hand(root, threads)? else {
-        println!("no AVX-512 on this machine: sweeps are measured by a loop that needs it");
-        return Ok(());
-    };
-    let mut csv = String::from("runs,threads,time_over_loop_by_hand,largest_memory_mb\n");
-    for runs in RUNS {
+    let (by_hand, instructions) = lanes::seconds_by_hand(root, threads)?.ok_or(lanes::NO_LOOP)?;
+    let mut lines = Vec::new();
+    for (runs, repeats) in RUNS {
         let sweep = home.join("sweep.json");
         let text = sweep_of(runs, root).to_string();
         fs::write(&sweep, text).map_err(|error| format!("{}: {error}", sweep.display()))?;
         let mut times = Vec::new();
         let mut memory = 0;
-        for _ in 0..REPEATS {
+        for _ in 0..repeats {
             let mut command = Command::new(&program);
             command.arg("sweep").arg(&sweep);
             command
@@ -55,11 +51,11 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
             memory = memory.max(most);
         }
         times.sort_by(f64::total_cmp);
-        let ratio = times[REPEATS / 2] / runs as f64 / by_hand;
+        let ratio = times[repeats / 2] / runs as f64 / by_hand;
         let megabytes = memory.div_ceil(1000);
-        writeln!(csv, "{runs},{threads},{ratio:.1},{megabytes}").expect("a string takes all");
+        lines.push(format!("{runs},{threads},{ratio:.2},{megabytes}"));
     }
-    fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
+    let csv = lanes::keep(&root.join(KEPT), (HEADER, instructions), &lines)?;
     println!(
         "\nWall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads:\n{csv}\nkept in {KEPT}"
     );

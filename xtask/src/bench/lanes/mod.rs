@@ -1,8 +1,7 @@
-//! Scenes side by side, beside the same scenes alone, the exact method, and a loop written by hand for AVX-512.
+//! Scenes side by side, beside the same scenes alone, the exact method, and a loop written by hand for the machine's vectors.
 
 mod by_hand;
 
-use std::fmt::Write as _;
 use std::fs;
 use std::hint::black_box;
 use std::path::Path;
@@ -28,7 +27,11 @@ const CLOCK: Clock = Clock {
 };
 /// Time between two samples of the record \[s\].
 const RECORDED: f64 = 0.02;
-const NO_AVX_512: &str = "no AVX-512 on this machine, for which the loop by hand is written";
+/// Why nothing is measured.
+pub(super) const NO_LOOP: &str =
+    "the loop by hand needs AVX-512 or AVX2, and this machine has neither: nothing is measured";
+const HEADER: &str =
+    "instructions,law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches";
 /// Every law takes turns for as long as this.
 const PATIENCE: Duration = Duration::from_secs(10);
 const SETTINGS: CentralDifference = CentralDifference {
@@ -45,8 +48,6 @@ struct Scenes<'a> {
     /// The same motion at its own samples, which is all that the exact method needs.
     recorded: Excitation<'a>,
     ground: &'a [f64],
-    /// Whether the machine has the instructions of the loop by hand.
-    by_hand: bool,
 }
 
 /// Times all and keeps the ratios.
@@ -56,10 +57,10 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let recorded = setting::ground(root, RECORDED, CLOCK.n_steps / 2)?;
     let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
         .map_err(|error| error.to_string())?;
-    let mut csv =
-        String::from("law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches\n");
-    let probe = groups(Law::Stereomechanical(RESTITUTION));
-    let by_hand = by_hand::run::<false>(&probe[0], &ground, CLOCK.time_step).is_some();
+    let Some(instructions) = by_hand::instructions() else {
+        return Err(NO_LOOP.into());
+    };
+    let mut lines = Vec::new();
     for law in [
         Law::Stereomechanical(RESTITUTION),
         Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio),
@@ -72,27 +73,47 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
             excitation: Excitation::new(CLOCK.time_step, &ground).map_err(words)?,
             recorded: Excitation::new(RECORDED, &recorded).map_err(words)?,
             ground: &ground,
-            by_hand,
         };
-        scenes.compare(&mut csv)?;
+        lines.extend(scenes.compare()?);
     }
-    if !by_hand {
-        println!(
-            "\nScenes per second on one core, over those in lanes; {NO_AVX_512}, so that {KEPT} stays as it is:\n{csv}"
-        );
-        return Ok(());
-    }
-    let path = root.join(KEPT);
-    fs::create_dir_all(path.parent().unwrap_or(root)).map_err(|error| error.to_string())?;
-    fs::write(path, &csv).map_err(|error| format!("{KEPT}: {error}"))?;
+    let csv = keep(&root.join(KEPT), (HEADER, instructions), &lines)?;
     println!(
         "\nScenes per second on one core, over those of the loop by hand that records peaks and impulses:\n{csv}\nkept in {KEPT}"
     );
     Ok(())
 }
 
-/// Time of a scene in the bare loop by hand with impacts, on so many threads at once \[s\]; nothing without AVX-512.
-pub(super) fn seconds_by_hand(root: &Path, threads: usize) -> Result<Option<f64>, String> {
+/// Puts lines, each begun with the instructions of this machine, into a table in place of those of the same instructions before,
+/// and leaves those of others; returns the table.
+pub(super) fn keep(
+    path: &Path,
+    (header, instructions): (&str, &str),
+    lines: &[String],
+) -> Result<String, String> {
+    let before = fs::read_to_string(path).unwrap_or_default();
+    let own = format!("{instructions},");
+    let others = before
+        .lines()
+        .skip(1)
+        .filter(|line| !line.starts_with(&own));
+    let lines = lines.iter().map(|line| format!("{own}{line}"));
+    let all = others.map(str::to_owned).chain(lines);
+    let csv = all.fold(format!("{header}\n"), |csv, line| csv + &line + "\n");
+    let words = |error: std::io::Error| format!("{}: {error}", path.display());
+    fs::create_dir_all(path.parent().unwrap_or(path)).map_err(words)?;
+    fs::write(path, &csv).map_err(words)?;
+    Ok(csv)
+}
+
+/// Time of a scene in the bare loop by hand with impacts, on so many threads at once \[s\], and its instructions; nothing on a
+/// machine that has none of them.
+pub(super) fn seconds_by_hand(
+    root: &Path,
+    threads: usize,
+) -> Result<Option<(f64, &'static str)>, String> {
+    let Some(instructions) = by_hand::instructions() else {
+        return Ok(None);
+    };
     let ground = ground(root)?;
     let groups = groups(Law::Stereomechanical(RESTITUTION));
     let run = || {
@@ -100,9 +121,6 @@ pub(super) fn seconds_by_hand(root: &Path, threads: usize) -> Result<Option<f64>
             black_box(by_hand::run::<false>(group, &ground, CLOCK.time_step));
         }
     };
-    if by_hand::run::<false>(&groups[0], &ground, CLOCK.time_step).is_none() {
-        return Ok(None);
-    }
     let all = &mut || {
         std::thread::scope(|scope| {
             for _ in 0..threads {
@@ -111,23 +129,19 @@ pub(super) fn seconds_by_hand(root: &Path, threads: usize) -> Result<Option<f64>
         });
     };
     let times = medians(&mut [("by hand", all)]);
-    Ok(Some(times[0].1 / (SCENES * threads) as f64))
+    Ok(Some((times[0].1 / (SCENES * threads) as f64, instructions)))
 }
 
 impl Scenes<'_> {
-    /// Times the scenes by all routes and writes a line for each.
-    fn compare(&self, csv: &mut String) -> Result<(), String> {
+    /// Times the scenes by all routes; a line for each.
+    fn compare(&self) -> Result<Vec<String>, String> {
         let together = SideBySide::new(SETTINGS, self.excitation, CLOCK);
         let together = together.map_err(|error| error.to_string())?;
         let mut tallies = Tallies::default();
         let rows: Vec<_> = self.rows.iter().collect();
         let n_steps = vec![CLOCK.n_steps; rows.len()];
         together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
-        let distance = if self.by_hand {
-            self.distance(&tallies)?
-        } else {
-            0.0
-        };
+        let distance = self.distance(&tallies)?;
         if distance > 1e-9 {
             return Err(format!(
                 "lanes and the loop by hand are {distance:.1e} apart"
@@ -139,11 +153,6 @@ impl Scenes<'_> {
         });
         let mut hand = || self.by_hand::<true>();
         let mut bare = || self.by_hand::<false>();
-        let mut runs: Vec<(&str, &mut dyn FnMut())> = Vec::new();
-        if self.by_hand {
-            runs.push(("by hand", &mut hand));
-            runs.push(("by hand, bare", &mut bare));
-        }
         let mut lanes = || {
             together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
             black_box(&tallies);
@@ -151,35 +160,34 @@ impl Scenes<'_> {
         let stepping = Integrator::CentralDifference(SETTINGS);
         let mut alone = || self.alone(stepping, self.excitation);
         let mut exactly = || self.alone(exact, self.recorded);
-        runs.push(("lanes", &mut lanes));
-        runs.push(("alone", &mut alone));
-        runs.push(("exact, alone", &mut exactly));
-        let times = medians(&mut runs);
+        let times = medians(&mut [
+            ("by hand", &mut hand),
+            ("by hand, bare", &mut bare),
+            ("lanes", &mut lanes),
+            ("alone", &mut alone),
+            ("exact, alone", &mut exactly),
+        ]);
         let touch = (0..SCENES).filter(|scene| tallies.pair(*scene, 0).collisions > 0.0);
         let touch = touch.count() as f64 / SCENES as f64;
         let law = self.rows[0].pairs()[0].law.name();
-        for (name, time) in &times {
+        let share = tallies.touching_steps as f64 / tallies.steps as f64;
+        let line = |(name, time): &(&str, f64)| {
             let scenes = if name.contains("alone") {
                 ALONE
             } else {
                 SCENES
             };
             let ratio = times[0].1 / time * (scenes as f64 / SCENES as f64);
-            let shares = format!(
-                "{touch:.2},{:.3}",
-                tallies.touching_steps as f64 / tallies.steps as f64
-            );
-            writeln!(csv, "{law},\"{name}\",{ratio:.4},{shares}").expect("a string takes all");
-        }
-        Ok(())
+            format!("{law},\"{name}\",{ratio:.4},{touch:.2},{share:.3}")
+        };
+        Ok(times.iter().map(line).collect())
     }
 
     /// How far peaks and impulses of both are apart, relative to them.
     fn distance(&self, tallies: &Tallies) -> Result<f64, String> {
         let mut largest: f64 = 0.0;
         for (index, group) in self.groups.iter().enumerate() {
-            let found =
-                by_hand::run::<true>(group, self.ground, CLOCK.time_step).ok_or(NO_AVX_512)?;
+            let found = by_hand::run::<true>(group, self.ground, CLOCK.time_step).ok_or(NO_LOOP)?;
             for lane in 0..GROUP {
                 let scene = index * GROUP + lane;
                 let mut compare = |ours: f64, theirs: f64| {
