@@ -7,7 +7,7 @@ use super::body::Body;
 use super::column::SideBySideColumn;
 use super::jump::Jumps;
 use super::law::{Impulsive, Law};
-use super::number::{LANES, Lanes, Mask};
+use super::number::{Lanes, MOST_LANES, Mask};
 use super::tally::Tally;
 use crate::{CentralDifference, ImpactRule, Node, RestoringForce, Row};
 
@@ -42,7 +42,7 @@ pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn> {
     pub(super) touching_steps: u64,
 }
 
-/// Rows of one shape, 1 to [`LANES`] of them; lanes without one repeat the last.
+/// Rows of one shape, as many as there are lanes, or fewer; lanes without one repeat the last.
 #[derive(Clone, Copy)]
 pub(super) struct Rows<'a, Column>(pub(super) &'a [&'a Row<Column>]);
 
@@ -61,8 +61,8 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
         (settings, time_step, ground): (CentralDifference, f64, f64),
     ) -> Structure<S, Column> {
         let gather = |number: &dyn Fn(&Node<Column>) -> f64| {
-            let mut values = [0.0; LANES];
-            for (lane, value) in values.iter_mut().enumerate() {
+            let mut values = [0.0; MOST_LANES];
+            for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
                 *value = number(&self.lane(lane).nodes()[node]);
             }
             Lanes::new(simd, &values)
@@ -70,12 +70,25 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
         Body::new(gather, (settings.start, time_step, ground))
     }
 
+    /// Both structures of rows that have two.
+    #[inline(always)]
+    pub(super) fn two<S: Simd>(
+        self,
+        simd: S,
+        start: (CentralDifference, f64, f64),
+    ) -> [Structure<S, Column>; 2] {
+        [
+            self.structure(simd, 0, start),
+            self.structure(simd, 1, start),
+        ]
+    }
+
     /// The pair of a structure and its right neighbour, if the rows have one.
     #[inline(always)]
     pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
         let mut pairs = self.0[0].pairs().iter();
         let index = pairs.position(|pair| pair.left == left)?;
-        let pairs: [_; LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
+        let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
         let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
         Some(Pair {
             index,

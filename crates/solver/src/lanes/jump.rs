@@ -6,7 +6,7 @@ use pounding_contact::Number;
 use super::column::SideBySideColumn;
 use super::group::{Pair, Rows, Structure};
 use super::law::Law;
-use super::number::{LANES, Lanes, Mask};
+use super::number::{Lanes, Mask};
 use crate::ground::Ground;
 use crate::impacts::{self, Impacts};
 use crate::{Impact, Recorder, Span, State};
@@ -36,9 +36,9 @@ impl Recorder for Struck {
 type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);
 
 impl<'a, Column: SideBySideColumn> Jumps<'a, Column> {
-    pub(super) fn new(rows: Rows<'a, Column>) -> Self {
+    pub(super) fn new(rows: Rows<'a, Column>, n_lanes: usize) -> Self {
         let n_pairs = rows.lane(0).pairs().len();
-        let lanes = if n_pairs > 1 { 0..LANES } else { 0..0 };
+        let lanes = if n_pairs > 1 { 0..n_lanes } else { 0..0 };
         Self {
             rows,
             impacts: lanes.map(|lane| Impacts::new(rows.lane(lane))).collect(),
@@ -70,7 +70,7 @@ impl<'a, Column: SideBySideColumn> Jumps<'a, Column> {
                 }
             }
         } else {
-            for lane in (0..LANES).filter(|lane| hits.test(*lane)) {
+            for lane in (0..Lanes::<S>::N).filter(|lane| hits.test(*lane)) {
                 self.strike_alone((structures, pairs), lane, instant);
             }
         }

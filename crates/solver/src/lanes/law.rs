@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use pounding_contact::{ContactLaw, Form, NonlinearViscoelastic, Number, Term, ViscoelasticPair};
 
-use super::number::{LANES, Lanes, Mask};
+use super::number::{Lanes, MOST_LANES, Mask};
 
 /// A contact law with the numbers of every lane.
 pub(super) enum Law<S: Simd> {
@@ -23,11 +23,11 @@ pub(super) struct Impulsive<S: Simd> {
 
 /// A law of the common form; its damper may know the rate of the first touch.
 pub(super) struct Formed<S: Simd> {
-    laws: [ContactLaw; LANES],
-    reduced_masses: [f64; LANES],
+    laws: [ContactLaw; MOST_LANES],
+    reduced_masses: [f64; MOST_LANES],
     remembers: bool,
     /// Rate of the first touch of the contact that goes on \[m/s\].
-    approach_speeds: [f64; LANES],
+    approach_speeds: [f64; MOST_LANES],
     /// Where that is known.
     known: Mask<S>,
     form: Form<Lanes<S>>,
@@ -36,7 +36,7 @@ pub(super) struct Formed<S: Simd> {
 impl<S: Simd> Law<S> {
     /// Of laws of one kind, and the reduced masses of their pairs \[kg\].
     #[inline(always)]
-    pub(super) fn new(simd: S, laws: [ContactLaw; LANES], masses: [f64; LANES]) -> Self {
+    pub(super) fn new(simd: S, laws: [ContactLaw; MOST_LANES], masses: [f64; MOST_LANES]) -> Self {
         let reduced_mass = Lanes::new(simd, &masses);
         if laws[0].impulsive().is_some() {
             let restitution =
@@ -64,7 +64,7 @@ impl<S: Simd> Law<S> {
                 reduced_mass,
             });
         }
-        let approach_speeds = [0.0; LANES];
+        let approach_speeds = [0.0; MOST_LANES];
         Self::Formed(Box::new(Formed {
             remembers: laws[0].knows_approach_speed(),
             form: form(simd, (&laws, &masses, &approach_speeds)),
@@ -103,9 +103,9 @@ impl<S: Simd> Formed<S> {
         self.known = overlaps;
         if Lanes::any(new) {
             let rates = rate.values();
-            for (lane, speed) in self.approach_speeds.iter_mut().enumerate() {
+            for (lane, (speed, rate)) in self.approach_speeds.iter_mut().zip(rates).enumerate() {
                 if new.test(lane) {
-                    *speed = rates[lane].max(0.0);
+                    *speed = rate.max(0.0);
                 }
             }
             let numbers = (&self.laws, &self.reduced_masses, &self.approach_speeds);
@@ -118,9 +118,13 @@ impl<S: Simd> Formed<S> {
 #[inline(always)]
 fn form<S: Simd>(
     simd: S,
-    (laws, masses, speeds): (&[ContactLaw; LANES], &[f64; LANES], &[f64; LANES]),
+    (laws, masses, speeds): (
+        &[ContactLaw; MOST_LANES],
+        &[f64; MOST_LANES],
+        &[f64; MOST_LANES],
+    ),
 ) -> Form<Lanes<S>> {
-    let forms = std::array::from_fn::<_, LANES, _>(|lane| {
+    let forms = std::array::from_fn::<_, MOST_LANES, _>(|lane| {
         let form = laws[lane].form(masses[lane], speeds[lane]);
         form.expect("a law that is not impulsive has a form")
     });

@@ -1,7 +1,7 @@
 //! Many scenes at once, side by side in the lanes of the machine's vectors.
 //!
 //! Rows of one shape, which differ in numbers, run through the central difference method together: what a step does to one
-//! number it does to those of sixteen scenes at the same time. The formulas are those of the method itself, generic over
+//! number it does to those of up to sixteen scenes at the same time. The formulas are those of the method itself, generic over
 //! [`Number`](pounding_contact::Number), and every lane gives the bits of its scene alone. A step looks at contact laws only
 //! where some lane touches. What a run leaves is little: peaks and sums ([`Tallies`]); who wants histories runs a scene alone.
 //!
@@ -28,7 +28,6 @@ use fearless_simd::{Level, dispatch};
 pub use column::RowsOf;
 use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
-use run::{IN_STEP, Task};
 pub use tallies::{PairTally, Tallies};
 
 use crate::{CentralDifference, Clock, Excitation, RestoringForce, Row, RunError, Support};
@@ -91,16 +90,7 @@ impl SideBySide {
             return false;
         };
         tallies.begin(rows.len(), (first.nodes().len(), first.pairs().len()));
-        let groups = rows.chunks(IN_STEP).zip(n_steps.chunks(IN_STEP));
-        for (index, (rows, n_steps)) in groups.enumerate() {
-            let task = Task {
-                rows,
-                n_steps,
-                first: index * IN_STEP,
-                tallies,
-            };
-            dispatch!(self.level, simd => run::run(simd, self, task));
-        }
+        dispatch!(self.level, simd => run::run(simd, self, (rows, n_steps), tallies));
         true
     }
 }

@@ -4,39 +4,44 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f64x8, mask64x8};
 use pounding_contact::Number;
 
-/// Scenes in a number, on every machine.
-pub(super) const LANES: usize = 8;
+/// Scenes in a number on the machine that has the most; another takes the first of them.
+///
+/// As many as a register of the machine has room for: with eight everywhere, loops on AVX2 keep motions in memory.
+pub(super) const MOST_LANES: usize = 8;
 
-/// The same number of [`LANES`] scenes.
+/// The same number of as many scenes as a vector has lanes.
 #[derive(Clone, Copy)]
-pub(super) struct Lanes<S: Simd>(f64x8<S>);
+pub(super) struct Lanes<S: Simd>(S::f64s);
 
 /// Of every lane yes or no.
 #[derive(Clone, Copy)]
-pub(super) struct Mask<S: Simd>(mask64x8<S>);
+pub(super) struct Mask<S: Simd>(S::mask64s);
 
 impl<S: Simd> Lanes<S> {
+    /// Lanes of this machine.
+    pub(super) const N: usize = {
+        assert!(<S::f64s as SimdBase<S>>::LEN <= MOST_LANES);
+        <S::f64s as SimdBase<S>>::LEN
+    };
+
     /// The same value in every lane.
     #[inline(always)]
     pub(super) fn splat(simd: S, value: f64) -> Self {
-        Self(f64x8::splat(simd, value))
+        Self(S::f64s::splat(simd, value))
     }
 
     /// A value for each lane.
     #[inline(always)]
-    pub(super) fn new(simd: S, values: &[f64; LANES]) -> Self {
-        Self(f64x8::from_slice(simd, values))
+    pub(super) fn new(simd: S, values: &[f64; MOST_LANES]) -> Self {
+        Self(S::f64s::from_slice(simd, &values[..Self::N]))
     }
 
     /// The value of each lane.
     #[inline(always)]
-    pub(super) fn values(self) -> [f64; LANES] {
-        let mut values = [0.0; LANES];
-        self.0.store_slice(&mut values);
-        values
+    pub(super) fn values(&self) -> &[f64] {
+        self.0.as_slice()
     }
 
     /// The value of one lane.
@@ -54,7 +59,7 @@ impl<S: Simd> Lanes<S> {
     /// What proves that the machine has the instructions.
     #[inline(always)]
     pub(super) fn token(self) -> S {
-        self.0.simd
+        self.0.token()
     }
 
     /// Without its sign.
@@ -92,7 +97,7 @@ impl<S: Simd> Mask<S> {
     /// Yes in every lane, or no.
     #[inline(always)]
     pub(super) fn splat(simd: S, yes: bool) -> Self {
-        Self(mask64x8::splat(simd, yes))
+        Self(S::mask64s::splat(simd, yes))
     }
 
     /// Where both say yes.

@@ -6,44 +6,58 @@ use pounding_contact::Number;
 use super::column::SideBySideColumn;
 use super::group::{Group, Pair, Rows, Structure};
 use super::jump::Jumps;
-use super::number::{LANES, Lanes};
+use super::number::Lanes;
 use super::{PairTally, SideBySide, Tallies};
 use crate::{ImpactRule, Row};
 
-/// Scenes that run in step.
-pub(super) const IN_STEP: usize = 2 * LANES;
-
 /// Rows of one shape with the number of steps of each, and where what happened in them is told.
-pub(super) struct Task<'a, Column> {
-    pub(super) rows: &'a [&'a Row<Column>],
-    pub(super) n_steps: &'a [usize],
+struct Task<'a, Column> {
+    rows: &'a [&'a Row<Column>],
+    n_steps: &'a [usize],
     /// Index of the first among the scenes of `tallies`.
-    pub(super) first: usize,
-    pub(super) tallies: &'a mut Tallies,
+    first: usize,
+    tallies: &'a mut Tallies,
 }
 
-/// Runs up to [`IN_STEP`] rows and tells what happened in them.
+/// Runs rows of one shape, each for its number of steps, and tells what happened in them.
 #[inline(always)]
 pub(super) fn run<S: Simd, Column: SideBySideColumn>(
+    simd: S,
+    method: &SideBySide,
+    (rows, n_steps): (&[&Row<Column>], &[usize]),
+    tallies: &mut Tallies,
+) {
+    let in_step = 2 * Lanes::<S>::N;
+    let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
+    for (index, (rows, n_steps)) in groups.enumerate() {
+        let task = Task {
+            rows,
+            n_steps,
+            first: index * in_step,
+            tallies,
+        };
+        run_in_step(simd, method, task);
+    }
+}
+
+/// Runs as many rows as two numbers have lanes, or fewer, and tells what happened in them.
+#[inline(always)]
+fn run_in_step<S: Simd, Column: SideBySideColumn>(
     simd: S,
     method: &SideBySide,
     task: Task<'_, Column>,
 ) {
     let rows = task.rows;
-    let (one, other) = rows.split_at(rows.len().min(LANES));
+    let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
     // A group without scenes repeats the other one, and is not told.
     let parts = [one, if other.is_empty() { one } else { other }].map(Rows);
     let start = (method.settings, method.time_step, method.ground[0]);
     if rows[0].nodes().len() == 2 {
-        let structures = |rows: Rows<'_, Column>| {
-            [
-                rows.structure(simd, 0, start),
-                rows.structure(simd, 1, start),
-            ]
-        };
-        let pairs = |rows: Rows<'_, Column>| [rows.pair(simd, 0), None];
-        let (mut a, mut b) = (structures(parts[0]), structures(parts[1]));
-        let (mut c, mut d) = (pairs(parts[0]), pairs(parts[1]));
+        let (mut a, mut b) = (parts[0].two(simd, start), parts[1].two(simd, start));
+        let (mut c, mut d) = (
+            [parts[0].pair(simd, 0), None],
+            [parts[1].pair(simd, 0), None],
+        );
         let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
         steps(simd, (method, parts), scenes, task);
     } else {
@@ -82,7 +96,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         time_step: method.time_step,
         structures,
         pairs,
-        jumps: Jumps::new(rows),
+        jumps: Jumps::new(rows, Lanes::<S>::N),
         busy: false,
         touching_steps: 0,
     };
@@ -108,8 +122,8 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             }
         }
         for (lane, _) in n_steps.iter().enumerate().filter(|of| of.1 == end) {
-            let group = &groups[lane / LANES];
-            tell(group, lane % LANES, (first_scene + lane, tallies));
+            let group = &groups[lane / Lanes::<S>::N];
+            tell(group, lane % Lanes::<S>::N, (first_scene + lane, tallies));
         }
     }
     for (group, count) in groups

@@ -7,11 +7,8 @@ use super::pair::{Scene, Side};
 use super::{ExactSideBySide, Interval};
 use crate::exact::in_flight;
 use crate::lanes::Tallies;
-use crate::lanes::number::{LANES, Lanes, Mask};
+use crate::lanes::number::{Lanes, MOST_LANES, Mask};
 use crate::{Elastic, Flight, Row};
-
-/// Scenes that run in step.
-pub(super) const IN_STEP: usize = 2 * LANES;
 
 /// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
 const NEWTON: usize = 3;
@@ -19,8 +16,7 @@ const TERMS: usize = 22;
 /// Part of the time to a turn within which its jerk tells the rest.
 const NEAR: f64 = 1e-3;
 
-/// Runs up to [`IN_STEP`] rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in
-/// them.
+/// Runs rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in them.
 #[inline(always)]
 pub(super) fn run<S: Simd>(
     simd: S,
@@ -28,7 +24,20 @@ pub(super) fn run<S: Simd>(
     rows: &[(usize, &Row<Elastic>)],
     tallies: &mut Tallies,
 ) {
-    let (one, other) = rows.split_at(rows.len().min(LANES));
+    for rows in rows.chunks(2 * Lanes::<S>::N) {
+        run_in_step(simd, method, rows, tallies);
+    }
+}
+
+/// Runs as many rows as two numbers have lanes, or fewer.
+#[inline(always)]
+fn run_in_step<S: Simd>(
+    simd: S,
+    method: &ExactSideBySide,
+    rows: &[(usize, &Row<Elastic>)],
+    tallies: &mut Tallies,
+) {
+    let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
     // A group without scenes repeats the other one, and is not told.
     let parts = [one, if other.is_empty() { one } else { other }];
     let mut groups = parts.map(|rows| Group::new(simd, method, rows));
@@ -38,7 +47,7 @@ pub(super) fn run<S: Simd>(
         }
     }
     for (scene, (place, _)) in rows.iter().enumerate() {
-        groups[scene / LANES].tell(scene % LANES, (*place, tallies));
+        groups[scene / Lanes::<S>::N].tell(scene % Lanes::<S>::N, (*place, tallies));
     }
     let told = 1 + usize::from(!other.is_empty());
     for group in &groups[..told] {
@@ -51,7 +60,7 @@ pub(super) fn run<S: Simd>(
 struct Group<S: Simd> {
     flyers: [Flyer<S>; 2],
     gap: Lanes<S>,
-    scenes: [Scene; LANES],
+    scenes: [Scene; MOST_LANES],
     /// Scenes in compliant contact, and those that have been given up.
     pressed: u64,
     lost: u64,
@@ -90,9 +99,9 @@ struct Landing<S: Simd> {
 
 impl<S: Simd> Flyer<S> {
     #[inline(always)]
-    fn new(simd: S, sides: &[Side; LANES], step: f64) -> Self {
+    fn new(simd: S, sides: &[Side; MOST_LANES], step: f64) -> Self {
         let gather = |number: &dyn Fn(&Side) -> f64| {
-            let mut values = [0.0; LANES];
+            let mut values = [0.0; MOST_LANES];
             for (value, side) in values.iter_mut().zip(sides) {
                 *value = number(side);
             }
@@ -290,7 +299,7 @@ impl<S: Simd> Group<S> {
     #[inline(always)]
     fn new(simd: S, method: &ExactSideBySide, rows: &[(usize, &Row<Elastic>)]) -> Self {
         let mut lost = 0;
-        let scenes: [Scene; LANES] = std::array::from_fn(|lane| {
+        let scenes: [Scene; MOST_LANES] = std::array::from_fn(|lane| {
             let (_, row) = rows[lane.min(rows.len() - 1)];
             let rates = [0, 1].map(|node: usize| Side::fastest_rate(&row.nodes()[node]));
             if !rates.into_iter().all(|rate| method.reaches(rate)) {
@@ -325,7 +334,7 @@ impl<S: Simd> Group<S> {
         let events = turns.or(also).or(reached.reaches(self.gap));
         let mut alone = (events.bits() | self.pressed) & !self.lost;
         if interval.length < step {
-            alone = !self.lost & ((1 << LANES) - 1);
+            alone = !self.lost & ((1 << Lanes::<S>::N) - 1);
         }
         if alone == 0 {
             self.flyers[0].land(one);

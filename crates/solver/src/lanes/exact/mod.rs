@@ -18,8 +18,6 @@ use super::Tallies;
 use crate::exact::LONGEST_LEAP;
 use crate::{Clock, Elastic, Exact, Excitation, Row, RunError, Support};
 
-use fly::IN_STEP;
-
 /// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
 const FINEST: f64 = 1e-12;
 
@@ -81,9 +79,7 @@ impl ExactSideBySide {
     /// A scene is not told where bounces come to rest, neighbours start in touch, or a period is shorter than some six samples: a run
     /// of it alone says what happens. What is told of a scene does not depend on the others.
     pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut Tallies) {
-        for rows in rows.chunks(IN_STEP) {
-            dispatch!(self.level, simd => fly::run(simd, self, rows, tallies));
-        }
+        dispatch!(self.level, simd => fly::run(simd, self, rows, tallies));
     }
 
     /// Whether series reach over an interval.
