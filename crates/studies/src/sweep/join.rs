@@ -1,10 +1,11 @@
 //! Parts joined to one table.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Read, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::SweepError;
@@ -96,6 +97,48 @@ fn write(
     parts: Vec<PathBuf>,
     (path, compressed): (&Path, bool),
 ) -> Result<Joined, SweepError> {
+    if compressed {
+        compress(manifest, parts, path)
+    } else {
+        place(manifest, &parts, path)
+    }
+}
+
+/// Puts every part where it belongs in the table, with all threads.
+fn place(manifest: &Manifest, parts: &[PathBuf], path: &Path) -> Result<Joined, SweepError> {
+    let header = manifest.header.as_bytes();
+    fs::write(path, header).map_err(SweepError::file(path))?;
+    let mut places = Vec::with_capacity(parts.len());
+    let mut end = header.len() as u64;
+    for part in parts {
+        places.push(end);
+        end += fs::metadata(part).map_err(SweepError::file(part))?.len();
+    }
+    let write = |(index, place): (usize, u64)| {
+        let (bytes, joined) = read(manifest, index, &parts[index])?;
+        let written = || {
+            let mut file = OpenOptions::new().write(true).open(path)?;
+            file.seek(SeekFrom::Start(place))?;
+            file.write_all(&bytes)
+        };
+        written().map_err(SweepError::file(path))?;
+        Ok(joined)
+    };
+    let places: Vec<_> = places.into_iter().enumerate().collect();
+    let written = places.into_par_iter().with_max_len(1).map(write);
+    written.try_reduce(
+        || Joined { runs: 0, failed: 0 },
+        |one, other| {
+            Ok(Joined {
+                runs: one.runs + other.runs,
+                failed: one.failed + other.failed,
+            })
+        },
+    )
+}
+
+/// Compresses the table, one part after the other.
+fn compress(manifest: &Manifest, parts: Vec<PathBuf>, path: &Path) -> Result<Joined, SweepError> {
     let file = File::create(path).map_err(SweepError::file(path))?;
     let mut table = Table {
         bytes: manifest.header.as_bytes().to_vec(),
@@ -109,26 +152,40 @@ fn write(
         file: BufWriter::new(file),
         refused: None,
     };
-    if compressed {
-        let mut encoder = FrameCompressor::new(CompressionLevel::Fastest);
-        encoder.set_source(&mut table);
-        encoder.set_drain(&mut drain);
-        encoder.compress();
-    } else {
-        // Part by part, which is more at a time than `io::copy` takes.
-        while table.goes_on() {
-            drain
-                .write_all(&table.bytes)
-                .map_err(SweepError::file(path))?;
-            table.read = table.bytes.len();
-        }
-    }
+    let mut encoder = FrameCompressor::new(CompressionLevel::Fastest);
+    encoder.set_source(&mut table);
+    encoder.set_drain(&mut drain);
+    encoder.compress();
     if let Some(error) = table.refused {
         return Err(error);
     }
     let joined = table.joined;
     drain.end().map_err(SweepError::file(path))?;
     Ok(joined)
+}
+
+/// A part, which has all of its rows, and what is in it.
+fn read(manifest: &Manifest, index: usize, path: &Path) -> Result<(Vec<u8>, Joined), SweepError> {
+    let bytes = fs::read(path).map_err(SweepError::file(path))?;
+    let runs = manifest.runs_of(index as u64);
+    let (mut found, mut empty, allowed) = (0, 0, runs.end - runs.start);
+    // The reason is the last field of a row, and empty in one that did not fail.
+    for end in memchr::memchr_iter(b'\n', &bytes) {
+        found += 1;
+        empty += u64::from(end > 0 && bytes[end - 1] == b',');
+    }
+    if found != allowed || bytes.last() != Some(&b'\n') {
+        return Err(SweepError::Damaged {
+            path: path.to_path_buf(),
+            found,
+            allowed,
+        });
+    }
+    let joined = Joined {
+        runs: found,
+        failed: found - empty,
+    };
+    Ok((bytes, joined))
 }
 
 /// The bytes of a table, part after part. The encoder panics on errors: they are kept, and the table ends.
@@ -148,25 +205,10 @@ impl<Parts: Iterator<Item = (usize, PathBuf)>> Table<'_, Parts> {
         let Some((index, path)) = self.parts.next() else {
             return Ok(false);
         };
-        self.bytes = fs::read(&path).map_err(SweepError::file(&path))?;
-        self.read = 0;
-        let runs = self.manifest.runs_of(index as u64);
-        let (mut found, mut empty, allowed) = (0, 0, runs.end - runs.start);
-        // The reason is the last field of a row, and empty in one that did not fail.
-        for end in memchr::memchr_iter(b'\n', &self.bytes) {
-            found += 1;
-            empty += u64::from(end > 0 && self.bytes[end - 1] == b',');
-        }
-        let ends = self.bytes.last() == Some(&b'\n');
-        if found != allowed || !ends {
-            return Err(SweepError::Damaged {
-                path,
-                found,
-                allowed,
-            });
-        }
-        self.joined.runs += found;
-        self.joined.failed += found - empty;
+        let (bytes, joined) = read(self.manifest, index, &path)?;
+        (self.bytes, self.read) = (bytes, 0);
+        self.joined.runs += joined.runs;
+        self.joined.failed += joined.failed;
         Ok(true)
     }
 
