@@ -1,12 +1,11 @@
 //! Wall time of the methods: criterion measures, this compares.
 
-#[cfg(target_arch = "x86_64")]
 mod lanes;
 mod peers;
 mod savings;
 mod setting;
 mod storeys;
-#[cfg(target_arch = "x86_64")]
+mod structures;
 mod sweeps;
 
 use std::fmt::Write as _;
@@ -66,17 +65,11 @@ pub(crate) fn storeys(root: &Path) -> Result<(), String> {
     storeys::run(root)
 }
 
-/// Times scenes side by side, and sweeps of them.
-#[cfg(target_arch = "x86_64")]
+/// Times scenes side by side, sweeps of them, and rows of many structures.
 pub(crate) fn lanes(root: &Path) -> Result<(), String> {
     lanes::run(root)?;
-    sweeps::run(root)
-}
-
-/// Times scenes side by side, beside a loop that is written for other machines.
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) fn lanes(_: &Path) -> Result<(), String> {
-    Err("the loop by hand needs a machine with AVX-512".into())
+    sweeps::run(root)?;
+    structures::run(root)
 }
 
 /// Races other programs and compiled loops.

@@ -62,7 +62,7 @@ enum Task {
     Check,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
     /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
-    /// storeys.csv, bench/lanes.csv and bench/sweeps.csv; no part of `check`.
+    /// storeys.csv, bench/lanes.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
     Bench {
         /// Only the savings.
         #[arg(long)]
@@ -70,7 +70,8 @@ enum Task {
         /// Only what a floor of a building costs in a step, beside one of a row of structures of one storey: two to three minutes.
         #[arg(long, conflicts_with = "savings")]
         storeys: bool,
-        /// Only scenes side by side in lanes, and sweeps of them, beside a loop written by hand for AVX-512: a minute.
+        /// Only scenes side by side in lanes, and sweeps of them, beside a loop written by hand for AVX-512 and AVX2, and rows of 2 to
+        /// 1000 structures: three minutes.
         #[arg(long, conflicts_with_all = ["savings", "storeys"])]
         lanes: bool,
         /// Only the same scenes by other programs (`OpenSees`, `SciPy`, `SUNDIALS`) and compiled loops, which go into a Python environment
