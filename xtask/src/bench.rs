@@ -67,9 +67,9 @@ pub(crate) fn storeys(root: &Path) -> Result<(), String> {
 
 /// Times scenes side by side, sweeps of them, and rows of many structures.
 pub(crate) fn lanes(root: &Path) -> Result<(), String> {
+    structures::run(root)?;
     lanes::run(root)?;
-    sweeps::run(root)?;
-    structures::run(root)
+    sweeps::run(root)
 }
 
 /// Races other programs and compiled loops.

@@ -16,7 +16,7 @@ use pounding_solver::{
 };
 
 const MASS: f64 = 1e5;
-/// Scenes in lanes: two groups of eight go in step.
+/// Scenes in lanes: as many as go in step on the machine with the widest vectors.
 const LANES: usize = 16;
 const CLOCK: Clock = Clock {
     time_step: 0.01,

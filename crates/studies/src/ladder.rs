@@ -56,8 +56,8 @@ pub(crate) fn cost(work: Work) -> u64 {
     work.force_evaluations + work.segments
 }
 
-/// Force evaluations that take as long as a piece of motion of the exact method: `cargo xtask bench` measures 16 to 38.
-pub const EVALUATIONS_PER_PIECE: u64 = 25;
+/// Force evaluations that take as long as a piece of motion of the exact method: `cargo xtask bench` measures 2 to 9.
+pub const EVALUATIONS_PER_PIECE: u64 = 9;
 
 /// What a run costs, in force evaluations of equal time.
 pub(crate) fn price(work: Work) -> u64 {

@@ -22,6 +22,8 @@ mod number;
 mod run;
 mod tallies;
 mod tally;
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests;
 
 use fearless_simd::{Level, dispatch};
 

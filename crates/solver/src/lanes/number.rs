@@ -22,7 +22,10 @@ pub(super) struct Mask<S: Simd>(S::mask64s);
 impl<S: Simd> Lanes<S> {
     /// Lanes of this machine.
     pub(super) const N: usize = {
-        assert!(<S::f64s as SimdBase<S>>::LEN <= MOST_LANES);
+        assert!(
+            <S::f64s as SimdBase<S>>::LEN <= MOST_LANES,
+            "more lanes than arrays over them have"
+        );
         <S::f64s as SimdBase<S>>::LEN
     };
 

@@ -19,7 +19,7 @@ pub struct Tallies {
     pub(super) displacements: Vec<f64>,
     pub(super) pairs: Vec<PairTally>,
     pub(super) told: Vec<bool>,
-    /// Steps of groups of scenes.
+    /// Steps of groups of scenes, as many as a vector of the machine has lanes.
     pub steps: u64,
     /// Those of them in which some scene of the group touched.
     pub touching_steps: u64,

@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use crate::random_rows::{Case, SI, any_law, cases, config};
 use crate::watch::Watch;
 
-/// More than run in one group, and no whole number of groups.
-const SCENES: usize = 19;
+/// More than go in step, with a last group that is full in part or missing, whether two, four or eight lanes are a group.
+const SCENES: [usize; 2] = [13, 19];
 
 const CLOCK: Clock = Clock {
     time_step: 0.005,
@@ -176,8 +176,12 @@ proptest! {
     #![proptest_config(config(300))]
 
     #[test]
-    fn limit_a_lane_gives_the_bits_of_its_scene_alone(case in cases(any_law), settings in settings()) {
-        let scenes: Vec<_> = (0..SCENES).map(|scene| varied(&case, scene)).collect();
+    fn limit_a_lane_gives_the_bits_of_its_scene_alone(
+        case in cases(any_law),
+        settings in settings(),
+        count in prop::sample::select(SCENES.to_vec()),
+    ) {
+        let scenes: Vec<_> = (0..count).map(|scene| varied(&case, scene)).collect();
         let rows: Vec<_> = scenes.iter().map(|case| case.row(SI)).collect();
         compare(settings, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
         let column = |node: &Node<ElastoPlastic>| Bilinear {

@@ -121,7 +121,7 @@ impl Prepared {
         Ok((audited, closings))
     }
 
-    /// The same without the ledger, which for the exact method takes 1.2 to 1.6 times the time.
+    /// The same without the ledger, which for the exact method takes a third of the time.
     ///
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.

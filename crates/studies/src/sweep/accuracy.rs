@@ -21,8 +21,8 @@ const SHARE: f64 = 0.95;
 /// The longest time step that is tried \[s\], and how often it is halved.
 const LONGEST: f64 = 0.02;
 const HALVED: i32 = 7;
-/// How often where the exact method runs scenes side by side: it then costs as much as steps of 1 to 1.5 ms (`cargo xtask bench --peers`).
-const HALVED_BESIDE: i32 = 3;
+/// How often where the exact method runs scenes side by side: it then costs as much as steps of 0.3 to 0.5 ms (`cargo xtask bench --peers`).
+const HALVED_BESIDE: i32 = 5;
 /// Its tolerance, as a part of the error that is asked for.
 const PART: f64 = 0.1;
 

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::SweepError;
-use super::parts::{Manifest, beside, path_of};
+use super::parts::{Manifest, beside, own_name, path_of};
 
 /// A table that was joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,8 +34,11 @@ pub fn compresses(out: &Path) -> bool {
 /// the system refuses.
 pub fn merge(out: &Path, folders: &[PathBuf]) -> Result<Joined, SweepError> {
     let (manifest, parts) = found(folders)?;
-    // One name for all: what a kill leaves is written over.
-    let beside = beside(out, "new");
+    // What a kill has left. Another process that joins the same parts finds its file gone, and says so.
+    for left in leftovers(out) {
+        fs::remove_file(&left).map_err(SweepError::file(&left))?;
+    }
+    let beside = beside(out, &format!("{}{NEW}", own_name()));
     let written = write(&manifest, parts, (&beside, compresses(out)));
     match written {
         Ok(joined) => {
@@ -48,6 +51,29 @@ pub fn merge(out: &Path, folders: &[PathBuf]) -> Result<Joined, SweepError> {
             Err(error)
         }
     }
+}
+
+/// End of the name of a table that is not whole.
+const NEW: &str = ".new";
+
+/// Tables beside one that were begun and not ended.
+fn leftovers(out: &Path) -> Vec<PathBuf> {
+    let begin = beside(out, "");
+    let folder = match out.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let begun = |entry: &fs::DirEntry| {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let begin = begin.file_name().unwrap_or_default().to_string_lossy();
+        let own = name
+            .strip_prefix(&*begin)
+            .and_then(|rest| rest.strip_suffix(NEW));
+        // With a dot it is of a table with a longer name.
+        own.is_some_and(|own| !own.contains('.'))
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter(begun).map(|entry| entry.path()).collect()
 }
 
 /// What the folders hold parts of, and where each lies; all are there.
@@ -126,15 +152,15 @@ fn place(manifest: &Manifest, parts: &[PathBuf], path: &Path) -> Result<Joined, 
     };
     let places: Vec<_> = places.into_iter().enumerate().collect();
     let written = places.into_par_iter().with_max_len(1).map(write);
-    written.try_reduce(
-        || Joined { runs: 0, failed: 0 },
-        |one, other| {
-            Ok(Joined {
-                runs: one.runs + other.runs,
-                failed: one.failed + other.failed,
-            })
-        },
-    )
+    // In order: of several damaged parts the first is named.
+    let written: Vec<Result<Joined, SweepError>> = written.collect();
+    let mut joined = Joined { runs: 0, failed: 0 };
+    for part in written {
+        let part = part?;
+        joined.runs += part.runs;
+        joined.failed += part.failed;
+    }
+    Ok(joined)
 }
 
 /// Compresses the table, one part after the other.

@@ -117,11 +117,7 @@ fn has_parts(folder: &Path) -> Result<bool, SweepError> {
 /// Writes a file under another name, then gives it its own, so that nobody finds half of it. What is `kept` is also there after a
 /// power failure.
 fn write_whole(path: &Path, bytes: &[u8], kept: bool) -> Result<(), SweepError> {
-    // Of this call alone: processes of several machines may work in one folder, with the same numbers.
-    let beside = beside(
-        path,
-        &format!("{:x}", RandomState::new().build_hasher().finish()),
-    );
+    let beside = beside(path, &own_name());
     let write = || {
         let mut file = File::create(&beside)?;
         file.write_all(bytes)?;
@@ -129,6 +125,11 @@ fn write_whole(path: &Path, bytes: &[u8], kept: bool) -> Result<(), SweepError> 
     };
     write().map_err(SweepError::file(&beside))?;
     fs::rename(&beside, path).map_err(SweepError::file(path))
+}
+
+/// A name of this call alone: processes of several machines may work in one folder, with the same numbers.
+pub(super) fn own_name() -> String {
+    format!("{:x}", RandomState::new().build_hasher().finish())
 }
 
 /// A hidden name beside a file.

@@ -5,7 +5,7 @@ use super::pareto::cheapest;
 use super::quantities::Quantity;
 use super::table::setting;
 use crate::contenders::{REFERENCE, RIVAL};
-use crate::ladder::price;
+use crate::ladder::{EVALUATIONS_PER_PIECE, price};
 use crate::tables::to_csv;
 
 /// Error asked of the exact method \[–\].
@@ -24,7 +24,9 @@ pub(super) fn table(races: &[Race]) -> String {
         "central_difference_work",
         "work_of_exact_over_central_difference",
         "exact_needs_less_work",
-        "time_of_exact_over_central_difference_at_25_evaluations_a_piece",
+        &format!(
+            "time_of_exact_over_central_difference_at_{EVALUATIONS_PER_PIECE}_evaluations_a_piece"
+        ),
         "why",
     ];
     let mut rows = Vec::new();
@@ -70,11 +72,13 @@ fn row(race: &Race, name: &str, quantities: &[Quantity]) -> Vec<String> {
         Some(ratio) => ratio < 1.0,
         None => exact.is_some(),
     };
+    let slow =
+        format!("less work, but a piece takes as long as {EVALUATIONS_PER_PIECE} evaluations");
     let why = match (work, time) {
         (Some(work), _) if work >= 1.0 => {
             "a few steps are enough for 1 %, and the exact method needs a piece per structure and sample"
         }
-        (_, Some(time)) if time >= 1.0 => "less work, but a piece takes as long as 25 evaluations",
+        (_, Some(time)) if time >= 1.0 => &slow,
         (Some(_), _) => "",
         (None, _) if exact.is_none() => "the exact method does not reach 1e-6",
         (None, _) => "the central difference method does not hold 1 % on this ladder",

@@ -41,6 +41,9 @@ fn run_in_step<S: Simd>(
     // A group without scenes repeats the other one, and is not told.
     let parts = [one, if other.is_empty() { one } else { other }];
     let mut groups = parts.map(|rows| Group::new(simd, method, rows));
+    if other.is_empty() {
+        groups[1].lost = u64::MAX;
+    }
     for interval in &method.intervals {
         for group in &mut groups {
             group.go(interval, method.step);
@@ -298,7 +301,8 @@ fn weights(side: &Side, step: f64) -> [[f64; 3]; 2] {
 impl<S: Simd> Group<S> {
     #[inline(always)]
     fn new(simd: S, method: &ExactSideBySide, rows: &[(usize, &Row<Elastic>)]) -> Self {
-        let mut lost = 0;
+        // Lanes without a scene repeat the last one, and go nowhere alone.
+        let mut lost = u64::MAX << rows.len();
         let scenes: [Scene; MOST_LANES] = std::array::from_fn(|lane| {
             let (_, row) = rows[lane.min(rows.len() - 1)];
             let rates = [0, 1].map(|node: usize| Side::fastest_rate(&row.nodes()[node]));

@@ -32,7 +32,7 @@ pub struct ExactSideBySide {
     intervals: Vec<Interval>,
     /// Their length \[s\], but for the last one.
     step: f64,
-    level: Level,
+    pub(super) level: Level,
 }
 
 /// The ground between two samples of the record.

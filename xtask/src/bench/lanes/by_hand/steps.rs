@@ -1,6 +1,11 @@
 //! The same arithmetic as the central difference method with velocity jumps, for scenes that are known to have two structures, one
 //! pair and no wall: two vectors of scenes in step, which do not wait for each other.
 
+#![expect(
+    clippy::inline_always,
+    reason = "instructions exist only inside the function that found the machine to have them"
+)]
+
 use super::vector::{Avx2, Avx512, Vectors};
 use super::{Found, GROUP, Group, Law};
 

@@ -4,6 +4,10 @@
     unsafe_code,
     reason = "instructions are called by name: that is the point of the loop by hand"
 )]
+#![expect(
+    clippy::inline_always,
+    reason = "instructions exist only inside the function that found the machine to have them"
+)]
 
 use std::arch::x86_64 as cpu;
 
@@ -69,7 +73,7 @@ macro_rules! operations {
 
 macro_rules! vectors {
     ($machine:ty, $feature:literal, $vector:ty, $mask:ty, $lanes:literal,
-     [$set:path, $load:path, $store:path], { $($operations:tt)+ }) => {
+     [$set:path, $load:path, $store:path], { $($plain:item)* }, { $($operations:tt)+ }) => {
         impl Vectors for $machine {
             type Vector = $vector;
             type Mask = $mask;
@@ -95,6 +99,8 @@ macro_rules! vectors {
                 unsafe { $store(numbers.as_mut_ptr(), vector) }
             }
 
+            $($plain)*
+
             operations! { $($operations)+ }
 
             #[inline(always)]
@@ -114,6 +120,21 @@ vectors!(
     Avx512, "avx512f", cpu::__m512d, cpu::__mmask8, 8,
     [cpu::_mm512_set1_pd, cpu::_mm512_loadu_pd, cpu::_mm512_storeu_pd],
     {
+        // Masks are plain numbers, which have no instructions of AVX-512F.
+        #[inline(always)]
+        fn or(self, one: cpu::__mmask8, other: cpu::__mmask8) -> cpu::__mmask8 {
+            one | other
+        }
+        #[inline(always)]
+        fn and(self, one: cpu::__mmask8, other: cpu::__mmask8) -> cpu::__mmask8 {
+            one & other
+        }
+        #[inline(always)]
+        fn any(self, mask: cpu::__mmask8) -> bool {
+            mask != 0
+        }
+    },
+    {
         add(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_add_pd(one, other);
         sub(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_sub_pd(one, other);
         mul(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_mul_pd(one, other);
@@ -125,9 +146,6 @@ vectors!(
             cpu::_mm512_cmp_pd_mask::<{ cpu::_CMP_GE_OQ }>(one, other);
         exceeds(one: Vector, other: Vector) -> Self::Mask =
             cpu::_mm512_cmp_pd_mask::<{ cpu::_CMP_GT_OQ }>(one, other);
-        or(one: Mask, other: Mask) -> Self::Mask = cpu::_kor_mask8(one, other);
-        and(one: Mask, other: Mask) -> Self::Mask = cpu::_kand_mask8(one, other);
-        any(mask: Mask) -> bool = cpu::_kortestz_mask8_u8(mask, mask) == 0;
         select(mask: Mask, one: Vector, other: Vector) -> Self::Vector =
             cpu::_mm512_mask_mov_pd(other, mask, one);
     }
@@ -136,6 +154,7 @@ vectors!(
 vectors!(
     Avx2, "avx2", cpu::__m256d, cpu::__m256d, 4,
     [cpu::_mm256_set1_pd, cpu::_mm256_loadu_pd, cpu::_mm256_storeu_pd],
+    {},
     {
         add(one: Vector, other: Vector) -> Self::Vector = cpu::_mm256_add_pd(one, other);
         sub(one: Vector, other: Vector) -> Self::Vector = cpu::_mm256_sub_pd(one, other);
