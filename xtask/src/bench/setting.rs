@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use pounding_solver::{CentralDifference, Clock, Exact, ImpactRule, SimultaneousImpacts, Start};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -15,6 +16,23 @@ pub(super) const GAPS: [f64; 2] = [0.01, 0.08];
 /// e of all laws \[–\], and β̄ of the viscoelastic element \[N/m^1.5\].
 pub(super) const RESTITUTION: f64 = 0.65;
 pub(super) const STIFFNESS: f64 = 2.75e9;
+
+/// Steps of runs in lanes, one by one and by hand.
+pub(super) const CLOCK: Clock = Clock {
+    time_step: 0.01,
+    n_steps: 1000,
+};
+/// Time between two samples of the record \[s\], which is all that the exact method needs.
+pub(super) const RECORDED: f64 = 0.02;
+pub(super) const STEPPING: CentralDifference = CentralDifference {
+    start: Start::Consistent,
+    impacts: ImpactRule::VelocityJump,
+    contact_substeps: 1,
+};
+pub(super) const EXACT: Exact = Exact {
+    tolerance: 1e-10,
+    simultaneous_impacts: SimultaneousImpacts::Together,
+};
 
 /// Accelerations \[m/s²\] at so many steps of a time step \[s\], and at the start.
 pub(super) fn ground(root: &Path, time_step: f64, n_steps: usize) -> Result<Vec<f64>, String> {

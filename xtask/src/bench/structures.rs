@@ -7,33 +7,25 @@ use std::time::{Duration, Instant};
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, ImpactRule, Integrator, Node,
-    Pair, Peaks, Row, RowsOf, SideBySide, SimultaneousImpacts, Start, Tallies,
+    Collisions, Elastic, Excitation, Integrator, Node, Pair, Peaks, Row, RowsOf, SideBySide,
+    Tallies,
 };
 
-use super::setting::{self, DAMPING, GAPS, MASS, PERIODS, RESTITUTION};
+use super::setting::{
+    self, CLOCK, DAMPING, EXACT, GAPS, MASS, PERIODS, RECORDED, RESTITUTION, STEPPING,
+};
 
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/structures.csv";
-const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, 1000];
+const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, MOST];
+const MOST: usize = 1000;
 /// Structures that run in a round of each size; rows of the largest are then as many as go side by side at once.
 const IN_ROUND: usize = 16_000;
 /// Of these the part that runs one by one, and by the exact method: long rows of which it takes minutes.
 const ALONE: usize = 1000;
 const MOST_EXACT: usize = 300;
-const CLOCK: Clock = Clock {
-    time_step: 0.01,
-    n_steps: 1000,
-};
-/// Time between two samples of the record \[s\].
-const RECORDED: f64 = 0.02;
 /// Every way to run takes turns over the sizes for as long as this, at least thrice.
 const PATIENCE: Duration = Duration::from_secs(6);
-const SETTINGS: CentralDifference = CentralDifference {
-    start: Start::Consistent,
-    impacts: ImpactRule::VelocityJump,
-    contact_substeps: 1,
-};
 
 /// Rows of one size.
 struct Sized {
@@ -51,11 +43,11 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let sampled = Excitation::new(CLOCK.time_step, &ground).map_err(words)?;
     let recorded = Excitation::new(RECORDED, &recorded).map_err(words)?;
     let mut csv = String::from("run,structures,time_of_a_structure_over_one_of_two\n");
-    let beside = SideBySide::new(SETTINGS, sampled, CLOCK).map_err(|error| error.to_string())?;
+    let beside = SideBySide::new(STEPPING, sampled, CLOCK).map_err(|error| error.to_string())?;
     let mut tallies = Tallies::default();
     csv += &medians(
         "central difference in lanes",
-        (IN_ROUND, 1000),
+        (IN_ROUND, MOST),
         &mut |rows| {
             let rows: Vec<_> = rows.iter().collect();
             beside.run(
@@ -65,17 +57,13 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
             )
         },
     )?;
-    let exact = Exact {
-        tolerance: 1e-10,
-        simultaneous_impacts: SimultaneousImpacts::Together,
-    };
     for (name, most, (integrator, excitation)) in [
         (
             "central difference",
-            1000,
-            (Integrator::CentralDifference(SETTINGS), sampled),
+            MOST,
+            (Integrator::CentralDifference(STEPPING), sampled),
         ),
-        ("exact", MOST_EXACT, (Integrator::Exact(exact), recorded)),
+        ("exact", MOST_EXACT, (Integrator::Exact(EXACT), recorded)),
     ] {
         csv += &medians(name, (ALONE, most), &mut |rows| {
             rows.iter().all(|row| {

@@ -10,23 +10,19 @@ use std::time::{Duration, Instant};
 use by_hand::{GROUP, Group, Law};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, ImpactRule, Integrator, Node,
-    Pair, Peaks, Row, RowsOf, SideBySide, SimultaneousImpacts, Start, Tallies,
+    Collisions, Elastic, Excitation, Integrator, Node, Pair, Peaks, Row, RowsOf, SideBySide,
+    Tallies,
 };
 
-use super::setting::{self, DAMPING, GAPS, MASS, PERIODS, RESTITUTION, STIFFNESS};
+use super::setting::{
+    self, CLOCK, DAMPING, EXACT, GAPS, MASS, PERIODS, RECORDED, RESTITUTION, STEPPING, STIFFNESS,
+};
 
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/lanes.csv";
 /// Scenes of each law, and those of them that run one by one.
 const SCENES: usize = 4096;
 const ALONE: usize = 128;
-const CLOCK: Clock = Clock {
-    time_step: 0.01,
-    n_steps: 1000,
-};
-/// Time between two samples of the record \[s\].
-const RECORDED: f64 = 0.02;
 /// Why nothing is measured.
 pub(super) const NO_LOOP: &str =
     "the loop by hand needs AVX-512 or AVX2, and this machine has neither: nothing is measured";
@@ -34,11 +30,6 @@ const HEADER: &str =
     "instructions,law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches";
 /// Every law takes turns for as long as this.
 const PATIENCE: Duration = Duration::from_secs(10);
-const SETTINGS: CentralDifference = CentralDifference {
-    start: Start::Consistent,
-    impacts: ImpactRule::VelocityJump,
-    contact_substeps: 1,
-};
 
 /// Runs scenes of a law, whose numbers vary.
 struct Scenes<'a> {
@@ -135,7 +126,7 @@ pub(super) fn seconds_by_hand(
 impl Scenes<'_> {
     /// Times the scenes by all routes; a line for each.
     fn compare(&self) -> Result<Vec<String>, String> {
-        let together = SideBySide::new(SETTINGS, self.excitation, CLOCK);
+        let together = SideBySide::new(STEPPING, self.excitation, CLOCK);
         let together = together.map_err(|error| error.to_string())?;
         let mut tallies = Tallies::default();
         let rows: Vec<_> = self.rows.iter().collect();
@@ -147,17 +138,14 @@ impl Scenes<'_> {
                 "lanes and the loop by hand are {distance:.1e} apart"
             ));
         }
-        let exact = Integrator::Exact(Exact {
-            tolerance: 1e-10,
-            simultaneous_impacts: SimultaneousImpacts::Together,
-        });
+        let exact = Integrator::Exact(EXACT);
         let mut hand = || self.by_hand::<true>();
         let mut bare = || self.by_hand::<false>();
         let mut lanes = || {
             together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
             black_box(&tallies);
         };
-        let stepping = Integrator::CentralDifference(SETTINGS);
+        let stepping = Integrator::CentralDifference(STEPPING);
         let mut alone = || self.alone(stepping, self.excitation);
         let mut exactly = || self.alone(exact, self.recorded);
         let times = medians(&mut [
