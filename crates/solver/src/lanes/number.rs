@@ -8,7 +8,7 @@ use pounding_contact::Number;
 
 /// Scenes in a number on the machine that has the most; another takes the first of them.
 ///
-/// As many as a register of the machine has room for: with eight everywhere, loops on AVX2 keep motions in memory.
+/// As many as a register of the machine has room for: with eight everywhere, runs on AVX2 take 1.2 to 1.4 times as long.
 pub(super) const MOST_LANES: usize = 8;
 
 /// The same number of as many scenes as a vector has lanes.
