@@ -8,7 +8,7 @@
     reason = "instructions on lanes exist only inside the function that found the machine to have them"
 )]
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// A number of one scene (`f64`), or the same number of several scenes side by side (lanes).
 ///
@@ -25,11 +25,18 @@ pub trait Number:
     + Neg<Output = Self>
 {
     /// The answer to a question: of every lane yes or no.
-    type Mask: Copy;
+    type Mask: Copy
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
 
     /// The same value in every lane of a number like this one.
     #[must_use]
     fn like(self, value: f64) -> Self;
+
+    /// Without its sign.
+    #[must_use]
+    fn abs(self) -> Self;
 
     /// Square root.
     #[must_use]
@@ -51,6 +58,11 @@ impl Number for f64 {
     #[inline(always)]
     fn like(self, value: f64) -> Self {
         value
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.abs()
     }
 
     #[inline(always)]

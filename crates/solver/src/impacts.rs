@@ -13,13 +13,8 @@
 use pounding_contact::Stereomechanical;
 
 use crate::ground::Ground;
-use crate::together::Together;
+use crate::rounds::{Rounds, Touching};
 use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
-
-/// Rounds after which the rest is plastic: what still touches and approaches then stays together.
-const MAX_ROUNDS: u32 = 50;
-/// An approach left by rounding, relative to the velocities.
-pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Scratch of the rule, allocated once per run.
 pub(crate) struct Impacts {
@@ -29,12 +24,9 @@ pub(crate) struct Impacts {
     impulses: Vec<f64>,
     /// Velocity of every structure before the instant.
     before: Vec<f64>,
-    /// Relative velocity each pair has to lose in this round.
-    demand: Vec<f64>,
-    /// Net impulse on every structure in this round.
+    /// Net impulse on every structure, where impulses were found with the step.
     net: Vec<f64>,
-    inverse_masses: Vec<f64>,
-    together: Together,
+    rounds: Rounds<f64>,
 }
 
 /// The impulsive law of a pair, if it has one.
@@ -45,14 +37,13 @@ pub(crate) fn impulsive(pair: &Pair) -> Option<Stereomechanical> {
 impl Impacts {
     pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let (n, n_pairs) = (row.nodes().len(), row.pairs().len());
+        let mobilities = row.nodes().iter().map(|node| node.inverse_mass);
         Self {
             touching: vec![false; n_pairs],
             impulses: vec![0.0; n_pairs],
             before: vec![0.0; n],
-            demand: vec![0.0; n_pairs],
             net: vec![0.0; n],
-            inverse_masses: row.nodes().iter().map(|node| node.inverse_mass).collect(),
-            together: Together::new(n_pairs),
+            rounds: Rounds::new(mobilities.collect(), n_pairs),
         }
     }
 
@@ -82,23 +73,43 @@ impl Impacts {
         instant: (Ground<'_>, f64),
         recorder: &mut R,
     ) -> bool {
-        self.impulses.fill(0.0);
         self.remember(states);
-        let mut round = 0;
-        while round <= MAX_ROUNDS && self.demand(row.pairs(), states, (round, instant.0)) {
-            let found = self
-                .together
-                .solve(row.pairs(), &self.inverse_masses, &self.demand);
-            for (sum, impulse) in self.impulses.iter_mut().zip(found) {
-                *sum += impulse;
+        self.gather(row.pairs(), instant.0);
+        let jumps = self.strike_all();
+        if jumps {
+            for (link, impulse) in self.rounds.struck() {
+                self.impulses[link.pair] = impulse;
+                for node in [link.left, link.right] {
+                    states[node].velocity = self.rounds.velocity(node);
+                }
             }
-            strike(row, found, (&mut self.net, states));
-            round += 1;
-        }
-        if round > 0 {
             self.settle(row, states, instant, recorder);
         }
-        round > 0
+        jumps
+    }
+
+    /// Lists the pairs marked as touching.
+    fn gather(&mut self, pairs: &[Pair], ground: Ground<'_>) {
+        self.impulses.fill(0.0);
+        self.rounds.clear();
+        for (index, pair) in pairs.iter().enumerate() {
+            if let Some(law) = impulsive(pair).filter(|_| self.touching[index]) {
+                let touching = Touching {
+                    scenes: true,
+                    factor: 1.0 + law.restitution,
+                    opening_rate: ground.opening(pair).velocity,
+                    speeds: ground.extent(pair).velocity,
+                };
+                self.rounds.push((index, pair.left), touching);
+            }
+        }
+    }
+
+    /// Compiled once, not for every column and recorder.
+    #[inline(never)]
+    fn strike_all(&mut self) -> bool {
+        self.rounds.begin(|node| self.before[node]);
+        self.rounds.strike_all()
     }
 
     /// Adds impulses of all pairs that were found with the step to the velocities; precondition as for a jump.
@@ -119,37 +130,6 @@ impl Impacts {
         for (before, state) in self.before.iter_mut().zip(states) {
             *before = state.velocity;
         }
-    }
-
-    /// What each pair has to lose in this round; true when a touching pair approaches.
-    fn demand(
-        &mut self,
-        pairs: &[Pair],
-        states: &[State],
-        (round, ground): (u32, Ground<'_>),
-    ) -> bool {
-        let mut approaches = false;
-        for (index, (pair, demand)) in pairs.iter().zip(&mut self.demand).enumerate() {
-            *demand = f64::NEG_INFINITY;
-            let Some(law) = impulsive(pair).filter(|_| self.touching[index]) else {
-                continue;
-            };
-            let rate = ground.rate_of(pair, states);
-            // The first round meets real approaches; later ones also meet what rounding made of those.
-            let left_over = if round == 0 {
-                0.0
-            } else {
-                let speeds = self.before[pair.left].abs() + self.before[pair.right].abs();
-                ROUNDING * (speeds + ground.extent(pair).velocity)
-            };
-            approaches |= rate > left_over;
-            if round == MAX_ROUNDS {
-                *demand = rate;
-            } else if rate >= 0.0 {
-                *demand = (1.0 + law.restitution) * rate;
-            }
-        }
-        approaches
     }
 
     /// Reports the impacts of an instant; accelerations follow the new velocities.

@@ -61,6 +61,7 @@ mod quadrature;
 mod recorder;
 mod recorders;
 mod rk4;
+mod rounds;
 mod row;
 mod span;
 mod support;

@@ -66,11 +66,11 @@ pub(crate) struct Contacts {
     opening_rates: Vec<f64>,
     /// Pairs that do not yet meet the law of impact.
     lacking: Vec<bool>,
-    /// Relative velocity each pair has to lose \[m/s\].
-    demand: Vec<f64>,
+    /// Impulse of every pair that was found last \[N·s\].
+    found: Vec<f64>,
     /// Solutions of the step so far.
     pub(crate) solution: u32,
-    together: Together,
+    together: Together<f64>,
     /// Of clusters with storeys; nothing in a row of structures of one storey.
     joint: Option<Joint>,
 }
@@ -136,7 +136,7 @@ impl Contacts {
             bounce: vec![0.0; n_pairs],
             opening_rates: vec![0.0; n_pairs],
             lacking: vec![false; n_pairs],
-            demand: vec![0.0; n_pairs],
+            found: vec![0.0; n_pairs],
             solution: 0,
             together: Together::new(n_pairs),
             joint: has_storeys.then(|| Joint::new(n_structures, n_pairs)),
@@ -267,14 +267,14 @@ impl Contacts {
             return false;
         }
         let taken = |index: usize| self.mobilities[index] * self.net[index];
+        self.together.clear();
         for (index, pair) in row.pairs().iter().enumerate() {
-            self.demand[index] = if self.is_in_line(index) {
+            if self.is_in_line(index) {
                 let rate = self.rate(index, pair, trials);
                 // Without the impulses found so far, which are to be replaced.
-                rate + self.bounce[index] + (taken(pair.right) - taken(pair.left))
-            } else {
-                f64::NEG_INFINITY
-            };
+                let demand = rate + self.bounce[index] + (taken(pair.right) - taken(pair.left));
+                self.together.push((index, pair.left), demand);
+            }
         }
         self.replace(row.pairs());
         true
@@ -314,7 +314,11 @@ impl Contacts {
 
     /// Solves for the impulses of neighbouring closed pairs one of which lacks something; others keep every bit.
     fn replace(&mut self, pairs: &[Pair]) {
-        let found = self.together.solve(pairs, &self.mobilities, &self.demand);
+        self.together.solve(&self.mobilities);
+        self.found.fill(0.0);
+        for (link, impulse) in self.together.links.iter().zip(&self.together.impulses) {
+            self.found[link.pair] = *impulse;
+        }
         let mut first = 0;
         while first < pairs.len() {
             let mut end = first + 1;
@@ -326,7 +330,7 @@ impl Contacts {
                 end += 1;
             }
             if self.lacking[first..end].contains(&true) {
-                self.impulses[first..end].copy_from_slice(&found[first..end]);
+                self.impulses[first..end].copy_from_slice(&self.found[first..end]);
             }
             first = end;
         }

@@ -1,67 +1,120 @@
-//! Impulses of several pairs at one instant, found together.
+//! Impulses of several pairs at one instant, found together; of one scene, or of several side by side.
 //!
 //! The impulses P ≥ 0 of a row take away relative velocity: W P, with W = G M⁻¹ Gᵀ. Asked is the least P that takes
 //! away at least the demand of every pair, 0 ≤ W P − demand ⟂ P ≥ 0. W has no positive element off its diagonal (a
 //! push on a structure drives it into its other neighbour), so that growing the set of pushing pairs is enough: a pair
 //! once taken in never has to leave (R. Chandrasekaran, *Opsearch* 7 (1970) 263).
 
-use crate::Pair;
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
 
 /// What rounding leaves of a demand that was met, relative to its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Scratch of the elimination, and its answer.
-pub(crate) struct Together {
-    /// Pairs that push.
-    taken: Vec<bool>,
+/// The pairs that take part, from left to right, and scratch.
+///
+/// Numbers stand in the order of the links; there is room for one of every pair of the row, so that nothing is allocated later.
+pub(crate) struct Together<N: Number> {
+    pub(crate) links: Vec<Link>,
+    /// Relative velocity that each pair has to lose \[m/s\]; −∞ in scenes in which it takes no part.
+    pub(crate) demand: Vec<N>,
+    /// Impulse of each \[N·s\], ≥ 0.
+    pub(crate) impulses: Vec<N>,
+    /// Where it pushes.
+    taken: Vec<N::Mask>,
     /// Mobility of everything a pair has on its left, joined through the pairs that push.
-    behind: Vec<f64>,
-    /// Impulse of every pair \[N·s\].
-    impulses: Vec<f64>,
+    behind: Vec<N>,
 }
 
-impl Together {
+/// A pair that takes part.
+#[derive(Clone, Copy)]
+pub(crate) struct Link {
+    /// Index among the pairs of the row.
+    pub(crate) pair: usize,
+    /// Neighbours.
+    pub(crate) left: usize,
+    pub(crate) right: usize,
+    /// Whether it shares its left neighbour with the link before it.
+    pub(crate) is_joined: bool,
+}
+
+impl<N: Number> Together<N> {
     pub(crate) fn new(n_pairs: usize) -> Self {
         Self {
-            taken: vec![false; n_pairs],
-            behind: vec![0.0; n_pairs],
-            impulses: vec![0.0; n_pairs],
+            links: Vec::with_capacity(n_pairs),
+            demand: Vec::with_capacity(n_pairs),
+            impulses: Vec::with_capacity(n_pairs),
+            taken: Vec::with_capacity(n_pairs),
+            behind: Vec::with_capacity(n_pairs),
         }
     }
 
-    /// Impulse of every pair \[N·s\], ≥ 0.
+    /// Forgets the pairs.
+    #[inline(always)]
+    pub(crate) fn clear(&mut self) {
+        self.links.clear();
+        self.demand.clear();
+    }
+
+    /// Takes a pair, farther to the right than those before, and its left neighbour.
+    #[inline(always)]
+    pub(crate) fn push(&mut self, (pair, left): (usize, usize), demand: N) {
+        let before = self.links.last();
+        self.links.push(Link {
+            pair,
+            left,
+            right: left + 1,
+            is_joined: before.is_some_and(|before| before.right == left),
+        });
+        self.demand.push(demand);
+    }
+
+    /// Finds the impulses from the demands.
     ///
-    /// `mobilities` are the velocities a unit impulse gives to each structure \[1/kg\]; a `demand` \[m/s\] is the
-    /// relative velocity to take away, −∞ for a pair that takes no part.
-    pub(crate) fn solve(&mut self, pairs: &[Pair], mobilities: &[f64], demand: &[f64]) -> &[f64] {
-        self.taken.fill(false);
-        self.impulses.fill(0.0);
-        while self.grow(pairs, mobilities, demand) {
-            self.eliminate(pairs, mobilities, demand);
+    /// `mobilities` are the velocities a unit impulse gives to each structure \[1/kg\].
+    #[inline(always)]
+    pub(crate) fn solve(&mut self, mobilities: &[N]) {
+        self.impulses.clear();
+        self.taken.clear();
+        self.behind.clear();
+        for demand in &self.demand {
+            let zero = demand.like(0.0);
+            self.impulses.push(zero);
+            self.taken.push(zero.exceeds(zero));
+            self.behind.push(zero);
         }
-        &self.impulses
+        while self.grow(mobilities) {
+            self.eliminate(mobilities);
+        }
+    }
+
+    /// Whether the next pair shares its left neighbour with this one.
+    #[inline(always)]
+    pub(crate) fn joins_next(&self, index: usize) -> bool {
+        self.links.get(index + 1).is_some_and(|next| next.is_joined)
     }
 
     /// Takes in the pairs that demand more than they get; true when there was one.
-    fn grow(&mut self, pairs: &[Pair], mobilities: &[f64], demand: &[f64]) -> bool {
+    #[inline(always)]
+    fn grow(&mut self, mobilities: &[N]) -> bool {
         let mut grown = false;
-        for (index, pair) in pairs.iter().enumerate() {
-            let neighbour = |joined: bool, other: usize, node: usize| {
-                if joined {
-                    mobilities[node] * self.impulses[other]
-                } else {
-                    0.0
-                }
-            };
-            let left = index > 0 && pairs[index - 1].right == pair.left;
-            let right = index + 1 < pairs.len() && pairs[index + 1].left == pair.right;
-            let driven = neighbour(left, index.wrapping_sub(1), pair.left)
-                + neighbour(right, index + 1, pair.right);
-            let lacking = demand[index] + driven;
-            if !self.taken[index] && lacking > ROUNDING * (demand[index].abs() + driven) {
-                self.taken[index] = true;
-                grown = true;
+        for (index, link) in self.links.iter().enumerate() {
+            let demand = self.demand[index];
+            let mut driven = demand.like(0.0);
+            if link.is_joined {
+                driven = mobilities[link.left] * self.impulses[index - 1];
             }
+            if self.joins_next(index) {
+                driven = driven + mobilities[link.right] * self.impulses[index + 1];
+            }
+            let met = demand.like(ROUNDING) * (demand.abs() + driven);
+            let lacks = (demand + driven).exceeds(met) & !self.taken[index];
+            self.taken[index] = self.taken[index] | lacks;
+            grown |= N::any(lacks);
         }
         grown
     }
@@ -70,42 +123,30 @@ impl Together {
     ///
     /// The diagonal after elimination is a sum of mobilities in series and parallel. Subtracting instead would lose
     /// as many digits as the masses differ in.
-    fn eliminate(&mut self, pairs: &[Pair], mobilities: &[f64], demand: &[f64]) {
-        for (index, pair) in pairs.iter().enumerate() {
-            if !self.taken[index] {
-                continue;
+    #[inline(always)]
+    fn eliminate(&mut self, mobilities: &[N]) {
+        for (index, link) in self.links.iter().enumerate() {
+            let own = mobilities[link.left];
+            let (mut behind, mut impulse) = (own, self.demand[index]);
+            if link.is_joined {
+                let both = self.taken[index - 1];
+                let total = self.behind[index - 1] + own;
+                behind = N::select(both, own * self.behind[index - 1] / total, behind);
+                let passed = impulse + own * self.impulses[index - 1] / total;
+                impulse = N::select(both, passed, impulse);
             }
-            let own = mobilities[pair.left];
-            (self.behind[index], self.impulses[index]) = if self.is_joined(pairs, index) {
-                let behind = self.behind[index - 1];
-                let total = behind + own;
-                (
-                    own * behind / total,
-                    demand[index] + own * self.impulses[index - 1] / total,
-                )
-            } else {
-                (own, demand[index])
-            };
+            self.behind[index] = behind;
+            self.impulses[index] = N::select(self.taken[index], impulse, self.impulses[index]);
         }
-        for index in (0..pairs.len()).rev() {
-            if !self.taken[index] {
-                continue;
+        for (index, link) in self.links.iter().enumerate().rev() {
+            let ahead = mobilities[link.right];
+            let mut sum = self.impulses[index];
+            if self.joins_next(index) {
+                // Nothing comes back from a pair that does not push: its impulse is 0.
+                sum = sum + ahead * self.impulses[index + 1];
             }
-            let ahead = mobilities[pairs[index].right];
-            let back = if index + 1 < pairs.len() && self.is_joined(pairs, index + 1) {
-                ahead * self.impulses[index + 1]
-            } else {
-                0.0
-            };
-            self.impulses[index] = (self.impulses[index] + back) / (self.behind[index] + ahead);
+            let impulse = sum / (self.behind[index] + ahead);
+            self.impulses[index] = N::select(self.taken[index], impulse, self.impulses[index]);
         }
-    }
-
-    /// Whether a pair that pushes shares a structure with the one on its left, and that one pushes as well.
-    fn is_joined(&self, pairs: &[Pair], index: usize) -> bool {
-        index > 0
-            && self.taken[index]
-            && self.taken[index - 1]
-            && pairs[index - 1].right == pairs[index].left
     }
 }

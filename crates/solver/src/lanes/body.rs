@@ -37,6 +37,8 @@ pub(super) struct Motion<S: Simd, Memory> {
 
 /// What matters at nodes at which some lane touches.
 pub(super) struct InContact<S: Simd> {
+    /// Whether some lane touches a neighbour at the node under way, or has books of it to close.
+    pub(super) is_near: bool,
     /// The increment before the last one \[m\]: what the published rule looks at. It is kept in every step where that rule holds,
     /// and in contact elsewhere.
     pub(super) before: Lanes<S>,
@@ -87,6 +89,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 extremes: [displacement; 2],
             },
             contact: InContact {
+                is_near: false,
                 before: zero,
                 force_from_left: zero,
                 force_from_right: zero,
@@ -97,6 +100,15 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 jumped: zero,
             },
         }
+    }
+
+    /// The step from a node at which no lane touches a neighbour; `published` where the published rule holds.
+    #[inline(always)]
+    pub(super) fn step(&mut self, ground: Lanes<S>, published: bool) {
+        if published {
+            self.contact.before = self.motion.increment;
+        }
+        self.constants.step(&mut self.motion, ground);
     }
 
     /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
@@ -119,6 +131,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
             smooth
         };
         let displacement = motion.displacement;
+        contact.is_near = false;
         contact.before = motion.increment;
         motion.go_on(coefficients, load);
         motion.memory = response.memory;

@@ -3,6 +3,7 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
+use super::SideBySide;
 use super::body::Body;
 use super::column::SideBySideColumn;
 use super::jump::Jumps;
@@ -18,6 +19,8 @@ pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Bes
 pub(super) struct Pair<S: Simd> {
     /// Its index among the pairs of the row.
     pub(super) index: usize,
+    /// Whether it has books open from the node before.
+    lingers: bool,
     pub(super) gap: Lanes<S>,
     pub(super) law: Law<S>,
     /// Deformation at the node under way \[m\].
@@ -35,7 +38,7 @@ pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn> {
     pub(super) structures: &'a mut [Structure<S, Column>],
     /// For every structure the pair that it is the left neighbour of.
     pub(super) pairs: &'a mut [Option<Pair<S>>],
-    pub(super) jumps: Jumps<'a, Column>,
+    pub(super) jumps: Jumps<S>,
     /// Whether compliant pairs that touched at the node before have their books to close.
     pub(super) busy: bool,
     /// Steps in which some lane touches.
@@ -92,6 +95,7 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
         let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
         Some(Pair {
             index,
+            lingers: false,
             gap: Lanes::new(simd, &pairs.map(|pair| pair.gap)),
             law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
             deformation: Lanes::splat(simd, 0.0),
@@ -100,20 +104,39 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
     }
 }
 
-impl<S: Simd, Column: SideBySideColumn> Group<'_, S, Column> {
+/// The structures and pairs of a group.
+pub(super) type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);
+
+impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
+    #[inline(always)]
+    pub(super) fn new(
+        simd: S,
+        method: &SideBySide,
+        (structures, pairs): Scenes<'a, S, Column>,
+    ) -> Self {
+        Self {
+            simd,
+            impacts: method.settings.impacts,
+            time_step: method.time_step,
+            jumps: Jumps::new(structures),
+            structures,
+            pairs,
+            busy: false,
+            touching_steps: 0,
+        }
+    }
+
     /// A step from a node with this acceleration of the ground.
     #[inline(always)]
-    pub(super) fn step(&mut self, (acceleration, step): (f64, usize), is_first: bool) {
+    pub(super) fn step(&mut self, acceleration: f64, is_first: bool) {
         let touches = self.deform();
+        let ground = Lanes::splat(self.simd, acceleration);
         if touches || self.busy {
-            let time = step as f64 * self.time_step;
-            self.contact_step((acceleration, time), is_first);
+            self.contact_step(ground, is_first);
             self.touching_steps += u64::from(touches);
         } else {
-            let ground = Lanes::splat(self.simd, acceleration);
             for structure in self.structures.iter_mut() {
-                structure.contact.before = structure.motion.increment;
-                structure.constants.step(&mut structure.motion, ground);
+                structure.step(ground, self.impacts == ImpactRule::AsPublished);
             }
         }
     }
@@ -128,7 +151,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<'_, S, Column> {
             if let Some(pair) = &mut self.pairs[left - 1] {
                 let ahead = neighbours.0.motion.displacement - neighbours.1.motion.displacement;
                 pair.deformation = ahead - pair.gap;
-                touching = touching.or(pair.deformation.reaches(zero));
+                touching = touching | pair.deformation.reaches(zero);
             }
         }
         Lanes::any(touching)
@@ -136,32 +159,46 @@ impl<S: Simd, Column: SideBySideColumn> Group<'_, S, Column> {
 
     /// A step from a node at which some lane touches, or did at the node before.
     #[inline(always)]
-    fn contact_step(&mut self, (acceleration, time): (f64, f64), is_first: bool) {
+    fn contact_step(&mut self, ground: Lanes<S>, is_first: bool) {
+        let published = self.impacts == ImpactRule::AsPublished;
         let (mut hit, mut jumps, mut busy) = (false, false, false);
         for left in 1..self.structures.len() {
             let Some(pair) = &mut self.pairs[left - 1] else {
                 continue;
             };
+            let touches = pair.deformation.reaches(ground.like(0.0));
+            if !(pair.lingers || Lanes::any(touches)) {
+                continue;
+            }
             let (before, after) = self.structures.split_at_mut(left);
             let neighbours = [&mut before[left - 1], &mut after[0]];
+            neighbours[0].contact.is_near = true;
+            neighbours[1].contact.is_near = true;
             if let Law::Impulsive(law) = pair.law {
                 match self.impacts {
                     ImpactRule::AsPublished => hit |= strike(pair, law, neighbours, is_first),
-                    ImpactRule::VelocityJump => jumps = true,
+                    ImpactRule::VelocityJump => {
+                        jumps = true;
+                        self.jumps.take((pair.index, left - 1), (law, touches));
+                    }
                 }
             } else {
                 push(pair, neighbours, self.time_step);
-                busy |= pair.tally.lingers();
+                pair.lingers = pair.tally.lingers();
+                busy |= pair.lingers;
             }
         }
         self.busy = busy;
-        let ground = Lanes::splat(self.simd, acceleration);
         for structure in self.structures.iter_mut() {
-            structure.step_in_contact(ground, (hit, jumps));
+            if structure.contact.is_near {
+                structure.step_in_contact(ground, (hit, jumps));
+            } else {
+                structure.step(ground, published);
+            }
         }
         if jumps {
             let scenes = (&mut *self.structures, &mut *self.pairs);
-            self.jumps.jump(scenes, ground, (acceleration, time));
+            self.jumps.jump(scenes, ground);
         }
     }
 }
@@ -206,7 +243,7 @@ fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
     };
     let rate = velocity(left) - velocity(right);
     let zero = rate.like(0.0);
-    let hit = pair.deformation.exceeds(zero).and(rate.exceeds(zero));
+    let hit = pair.deformation.exceeds(zero) & rate.exceeds(zero);
     if !Lanes::any(hit) {
         return false;
     }

@@ -3,155 +3,133 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::column::SideBySideColumn;
-use super::group::{Pair, Rows, Structure};
-use super::law::Law;
+use super::body::Body;
+use super::group::Pair;
+use super::law::{Impulsive, Law};
 use super::number::{Lanes, Mask};
-use crate::ground::Ground;
-use crate::impacts::{self, Impacts};
-use crate::{Impact, Recorder, Span, State};
+use crate::RestoringForce;
+use crate::rounds::{ROUNDING, Rounds, Touching};
 
-/// The rule of [`Impacts`]. A single pair of a row is hit in all lanes at once; of several pairs, impulses depend on each other,
-/// and the few scenes in which one is hit are solved one by one.
-pub(super) struct Jumps<'a, Column> {
-    rows: Rows<'a, Column>,
-    /// Of every lane; none where rows have a single pair.
-    impacts: Vec<Impacts>,
-    states: Vec<State>,
-    struck: Struck,
-}
-
-/// Impulses of every pair at an instant \[N·s\].
-struct Struck(Vec<f64>);
-
-impl Recorder for Struck {
-    fn span(&mut self, _: &Span<'_>) {}
-
-    fn impact(&mut self, impact: &Impact) {
-        self.0[impact.pair] = impact.impulse;
-    }
+/// The rule of [`Impacts`](crate::impacts::Impacts): a single pair of a row at once, several in its rounds.
+pub(super) enum Jumps<S: Simd> {
+    OnePair,
+    Several(Box<Rounds<Lanes<S>>>),
 }
 
 /// The structures and pairs of a group.
-type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);
+type Scenes<'a, S, Column> = (&'a mut [Body<S, Column>], &'a mut [Option<Pair<S>>]);
 
-impl<'a, Column: SideBySideColumn> Jumps<'a, Column> {
-    pub(super) fn new(rows: Rows<'a, Column>, n_lanes: usize) -> Self {
-        let n_pairs = rows.lane(0).pairs().len();
-        let lanes = if n_pairs > 1 { 0..n_lanes } else { 0..0 };
-        Self {
-            rows,
-            impacts: lanes.map(|lane| Impacts::new(rows.lane(lane))).collect(),
-            states: vec![State::default(); rows.lane(0).nodes().len()],
-            struck: Struck(vec![0.0; n_pairs]),
+impl<S: Simd> Jumps<S> {
+    #[inline(always)]
+    pub(super) fn new<Column: RestoringForce<Lanes<S>>>(structures: &[Body<S, Column>]) -> Self {
+        if structures.len() == 2 {
+            return Self::OnePair;
+        }
+        let mobilities = structures.iter().map(mobility).collect();
+        let rounds = Rounds::new(mobilities, structures.len() - 1);
+        Self::Several(Box::new(rounds))
+    }
+
+    /// Takes an impulsive pair that touches in these scenes, with its left neighbour; farther to the right than those before.
+    #[inline(always)]
+    pub(super) fn take(&mut self, of: (usize, usize), (law, scenes): (Impulsive<S>, Mask<S>)) {
+        if let Self::Several(rounds) = self {
+            let zero = law.factor.like(0.0);
+            let touching = Touching {
+                scenes,
+                factor: law.factor,
+                opening_rate: zero,
+                speeds: zero,
+            };
+            rounds.push(of, touching);
         }
     }
 
     /// Lets the velocities at a node jump where impulsive pairs touch and approach; what has jumped begins anew from there.
     #[inline(always)]
-    pub(super) fn jump<S: Simd>(
+    pub(super) fn jump<Column: RestoringForce<Lanes<S>>>(
         &mut self,
         (structures, pairs): Scenes<'_, S, Column>,
         ground: Lanes<S>,
-        instant: (f64, f64),
     ) {
-        let hits = approaching::<S, Column>(structures, pairs, ground);
-        if !Lanes::any(hits) {
-            return;
-        }
-        for structure in structures.iter_mut() {
-            structure.contact.jumped = structure.contact.velocity;
-        }
-        if self.impacts.is_empty() {
-            for left in 1..structures.len() {
-                let (before, after) = structures.split_at_mut(left);
-                if let Some(pair) = &mut pairs[left - 1] {
-                    strike::<S, Column>([&mut before[left - 1], &mut after[0]], pair, hits);
+        match self {
+            Self::OnePair => {
+                let [left, right] = structures else {
+                    return;
+                };
+                if let Some(pair) = &mut pairs[0]
+                    && let Law::Impulsive(law) = pair.law
+                    && strike(pair, law, [left, right])
+                {
+                    left.restart(ground);
+                    right.restart(ground);
                 }
             }
-        } else {
-            for lane in (0..Lanes::<S>::N).filter(|lane| hits.test(*lane)) {
-                self.strike_alone((structures, pairs), lane, instant);
+            Self::Several(rounds) => {
+                strike_all(rounds, (structures, pairs), ground);
+                rounds.clear();
             }
         }
-        for structure in structures {
+    }
+}
+
+/// The velocity that a unit impulse gives to a structure \[1/kg\].
+#[inline(always)]
+fn mobility<S: Simd, Column: RestoringForce<Lanes<S>>>(structure: &Body<S, Column>) -> Lanes<S> {
+    structure.constants.coefficients.inverse_mass
+}
+
+/// Strikes all pairs that touch.
+#[inline(always)]
+fn strike_all<S: Simd, Column: RestoringForce<Lanes<S>>>(
+    rounds: &mut Rounds<Lanes<S>>,
+    (structures, pairs): Scenes<'_, S, Column>,
+    ground: Lanes<S>,
+) {
+    rounds.begin(|node| structures[node].contact.velocity);
+    if !rounds.strike_all() {
+        return;
+    }
+    for (link, impulse) in rounds.struck() {
+        if let Some(pair) = &mut pairs[link.left] {
+            pair.tally.strike(impulse);
+        }
+        // One that two pairs share has begun anew with the first of them.
+        let first = if link.is_joined {
+            link.right
+        } else {
+            link.left
+        };
+        for (node, structure) in (first..).zip(&mut structures[first..=link.right]) {
+            structure.contact.jumped = rounds.velocity(node);
             structure.restart(ground);
         }
     }
-
-    /// Finds all impulses of one scene, as it does alone.
-    fn strike_alone<S: Simd>(
-        &mut self,
-        (structures, pairs): Scenes<'_, S, Column>,
-        lane: usize,
-        (acceleration, time): (f64, f64),
-    ) {
-        let row = self.rows.lane(lane);
-        let impacts = &mut self.impacts[lane];
-        for (state, structure) in self.states.iter_mut().zip(structures.iter()) {
-            state.velocity = structure.contact.velocity.lane(lane);
-        }
-        for pair in pairs.iter().flatten() {
-            let impulsive = matches!(pair.law, Law::Impulsive(_));
-            impacts.touching[pair.index] = impulsive && pair.deformation.lane(lane) >= 0.0;
-        }
-        self.struck.0.fill(0.0);
-        let instant = (Ground::Common(acceleration), time);
-        impacts.jump(row, &mut self.states, instant, &mut self.struck);
-        for (state, structure) in self.states.iter().zip(structures) {
-            structure.contact.jumped.set(lane, state.velocity);
-        }
-        for pair in pairs.iter_mut().flatten() {
-            let mut impulses = pair.deformation.like(0.0);
-            impulses.set(lane, self.struck.0[pair.index]);
-            pair.tally.strike(impulses);
-        }
-    }
 }
 
-/// Where an impulsive pair touches and approaches.
+/// Strikes a pair that is the only one of every scene; false where none approaches. A scene that rounding would let approach once
+/// more, which takes further rounds, is given up: its velocities are no numbers from then on, and it runs alone.
 #[inline(always)]
-fn approaching<S: Simd, Column: SideBySideColumn>(
-    structures: &[Structure<S, Column>],
-    pairs: &[Option<Pair<S>>],
-    like: Lanes<S>,
-) -> Mask<S> {
-    let zero = like.like(0.0);
-    let mut hits = zero.exceeds(zero);
-    for left in 1..structures.len() {
-        if let Some(pair) = &pairs[left - 1]
-            && let Law::Impulsive(_) = pair.law
-        {
-            let [left, right] = [&structures[left - 1].contact, &structures[left].contact];
-            let approaches = (left.velocity - right.velocity).exceeds(zero);
-            hits = hits.or(pair.deformation.reaches(zero).and(approaches));
-        }
-    }
-    hits
-}
-
-/// Strikes a pair that is the only one of every scene. A scene that rounding would let approach once more, which takes further
-/// rounds, is given up: its velocities are no numbers from then on, and it runs alone.
-#[inline(always)]
-fn strike<S: Simd, Column: SideBySideColumn>(
-    [left, right]: [&mut Structure<S, Column>; 2],
+fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
     pair: &mut Pair<S>,
-    hits: Mask<S>,
-) {
-    let Law::Impulsive(law) = pair.law else {
-        return;
-    };
+    law: Impulsive<S>,
+    [left, right]: [&mut Body<S, Column>; 2],
+) -> bool {
     let (v, w) = (left.contact.velocity, right.contact.velocity);
-    let mobility = |structure: &Structure<S, Column>| structure.constants.coefficients.inverse_mass;
+    let zero = v.like(0.0);
+    let hits: Mask<S> = pair.deformation.reaches(zero) & (v - w).exceeds(zero);
+    if !Lanes::any(hits) {
+        return false;
+    }
     let mobilities = [mobility(left), mobility(right)];
     let impulse = law.factor * (v - w) / (mobilities[0] + mobilities[1]);
     let after = (v - mobilities[0] * impulse, w + mobilities[1] * impulse);
     // What rounding leaves of an approach; more would be solved in further rounds.
-    let left_over = impulse.like(impacts::ROUNDING) * (v.abs() + w.abs());
+    let left_over = zero.like(ROUNDING) * (v.abs() + w.abs());
     let again = (after.0 - after.1).exceeds(left_over);
-    let given_up = |velocity: Lanes<S>| Number::select(again, velocity.like(f64::NAN), velocity);
-    pair.tally
-        .strike(Number::select(hits, impulse, impulse.like(0.0)));
+    let given_up = |velocity: Lanes<S>| Number::select(again, zero.like(f64::NAN), velocity);
+    pair.tally.strike(Number::select(hits, impulse, zero));
     left.contact.jumped = Number::select(hits, given_up(after.0), v);
     right.contact.jumped = Number::select(hits, given_up(after.1), w);
+    true
 }

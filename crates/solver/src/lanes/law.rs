@@ -99,7 +99,7 @@ impl<S: Simd> Formed<S> {
         if !self.remembers {
             return;
         }
-        let new = overlaps.and(self.known.not());
+        let new = overlaps & !self.known;
         self.known = overlaps;
         if Lanes::any(new) {
             let rates = rate.values();

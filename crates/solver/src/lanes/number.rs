@@ -1,7 +1,7 @@
 //! Numbers of several scenes side by side.
 
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use fearless_simd::prelude::*;
 use pounding_contact::Number;
@@ -65,12 +65,6 @@ impl<S: Simd> Lanes<S> {
         self.0.token()
     }
 
-    /// Without its sign.
-    #[inline(always)]
-    pub(super) fn abs(self) -> Self {
-        Self(self.0.abs())
-    }
-
     /// The lesser of both.
     #[inline(always)]
     pub(super) fn min(self, other: Self) -> Self {
@@ -103,24 +97,6 @@ impl<S: Simd> Mask<S> {
         Self(S::mask64s::splat(simd, yes))
     }
 
-    /// Where both say yes.
-    #[inline(always)]
-    pub(super) fn and(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-
-    /// Where either says yes.
-    #[inline(always)]
-    pub(super) fn or(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    /// Where it says no.
-    #[inline(always)]
-    pub(super) fn not(self) -> Self {
-        Self(!self.0)
-    }
-
     /// A bit for every lane, that of the first one the lowest.
     #[inline(always)]
     pub(super) fn bits(self) -> u64 {
@@ -131,6 +107,33 @@ impl<S: Simd> Mask<S> {
     #[inline(always)]
     pub(super) fn test(self, lane: usize) -> bool {
         (self.bits() >> lane) & 1 == 1
+    }
+}
+
+impl<S: Simd> BitAnd for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl<S: Simd> BitOr for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl<S: Simd> Not for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0)
     }
 }
 
@@ -169,6 +172,11 @@ impl<S: Simd> Number for Lanes<S> {
     #[inline(always)]
     fn like(self, value: f64) -> Self {
         Self::splat(self.token(), value)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
     }
 
     #[inline(always)]

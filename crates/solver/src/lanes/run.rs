@@ -1,11 +1,11 @@
-//! Two groups in step: what one computes does not wait for the other, as it waits for its own step before.
+//! Groups of scenes, two in step where rows are short: what one computes does not wait for the other, as it waits for its own step
+//! before.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::column::SideBySideColumn;
-use super::group::{Group, Pair, Rows, Structure};
-use super::jump::Jumps;
+use super::group::{Group, Rows};
 use super::number::Lanes;
 use super::{PairTally, SideBySide, Tallies};
 use crate::{ImpactRule, Row};
@@ -27,7 +27,9 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut Tallies,
 ) {
-    let in_step = 2 * Lanes::<S>::N;
+    // Structures of longer rows do not wait for each other.
+    let n_groups = if rows[0].nodes().len() > 3 { 1 } else { 2 };
+    let in_step = n_groups * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
     for (index, (rows, n_steps)) in groups.enumerate() {
         let task = Task {
@@ -36,14 +38,14 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
             first: index * in_step,
             tallies,
         };
-        run_in_step(simd, method, task);
+        run_in_step((simd, n_groups), method, task);
     }
 }
 
-/// Runs as many rows as two numbers have lanes, or fewer, and tells what happened in them.
+/// Runs as many rows as the groups have lanes, or fewer, and tells what happened in them.
 #[inline(always)]
 fn run_in_step<S: Simd, Column: SideBySideColumn>(
-    simd: S,
+    (simd, n_groups): (S, usize),
     method: &SideBySide,
     task: Task<'_, Column>,
 ) {
@@ -59,30 +61,28 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
             [parts[1].pair(simd, 0), None],
         );
         let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
-        steps(simd, (method, parts), scenes, task);
+        let mut groups = scenes.map(|scenes| Group::new(simd, method, scenes));
+        steps(method, &mut groups, task);
     } else {
-        let (mut structures, mut pairs) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
-        for (group, rows) in parts.iter().enumerate() {
-            for node in 0..rows.0[0].nodes().len() {
-                structures[group].push(rows.structure(simd, node, start));
-                pairs[group].push(rows.pair(simd, node));
-            }
-        }
-        let ([a, b], [c, d]) = (&mut structures, &mut pairs);
-        let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
-        steps(simd, (method, parts), scenes, task);
+        let nodes = 0..rows[0].nodes().len();
+        let scenes = parts[..n_groups].iter().map(|rows| {
+            let structures = nodes.clone().map(|node| rows.structure(simd, node, start));
+            let pairs = nodes.clone().map(|node| rows.pair(simd, node));
+            (structures.collect(), pairs.collect())
+        });
+        let mut scenes: Vec<(Vec<_>, Vec<_>)> = scenes.collect();
+        let groups = scenes.iter_mut().map(|(structures, pairs)| {
+            Group::new(simd, method, (&mut structures[..], &mut pairs[..]))
+        });
+        steps(method, &mut groups.collect::<Vec<_>>(), task);
     }
 }
 
-/// The structures and pairs of a group.
-type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);
-
-/// All steps of two groups; what happened in a scene is told at its end.
+/// All steps of some groups; what happened in a scene is told at its end.
 #[inline(always)]
 fn steps<S: Simd, Column: SideBySideColumn>(
-    simd: S,
-    (method, parts): (&SideBySide, [Rows<'_, Column>; 2]),
-    [one, other]: [Scenes<'_, S, Column>; 2],
+    method: &SideBySide,
+    groups: &mut [Group<'_, S, Column>],
     Task {
         rows,
         n_steps,
@@ -90,17 +90,6 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         tallies,
     }: Task<'_, Column>,
 ) {
-    let group = |rows, (structures, pairs)| Group {
-        simd,
-        impacts: method.settings.impacts,
-        time_step: method.time_step,
-        structures,
-        pairs,
-        jumps: Jumps::new(rows, Lanes::<S>::N),
-        busy: false,
-        touching_steps: 0,
-    };
-    let mut groups = [group(parts[0], one), group(parts[1], other)];
     let first = method.settings.start.first_node();
     let published = method.settings.impacts == ImpactRule::AsPublished;
     let mut step = first;
@@ -108,16 +97,20 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         let ground = &method.ground[..=*end];
         while step < ground.len() {
             // The published rule looks at more than motions at hand have.
-            if !(published || groups[0].busy || groups[1].busy) {
+            if let [one, other] = groups
+                && !(published || one.busy || other.busy)
+            {
+                let groups = [one, other];
                 step = match groups[0].structures.len() {
-                    2 => go_apart::<S, Column, 2>(&mut groups, ground, step),
-                    3 => go_apart::<S, Column, 3>(&mut groups, ground, step),
+                    2 => go_apart::<S, Column, 2>(groups, ground, step),
+                    3 => go_apart::<S, Column, 3>(groups, ground, step),
                     _ => step,
                 };
             }
             if let Some(acceleration) = ground.get(step) {
-                groups[0].step((*acceleration, step), step == first);
-                groups[1].step((*acceleration, step), step == first);
+                for group in groups.iter_mut() {
+                    group.step(*acceleration, step == first);
+                }
                 step += 1;
             }
         }
@@ -126,27 +119,22 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             tell(group, lane % Lanes::<S>::N, (first_scene + lane, tallies));
         }
     }
-    for (group, count) in groups
-        .iter()
-        .zip([parts[0].0.len(), rows.len() - parts[0].0.len()])
-    {
-        if count > 0 {
-            tallies.steps += (step - first) as u64;
-            tallies.touching_steps += group.touching_steps;
-        }
+    let with_scenes = rows.len().div_ceil(Lanes::<S>::N);
+    for group in &groups[..with_scenes] {
+        tallies.steps += (step - first) as u64;
+        tallies.touching_steps += group.touching_steps;
     }
 }
 
 /// Goes on from a node while no lane touches, with the motions of so many structures at hand; the node at which one does.
 #[inline(always)]
 fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
-    groups: &mut [Group<'_, S, Column>; 2],
+    [one, other]: [&mut Group<'_, S, Column>; 2],
     ground: &[f64],
     step: usize,
 ) -> usize {
-    let simd = groups[0].simd;
+    let simd = one.simd;
     let zero = Lanes::splat(simd, 0.0);
-    let [one, other] = groups;
     let motion = |group: &Group<'_, S, Column>, index: usize| group.structures[index].motion;
     let mut motions: [[_; N]; 2] = [
         std::array::from_fn(|index| motion(one, index)),
@@ -159,7 +147,7 @@ fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
             for left in 1..N {
                 if let Some(pair) = &group.pairs[left - 1] {
                     let ahead = motions[left - 1].displacement - motions[left].displacement;
-                    touching = touching.or((ahead - pair.gap).reaches(zero));
+                    touching = touching | (ahead - pair.gap).reaches(zero);
                 }
             }
         }

@@ -39,7 +39,7 @@ impl<S: Simd> Tally<S> {
     /// Whether a compliant collision of some lane may not have ended, or does an overlap.
     #[inline(always)]
     pub(super) fn lingers(&self) -> bool {
-        Lanes::any(self.open.or(self.overlapped))
+        Lanes::any(self.open | self.overlapped)
     }
 
     /// Takes the force of a compliant pair at a node \[N\], and where it overlaps there; `half_step` is half a time step \[s\].
@@ -47,18 +47,18 @@ impl<S: Simd> Tally<S> {
     pub(super) fn follow(&mut self, force: Lanes<S>, overlaps: Mask<S>, half_step: f64) {
         let zero = force.like(0.0);
         // A clamped force lets go of neighbours that overlap, and may push again; others have parted.
-        let goes_on = self.open.and(self.overlapped);
-        let ends = self.open.and(self.overlapped.not());
+        let goes_on = self.open & self.overlapped;
+        let ends = self.open & !self.overlapped;
         if Lanes::any(ends) {
             self.impulse = Number::select(ends, self.impulse + self.current, self.impulse);
             self.current = Number::select(ends, zero, self.current);
         }
         let sum = self.force + force;
         let acts = sum.exceeds(zero);
-        let begins = acts.and(goes_on.not());
+        let begins = acts & !goes_on;
         let one = zero.like(1.0);
         self.collisions = Number::select(begins, self.collisions + one, self.collisions);
-        self.open = goes_on.or(acts);
+        self.open = goes_on | acts;
         self.current = self.current + zero.like(half_step) * sum;
         self.peak_force = self.peak_force.max(force);
         self.force = force;

@@ -168,28 +168,28 @@ impl<S: Simd> Flyer<S> {
             turned: u,
         };
         let farther = (u.max(displacement) + bow).exceeds(self.extremes[1]);
-        let farther = farther.or(self.extremes[0].exceeds(u.min(displacement) - bow));
+        let farther = farther | self.extremes[0].exceeds(u.min(displacement) - bow);
         if !Lanes::any(farther) {
             return (landing, farther);
         }
         let jerk = self.damping * most + self.stiffness * (fastest + half * most) + slope.abs();
         let slowest = v.abs().min(velocity.abs());
         let on = v * velocity;
-        let straight = on.exceeds(zero).and(slowest.exceeds(arc * jerk));
-        let turns = farther.and(straight.not());
+        let straight = on.exceeds(zero) & slowest.exceeds(arc * jerk);
+        let turns = farther & !straight;
         if !Lanes::any(turns) {
             return (landing, turns);
         }
         let least = before.abs().min(after.abs());
         let bent = arc * (self.damping * jerk + self.stiffness * most);
-        let one_way = (before * after).exceeds(zero).and(least.exceeds(bent));
-        let once = turns.and(zero.exceeds(on)).and(one_way);
+        let one_way = (before * after).exceeds(zero) & least.exceeds(bent);
+        let once = turns & zero.exceeds(on) & one_way;
         if Lanes::any(once) {
             let ends = [v, before, velocity, after];
             let (turned, found) = self.turn(slope, interval.length, ends);
-            let known = once.and(found);
+            let known = once & found;
             landing.turned = Number::select(known, turned, u);
-            return (landing, turns.and(known.not()));
+            return (landing, turns & !known);
         }
         (landing, turns)
     }
@@ -335,7 +335,7 @@ impl<S: Simd> Group<S> {
         let before = left.displacement - right.displacement;
         let after = one.displacement - other.displacement;
         let reached = before.max(after) + one.bow + other.bow;
-        let events = turns.or(also).or(reached.reaches(self.gap));
+        let events = turns | also | reached.reaches(self.gap);
         let mut alone = (events.bits() | self.pressed) & !self.lost;
         if interval.length < step {
             alone = !self.lost & ((1 << Lanes::<S>::N) - 1);
