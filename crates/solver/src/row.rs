@@ -116,10 +116,39 @@ impl<Column: RestoringForce> Row<Column> {
     /// of its own, a pair that is not made of neighbours in order, a negative gap, a contact parameter out of range, or
     /// neighbours that overlap at t = 0.
     pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
+        let unchecked = Self {
+            nodes,
+            above: Vec::new(),
+            pairs,
+            arrivals: None,
+        };
+        unchecked.checked()
+    }
+
+    /// Another row in the memory of this one, for many of them: with these nodes and pairs, and a ground motion that arrives
+    /// everywhere at t = 0.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn renewed(
+        mut self,
+        nodes: impl IntoIterator<Item = Node<Column>>,
+        pairs: impl IntoIterator<Item = Pair>,
+    ) -> Result<Self, ModelError> {
+        self.nodes.clear();
+        self.nodes.extend(nodes);
+        self.pairs.clear();
+        self.pairs.extend(pairs);
+        self.arrivals = None;
+        self.checked()
+    }
+
+    fn checked(mut self) -> Result<Self, ModelError> {
+        let (nodes, pairs) = (&self.nodes, &self.pairs);
         for (index, node) in nodes.iter().enumerate() {
             check_node(index, node)?;
         }
-        let above = support::floors_above(&nodes)?;
+        support::floors_above(nodes, &mut self.above)?;
         for (index, pair) in pairs.iter().enumerate() {
             let in_order = index == 0 || pairs[index - 1].left < pair.left;
             let neighbours = pair.right == pair.left + 1 && pair.right < nodes.len();
@@ -145,12 +174,7 @@ impl<Column: RestoringForce> Row<Column> {
                 });
             }
         }
-        Ok(Self {
-            nodes,
-            above,
-            pairs,
-            arrivals: None,
-        })
+        Ok(self)
     }
 
     /// The same row, at whose nodes the ground motion arrives one after the other: after these times \[s\], ≥ 0, one for
@@ -193,11 +217,6 @@ impl<Column: RestoringForce> Row<Column> {
             arrivals: (!at_once).then_some(arrivals),
             ..self
         })
-    }
-
-    /// Its nodes and pairs, for another row of them.
-    pub fn into_parts(self) -> (Vec<Node<Column>>, Vec<Pair>) {
-        (self.nodes, self.pairs)
     }
 
     /// The floors and walls: those on the ground from left to right, then those of the next level, and so on.

@@ -48,8 +48,10 @@ impl Support {
 /// [`ModelError`] for a floor that does not stand on an earlier one, or not alone.
 pub(crate) fn floors_above<Column>(
     nodes: &[Node<Column>],
-) -> Result<Vec<Option<usize>>, ModelError> {
-    let mut above = vec![None; nodes.len()];
+    above: &mut Vec<Option<usize>>,
+) -> Result<(), ModelError> {
+    above.clear();
+    above.resize(nodes.len(), None);
     for (index, node) in nodes.iter().enumerate() {
         let Support::Floor(Floor {
             below,
@@ -71,7 +73,7 @@ pub(crate) fn floors_above<Column>(
         }
         above[below] = Some(index);
     }
-    Ok(above)
+    Ok(())
 }
 
 impl<Column: RestoringForce> Row<Column> {

@@ -1,6 +1,5 @@
 //! What a structure costs in rows of 2 to 1000, beside one in a row of two.
 
-use std::fs;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -11,12 +10,14 @@ use pounding_solver::{
     Tallies,
 };
 
+use super::lanes;
 use super::setting::{
     self, CLOCK, DAMPING, EXACT, GAPS, MASS, PERIODS, RECORDED, RESTITUTION, STEPPING,
 };
 
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/structures.csv";
+const HEADER: &str = "instructions,run,structures,time_of_a_structure_over_one_of_two";
 const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, MOST];
 const MOST: usize = 1000;
 /// Structures that run in a round of each size; rows of the largest are then as many as go side by side at once.
@@ -42,10 +43,10 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let recorded = setting::ground(root, RECORDED, CLOCK.n_steps / 2)?;
     let sampled = Excitation::new(CLOCK.time_step, &ground).map_err(words)?;
     let recorded = Excitation::new(RECORDED, &recorded).map_err(words)?;
-    let mut csv = String::from("run,structures,time_of_a_structure_over_one_of_two\n");
+    let mut lines = Vec::new();
     let beside = SideBySide::new(STEPPING, sampled, CLOCK).map_err(|error| error.to_string())?;
     let mut tallies = Tallies::default();
-    csv += &medians(
+    lines.extend(medians(
         "central difference in lanes",
         (IN_ROUND, MOST),
         &mut |rows| {
@@ -56,7 +57,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
                 &mut tallies,
             )
         },
-    )?;
+    )?);
     for (name, most, (integrator, excitation)) in [
         (
             "central difference",
@@ -65,7 +66,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
         ),
         ("exact", MOST_EXACT, (Integrator::Exact(EXACT), recorded)),
     ] {
-        csv += &medians(name, (ALONE, most), &mut |rows| {
+        lines.extend(medians(name, (ALONE, most), &mut |rows| {
             rows.iter().all(|row| {
                 let n = row.nodes().len();
                 let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
@@ -73,9 +74,10 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
                 black_box(recorder);
                 ran.is_ok()
             })
-        })?;
+        })?);
     }
-    fs::write(root.join(KEPT), &csv).map_err(|error| format!("{KEPT}: {error}"))?;
+    let instructions = lanes::instructions().unwrap_or("others");
+    let csv = lanes::keep(&root.join(KEPT), (HEADER, instructions), &lines)?;
     println!(
         "\nTime of a structure in a row of so many over that of one of two, impacts:\n{csv}\nkept in {KEPT}"
     );
@@ -87,7 +89,7 @@ fn medians(
     name: &str,
     (in_round, most): (usize, usize),
     run: &mut dyn FnMut(&[Row<Elastic>]) -> bool,
-) -> Result<String, String> {
+) -> Result<Vec<String>, String> {
     let sizes = SIZES.into_iter().filter(|size| *size <= most);
     let mut sizes = sizes
         .map(|structures| sized(structures, in_round))
@@ -108,11 +110,7 @@ fn medians(
         let ratios = one.times.iter().zip(&sizes[0].times);
         let mut ratios: Vec<f64> = ratios.map(|(time, two)| time / two).collect();
         ratios.sort_by(f64::total_cmp);
-        format!(
-            "{name},{},{:.2}\n",
-            one.structures,
-            ratios[ratios.len() / 2]
-        )
+        format!("{name},{},{:.2}", one.structures, ratios[ratios.len() / 2])
     };
     Ok(sizes.iter().map(line).collect())
 }

@@ -202,12 +202,8 @@ fn renumber<Column: Hysteretic>(
     column: impl Fn(&Columns) -> Column,
 ) -> Result<(), ModelError> {
     let nothing = Row::new(Vec::new(), Vec::new())?;
-    let (mut all, mut touching) = std::mem::replace(row, nothing).into_parts();
-    all.clear();
-    all.extend(nodes(scene, floors, column));
-    touching.clear();
-    touching.extend(pairs(scene, floors));
-    *row = Row::new(all, touching)?;
+    let before = std::mem::replace(row, nothing);
+    *row = before.renewed(nodes(scene, floors, column), pairs(scene, floors))?;
     Ok(())
 }
 
@@ -216,12 +212,15 @@ fn nodes<Column>(
     floors: &Floors,
     column: impl Fn(&Columns) -> Column,
 ) -> impl Iterator<Item = Node<Column>> {
-    // Those of a building are found together.
+    // Those of a building are found together; up to the last building, so that structures of one storey need no memory.
     let of_building = |one: &Structure| match one {
         Structure::Building(building) => building.dampings(),
         Structure::Sdof(_) | Structure::Wall => Vec::new(),
     };
-    let dampings: Vec<_> = scene.structures.iter().map(of_building).collect();
+    let is_building = |one: &Structure| matches!(one, Structure::Building(_));
+    let up_to = scene.structures.iter().rposition(is_building);
+    let up_to = up_to.map_or(0, |last| last + 1);
+    let dampings: Vec<_> = scene.structures[..up_to].iter().map(of_building).collect();
     let node = move |(index, floor): (usize, &Floor)| {
         let Some(made) = floor.made_of else {
             return Node::wall(column(&Columns::elastic(1.0)));

@@ -51,7 +51,7 @@ impl Batch {
 }
 
 /// Scenes that are made ready before they run: enough for all lanes, few enough for memory.
-const BESIDE: usize = 128;
+const BESIDE: usize = 256;
 
 impl Sweep {
     /// Number of the numbers that are asked for of every run.

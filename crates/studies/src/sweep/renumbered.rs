@@ -110,7 +110,6 @@ impl Renumbered {
         ran: Option<Box<Prepared>>,
     ) -> Option<Box<Prepared>> {
         let mut ready = ran.unwrap_or_else(|| Box::new(self.prepared.clone()));
-        let mut gaps = Vec::new();
         for (axis, slot) in &self.slots {
             // What is not finite JSON would leave out.
             let Setting::Number(number) = settings[*axis] else {
@@ -121,7 +120,7 @@ impl Renumbered {
             }
             match slot {
                 Slot::Structure(index, set) => set(&mut self.structures[*index].1, number),
-                Slot::Gap(index) => gaps.push((*index, number)),
+                Slot::Gap(_) => (),
                 Slot::Law(place) => *place.slot(&mut self.scene)? = value_of(number),
             }
         }
@@ -136,8 +135,10 @@ impl Renumbered {
                 let read = Contact::deserialize(&self.scene["contacts"][*index]).ok()?;
                 contacts[*index].law = read.law;
             }
-            for (index, gap) in gaps {
-                contacts[index].gap_m = gap;
+            for (axis, slot) in &self.slots {
+                if let (Slot::Gap(index), Setting::Number(gap)) = (slot, settings[*axis]) {
+                    contacts[*index].gap_m = gap;
+                }
             }
             Some(())
         })?;

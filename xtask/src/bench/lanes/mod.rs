@@ -7,6 +7,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+pub(super) use by_hand::instructions;
 use by_hand::{GROUP, Group, Law};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
@@ -48,7 +49,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let recorded = setting::ground(root, RECORDED, CLOCK.n_steps / 2)?;
     let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
         .map_err(|error| error.to_string())?;
-    let Some(instructions) = by_hand::instructions() else {
+    let Some(instructions) = instructions() else {
         return Err(NO_LOOP.into());
     };
     let mut lines = Vec::new();
@@ -102,7 +103,7 @@ pub(super) fn seconds_by_hand(
     root: &Path,
     threads: usize,
 ) -> Result<Option<(f64, &'static str)>, String> {
-    let Some(instructions) = by_hand::instructions() else {
+    let Some(instructions) = instructions() else {
         return Ok(None);
     };
     let ground = ground(root)?;

@@ -35,7 +35,7 @@ pub(super) struct Found {
 }
 
 /// The widest instructions of this machine for which the loop is written.
-pub(super) fn instructions() -> Option<&'static str> {
+pub(in crate::bench) fn instructions() -> Option<&'static str> {
     #[cfg(target_arch = "x86_64")]
     return steps::instructions();
     #[cfg(not(target_arch = "x86_64"))]
