@@ -108,8 +108,7 @@ impl Impacts {
     /// Compiled once, not for every column and recorder.
     #[inline(never)]
     fn strike_all(&mut self) -> bool {
-        self.rounds.begin(|node| self.before[node]);
-        self.rounds.strike_all()
+        self.rounds.strike_all(|node| self.before[node])
     }
 
     /// Adds impulses of all pairs that were found with the step to the velocities; precondition as for a jump.

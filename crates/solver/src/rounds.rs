@@ -22,8 +22,22 @@ pub(crate) struct Touching<N: Number> {
     pub(crate) factor: N,
     /// Rate at which the grounds under it move towards each other \[m/s\].
     pub(crate) opening_rate: N,
-    /// The magnitude of which its rate is rounded \[m/s\]: that of the grounds, then with that of its velocities before.
+    /// The magnitude of which that is rounded \[m/s\]; its velocities are added when it is struck.
     pub(crate) speeds: N,
+}
+
+impl<N: Number> Touching<N> {
+    /// A pair under which no ground moves towards the other.
+    #[inline(always)]
+    pub(crate) fn on_one_ground(scenes: N::Mask, factor: N) -> Self {
+        let zero = factor.like(0.0);
+        Self {
+            scenes,
+            factor,
+            opening_rate: zero,
+            speeds: zero,
+        }
+    }
 }
 
 /// The pairs that touch at an instant, and scratch.
@@ -43,6 +57,7 @@ impl<N: Number> Rounds<N> {
         Self {
             touching: Vec::with_capacity(n_pairs),
             impulses: Vec::with_capacity(n_pairs),
+            // Of the same length; none is read before it is taken.
             velocities: mobilities.clone(),
             mobilities,
             together: Together::new(n_pairs),
@@ -79,22 +94,14 @@ impl<N: Number> Rounds<N> {
         links.copied().zip(self.impulses.iter().copied())
     }
 
-    /// Takes the velocities before \[m/s\].
+    /// Lets the velocities before \[m/s\] jump until no pair approaches that touches; false when none does.
     #[inline(always)]
-    pub(crate) fn begin(&mut self, velocity: impl Fn(usize) -> N) {
-        for link in &self.together.links {
-            for node in [link.left, link.right] {
-                self.velocities[node] = velocity(node);
-            }
-        }
-    }
-
-    /// Lets velocities jump until no pair approaches that touches; false when none does.
-    #[inline(always)]
-    pub(crate) fn strike_all(&mut self) -> bool {
+    pub(crate) fn strike_all(&mut self, velocity: impl Fn(usize) -> N) -> bool {
         for (pair, link) in self.touching.iter_mut().zip(&self.together.links) {
-            let [left, right] = [link.left, link.right].map(|node| self.velocities[node].abs());
-            pair.speeds = left + right + pair.speeds;
+            let [left, right] = [link.left, link.right].map(&velocity);
+            self.velocities[link.left] = left;
+            self.velocities[link.right] = right;
+            pair.speeds = left.abs() + right.abs() + pair.speeds;
         }
         let mut round = 0;
         while round <= MAX_ROUNDS && self.demand(round) {

@@ -92,7 +92,7 @@ impl<N: Number> Together<N> {
         }
     }
 
-    /// Whether the next pair shares its left neighbour with this one.
+    /// Whether the right neighbour of this pair is the left one of the next.
     #[inline(always)]
     pub(crate) fn joins_next(&self, index: usize) -> bool {
         self.links.get(index + 1).is_some_and(|next| next.is_joined)

@@ -20,7 +20,7 @@ const KEPT: &str = "results/bench/structures.csv";
 const HEADER: &str = "instructions,run,structures,time_of_a_structure_over_one_of_two";
 const SIZES: [usize; 7] = [2, 5, 10, 30, 100, 300, MOST];
 const MOST: usize = 1000;
-/// Structures that run in a round of each size; rows of the largest are then as many as go side by side at once.
+/// Structures that run in a round of each size; rows of the largest then fill all lanes, of any machine.
 const IN_ROUND: usize = 16_000;
 /// Of these the part that runs one by one, and by the exact method: long rows of which it takes minutes.
 const ALONE: usize = 1000;

@@ -256,6 +256,7 @@ impl Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rounds::{Rounds, Touching};
     use proptest::prelude::*;
 
     fn chain(masses: &[f64], velocities: &[f64], restitution: f64) -> Chain {
@@ -302,6 +303,32 @@ mod tests {
     }
 
     proptest! {
+        /// The rule of the stepping methods, found in another way.
+        #[test]
+        fn reference_together_is_what_stepping_methods_do(
+            structures in prop::collection::vec((-1.0..1.0_f64, -2.0..2.0_f64), 2..9),
+            restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
+        ) {
+            let masses: Vec<_> = structures.iter().map(|(exponent, _)| libm::pow(10.0, *exponent)).collect();
+            let velocities: Vec<_> = structures.iter().map(|(_, velocity)| *velocity).collect();
+            let mobilities = masses.iter().map(|mass| 1.0 / mass).collect();
+            let mut rounds = Rounds::new(mobilities, masses.len() - 1);
+            for left in 1..masses.len() {
+                rounds.push((left - 1, left - 1), Touching::on_one_ground(true, 1.0 + restitution));
+            }
+            let struck = rounds.strike_all(|node| velocities[node]);
+            let mut chain = chain(&masses, &velocities, restitution);
+            prop_assert_eq!(struck, chain.rates.iter().any(|rate| *rate > 0.0));
+            chain.collide(SimultaneousImpacts::Together);
+            for (node, wanted) in chain.velocities.iter().enumerate() {
+                let found = rounds.velocity(node);
+                prop_assert!((found - wanted).abs() < 1e-10, "{node}: {found} {wanted}");
+            }
+            for ((_, found), wanted) in rounds.struck().zip(&chain.impulses) {
+                prop_assert!((found - wanted).abs() < 1e-9, "{found} {wanted}");
+            }
+        }
+
         #[test]
         fn limit_momentum_energy_and_no_approach(
             structures in prop::collection::vec((-6.0..6.0_f64, -2.0..2.0_f64), 2..7),

@@ -10,6 +10,7 @@ use super::jump::Jumps;
 use super::law::{Impulsive, Law};
 use super::number::{Lanes, MOST_LANES, Mask};
 use super::tally::Tally;
+use crate::rounds::Touching;
 use crate::{CentralDifference, ImpactRule, Node, RestoringForce, Row};
 
 /// A structure of every scene.
@@ -19,7 +20,7 @@ pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Bes
 pub(super) struct Pair<S: Simd> {
     /// Its index among the pairs of the row.
     pub(super) index: usize,
-    /// Whether it has books open from the node before.
+    /// Whether it has books open from the node before; kept, for in a step without contact asking the books costs a mask.
     lingers: bool,
     pub(super) gap: Lanes<S>,
     pub(super) law: Law<S>,
@@ -118,7 +119,7 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
             simd,
             impacts: method.settings.impacts,
             time_step: method.time_step,
-            jumps: Jumps::new(structures),
+            jumps: Jumps::new::<Column>(structures, pairs),
             structures,
             pairs,
             busy: false,
@@ -179,7 +180,8 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
                     ImpactRule::AsPublished => hit |= strike(pair, law, neighbours, is_first),
                     ImpactRule::VelocityJump => {
                         jumps = true;
-                        self.jumps.take((pair.index, left - 1), (law, touches));
+                        let touching = Touching::on_one_ground(touches, law.factor);
+                        self.jumps.take((pair.index, left - 1), touching);
                     }
                 }
             } else {
@@ -198,7 +200,7 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
         }
         if jumps {
             let scenes = (&mut *self.structures, &mut *self.pairs);
-            self.jumps.jump(scenes, ground);
+            self.jumps.jump::<Column>(scenes, ground);
         }
     }
 }

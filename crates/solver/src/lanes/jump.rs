@@ -4,56 +4,50 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::body::Body;
-use super::group::Pair;
+use super::column::SideBySideColumn;
+use super::group::{Pair, Scenes, Structure};
 use super::law::{Impulsive, Law};
 use super::number::{Lanes, Mask};
 use crate::RestoringForce;
 use crate::rounds::{ROUNDING, Rounds, Touching};
 
-/// The rule of [`Impacts`](crate::impacts::Impacts): a single pair of a row at once, several in its rounds.
+/// The rule of [`Impacts`](crate::impacts::Impacts): the pair of two structures at once, pairs of longer rows in its rounds.
 pub(super) enum Jumps<S: Simd> {
-    OnePair,
-    Several(Box<Rounds<Lanes<S>>>),
+    TwoStructures,
+    Longer(Box<Rounds<Lanes<S>>>),
 }
-
-/// The structures and pairs of a group.
-type Scenes<'a, S, Column> = (&'a mut [Body<S, Column>], &'a mut [Option<Pair<S>>]);
 
 impl<S: Simd> Jumps<S> {
     #[inline(always)]
-    pub(super) fn new<Column: RestoringForce<Lanes<S>>>(structures: &[Body<S, Column>]) -> Self {
+    pub(super) fn new<Column: SideBySideColumn>(
+        structures: &[Structure<S, Column>],
+        pairs: &[Option<Pair<S>>],
+    ) -> Self {
         if structures.len() == 2 {
-            return Self::OnePair;
+            return Self::TwoStructures;
         }
         let mobilities = structures.iter().map(mobility).collect();
-        let rounds = Rounds::new(mobilities, structures.len() - 1);
-        Self::Several(Box::new(rounds))
+        let rounds = Rounds::new(mobilities, pairs.iter().flatten().count());
+        Self::Longer(Box::new(rounds))
     }
 
-    /// Takes an impulsive pair that touches in these scenes, with its left neighbour; farther to the right than those before.
+    /// Takes an impulsive pair that touches, with its left neighbour; farther to the right than those before.
     #[inline(always)]
-    pub(super) fn take(&mut self, of: (usize, usize), (law, scenes): (Impulsive<S>, Mask<S>)) {
-        if let Self::Several(rounds) = self {
-            let zero = law.factor.like(0.0);
-            let touching = Touching {
-                scenes,
-                factor: law.factor,
-                opening_rate: zero,
-                speeds: zero,
-            };
+    pub(super) fn take(&mut self, of: (usize, usize), touching: Touching<Lanes<S>>) {
+        if let Self::Longer(rounds) = self {
             rounds.push(of, touching);
         }
     }
 
     /// Lets the velocities at a node jump where impulsive pairs touch and approach; what has jumped begins anew from there.
     #[inline(always)]
-    pub(super) fn jump<Column: RestoringForce<Lanes<S>>>(
+    pub(super) fn jump<Column: SideBySideColumn>(
         &mut self,
         (structures, pairs): Scenes<'_, S, Column>,
         ground: Lanes<S>,
     ) {
         match self {
-            Self::OnePair => {
+            Self::TwoStructures => {
                 let [left, right] = structures else {
                     return;
                 };
@@ -65,8 +59,8 @@ impl<S: Simd> Jumps<S> {
                     right.restart(ground);
                 }
             }
-            Self::Several(rounds) => {
-                strike_all(rounds, (structures, pairs), ground);
+            Self::Longer(rounds) => {
+                strike_all::<S, Column>(rounds, (structures, pairs), ground);
                 rounds.clear();
             }
         }
@@ -81,13 +75,12 @@ fn mobility<S: Simd, Column: RestoringForce<Lanes<S>>>(structure: &Body<S, Colum
 
 /// Strikes all pairs that touch.
 #[inline(always)]
-fn strike_all<S: Simd, Column: RestoringForce<Lanes<S>>>(
+fn strike_all<S: Simd, Column: SideBySideColumn>(
     rounds: &mut Rounds<Lanes<S>>,
     (structures, pairs): Scenes<'_, S, Column>,
     ground: Lanes<S>,
 ) {
-    rounds.begin(|node| structures[node].contact.velocity);
-    if !rounds.strike_all() {
+    if !rounds.strike_all(|node| structures[node].contact.velocity) {
         return;
     }
     for (link, impulse) in rounds.struck() {

@@ -10,6 +10,10 @@ use super::number::Lanes;
 use super::{PairTally, SideBySide, Tallies};
 use crate::{ImpactRule, Row};
 
+/// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
+/// longer rows do not wait for each other, and a second group doubles the memory in use.
+const SHORT: usize = 3;
+
 /// Rows of one shape with the number of steps of each, and where what happened in them is told.
 struct Task<'a, Column> {
     rows: &'a [&'a Row<Column>],
@@ -27,8 +31,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut Tallies,
 ) {
-    // Structures of longer rows do not wait for each other.
-    let n_groups = if rows[0].nodes().len() > 3 { 1 } else { 2 };
+    let n_groups = if rows[0].nodes().len() > SHORT { 1 } else { 2 };
     let in_step = n_groups * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
     for (index, (rows, n_steps)) in groups.enumerate() {
@@ -103,7 +106,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
                 let groups = [one, other];
                 step = match groups[0].structures.len() {
                     2 => go_apart::<S, Column, 2>(groups, ground, step),
-                    3 => go_apart::<S, Column, 3>(groups, ground, step),
+                    SHORT => go_apart::<S, Column, SHORT>(groups, ground, step),
                     _ => step,
                 };
             }

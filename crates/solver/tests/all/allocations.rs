@@ -7,7 +7,10 @@ use crate::common::{
     METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
 };
 use crate::watch::Watch;
-use pounding_solver::{Excitation, Ledger, Peaks, Row, TransferredMomentum};
+use pounding_solver::{
+    CentralDifference, Elastic, Excitation, ImpactRule, Ledger, Node, Peaks, Row, RowsOf,
+    SideBySide, Start, Tallies, TransferredMomentum,
+};
 
 /// The system's allocator with a counter.
 struct Counting;
@@ -71,5 +74,43 @@ fn limit_a_step_allocates_nothing() {
             );
             assert!(short > 0, "{name}: the counter must count");
         }
+    }
+}
+
+#[test]
+fn limit_a_step_side_by_side_allocates_nothing() {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).unwrap();
+    let settings = CentralDifference {
+        start: Start::Consistent,
+        impacts: ImpactRule::VelocityJump,
+        contact_substeps: 1,
+    };
+    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+        let row = |scene: usize| {
+            let node = |index: usize| {
+                let stiffness = 2e6 * (1.0 + 2.0 * (index % 2) as f64 + 0.05 * scene as f64);
+                Node::structure(1e5, 2e4, Elastic { stiffness })
+            };
+            Row::new((0..5).map(node).collect(), pairs(5, 0.002, law)).unwrap()
+        };
+        let rows: Vec<_> = (0..9).map(row).collect();
+        let rows: Vec<_> = rows.iter().collect();
+        let beside = SideBySide::new(settings, excitation, clock(0.005, 10.0)).unwrap();
+        let mut tallies = Tallies::default();
+        let mut count = |n_steps: usize| {
+            let n_steps = [n_steps; 9];
+            let before = allocations();
+            assert!(beside.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies));
+            (allocations() - before, tallies.touching_steps)
+        };
+        // Before anything touches there is nothing to allocate for.
+        let ((none, apart), (many, touching)) = (count(2), count(2000));
+        assert_eq!(apart, 0, "nothing touches yet");
+        assert!(touching > 100, "the rows must collide: {touching}");
+        assert!(
+            many <= none,
+            "{many} allocations with contact, {none} without"
+        );
     }
 }

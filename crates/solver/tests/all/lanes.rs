@@ -12,14 +12,14 @@ use crate::random_rows::{Case, SI, any_law, cases, config};
 use crate::watch::Watch;
 
 /// More than go in step, with a last group that is full in part or missing, whether two, four or eight lanes are a group.
-const SCENES: [usize; 2] = [13, 19];
+pub(crate) const SCENES: [usize; 2] = [13, 19];
 
-const CLOCK: Clock = Clock {
+pub(crate) const CLOCK: Clock = Clock {
     time_step: 0.005,
     n_steps: 300,
 };
 
-const SETTINGS: CentralDifference = CentralDifference {
+pub(crate) const SETTINGS: CentralDifference = CentralDifference {
     start: Start::Consistent,
     impacts: ImpactRule::VelocityJump,
     contact_substeps: 1,
@@ -99,15 +99,15 @@ fn alone<Column: Hysteretic>(
     Ok((displacements.collect(), tallies))
 }
 
-fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
+pub(crate) fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
     rows.iter().collect()
 }
 
 /// Names the columns of rows.
-type Kind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
+pub(crate) type Kind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
 /// Holds every scene of some rows to itself alone.
-fn compare<'a, Column: Hysteretic>(
+pub(crate) fn compare<'a, Column: Hysteretic>(
     settings: CentralDifference,
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
     ground: &[f64],
@@ -263,6 +263,11 @@ fn limit_rows_of_other_shapes_are_not_taken() {
     assert!(
         together.run(RowsOf::Elastic(&[&one]), &[9], &mut found),
         "a row of one shape"
+    );
+    let empty = Row::new(vec![], vec![]).expect("valid");
+    assert!(
+        together.run(RowsOf::Elastic(&[&empty]), &[9], &mut found),
+        "nothing moves"
     );
     let settings = CentralDifference {
         contact_substeps: 2,

@@ -14,6 +14,7 @@ mod flights;
 mod found;
 mod impacts;
 mod lanes;
+mod lanes_chains;
 mod lanes_exact;
 mod ledger;
 mod ledger_energies;

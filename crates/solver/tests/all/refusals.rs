@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Excitation, Hht, ImpactRule, Integrator, ModelError, Newmark, Node,
+    Clock, Elastic, Excitation, Floor, Hht, ImpactRule, Integrator, ModelError, Newmark, Node,
     Oscillation, Pair, Rk4, Row, RunError,
 };
 
@@ -56,6 +56,34 @@ fn extreme_rows_that_cannot_be() {
     };
     messages.push(row(vec![shifted, weak], vec![pair(0, 1, 0.1)]).to_string());
     assert_snapshot!(messages.join("\n"));
+}
+
+/// Another row in the memory of one of buildings, whose ground motion travels.
+#[test]
+fn limit_a_renewed_row_is_a_new_one() {
+    let weak = elastic(WEAK);
+    let storey = |below| {
+        weak.on_floor(Floor {
+            below,
+            ground_damping: 0.0,
+        })
+    };
+    let towers = || {
+        let nodes = vec![weak, storey(0), weak, storey(2)];
+        let row = Row::new(nodes, vec![]).expect("two buildings");
+        row.delayed(vec![0.0, 0.0, 0.1, 0.1]).expect("valid")
+    };
+    assert!(towers().above(0).is_some(), "a floor above the first");
+    let plain = (vec![weak; 3], pairs(3, 0.02, STEREOMECHANICAL));
+    let renewed = towers().renewed(plain.0.clone(), plain.1.clone());
+    assert_eq!(renewed, Row::new(plain.0, plain.1));
+    let bad = vec![Node {
+        damping: f64::NAN,
+        ..weak
+    }];
+    let refused = towers().renewed(bad.clone(), vec![]);
+    let wanted = row(bad, vec![]).to_string();
+    assert_eq!(refused.expect_err("no number").to_string(), wanted);
 }
 
 #[test]

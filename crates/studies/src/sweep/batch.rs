@@ -50,8 +50,12 @@ impl Batch {
     }
 }
 
-/// Scenes that are made ready before they run: enough for all lanes, few enough for memory.
-const BESIDE: usize = 256;
+/// Scenes that are made ready before they run: of two structures as many as a batch has use for (the record is read once for all of
+/// them), of long rows what fills all lanes and not the memory.
+fn beside(n_floors: usize) -> usize {
+    const FLOORS: usize = 4096;
+    (FLOORS / n_floors.max(1)).clamp(16, 256)
+}
 
 impl Sweep {
     /// Number of the numbers that are asked for of every run.
@@ -62,19 +66,24 @@ impl Sweep {
 
     /// Runs a range of runs, below [`Self::n_runs`].
     pub fn batch(&self, runs: Range<u64>) -> Batch {
+        self.batch_of(runs, beside(self.row.floors.len()))
+    }
+
+    /// The same, so many of which are made ready at a time.
+    pub(super) fn batch_of(&self, runs: Range<u64>, beside: usize) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.n_columns());
         let mut run = runs.start;
         while run < runs.end {
             let (motion, next) = self.plan.motion(run);
             let end = next.min(runs.end);
-            self.run_under(motion, run..end, &mut batch);
+            self.run_under(motion, (run..end, beside), &mut batch);
             run = end;
         }
         batch
     }
 
     /// Runs a range of runs under one motion.
-    fn run_under(&self, motion: usize, runs: Range<u64>, batch: &mut Batch) {
+    fn run_under(&self, motion: usize, (runs, beside): (Range<u64>, usize), batch: &mut Batch) {
         let mut scene = self.scene.clone();
         let (mut point, mut settings) = (Point::default(), Vec::new());
         // What is made ready for the numbers of many runs is of no use to one.
@@ -83,13 +92,16 @@ impl Sweep {
         let (mut ready, mut ran) = (Vec::new(), Vec::new());
         let mut next = runs.start;
         while next < runs.end {
-            for run in (next..runs.end).take(BESIDE) {
+            // Those that are read anew may be of other columns, in whose memory no numbers are set.
+            let mut all_set = renumbered.is_some();
+            for run in (next..runs.end).take(beside) {
                 self.plan.settings(run, &mut point, &mut settings);
                 let prepared = caught(|| {
                     let one = renumbered.as_mut();
                     if let Some(one) = one.and_then(|one| one.prepared(&settings, ran.pop())) {
                         return Ok(one);
                     }
+                    all_set = false;
                     let prepared = self.prepared(motion, &settings, &mut scene);
                     let prepared = prepared.map_err(|refused| refused.to_string())?;
                     if self.row.fits(prepared.floors()) {
@@ -106,7 +118,8 @@ impl Sweep {
             }
             self.run_ready(&ready, batch);
             ran.clear();
-            ran.extend(ready.drain(..).map(|(_, prepared)| prepared));
+            let done = ready.drain(..).map(|(_, prepared)| prepared);
+            ran.extend(done.filter(|_| all_set));
         }
     }
 

@@ -183,6 +183,14 @@ pub enum RefusedScene {
         /// What was found, and what is allowed.
         fault: Box<Fault>,
     },
+    /// A number of the run that is none.
+    #[error("{field}: found {number}, allowed are finite numbers; its spread reaches beyond them")]
+    NotFinite {
+        /// The field.
+        field: String,
+        /// What was drawn.
+        number: f64,
+    },
     /// What cannot be modelled, or did not run.
     #[error("{}", .0.reason())]
     Study(Box<StudyError>),
@@ -247,7 +255,7 @@ impl SweepError {
             Self::Inline(RefusedScene::Form { place, .. }) => {
                 return Some(format!("scene.{place}"));
             }
-            Self::Inline(RefusedScene::Study(_)) => "scene",
+            Self::Inline(RefusedScene::NotFinite { .. } | RefusedScene::Study(_)) => "scene",
             Self::NothingSampled => "samples",
             Self::TooManyAxes { .. } => "samples.method",
             Self::TooManyRuns(_) | Self::Accuracy => "vary",

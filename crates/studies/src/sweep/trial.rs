@@ -184,6 +184,15 @@ impl Sweep {
         scene: &mut Value,
     ) -> Result<(Scene, SharedMotion), RefusedScene> {
         for (axis, setting) in self.plan.axes().iter().zip(settings) {
+            if let Setting::Number(number) = *setting
+                && !number.is_finite()
+            {
+                // JSON has no such number: a field that may be left out would be.
+                return Err(RefusedScene::NotFinite {
+                    field: axis.name.clone(),
+                    number,
+                });
+            }
             axis.put(*setting, scene);
         }
         Ok(self.motions.shake(motion, scene_of(scene)?)?)
