@@ -105,6 +105,23 @@ impl<N: Number> Form<N> {
         N::select(zero.exceeds(force), zero, force)
     }
 
+    /// Force and tangents at δ > 0; all are 0 where the law would pull.
+    #[inline(always)]
+    pub fn respond(&self, deformation: N, rate: N) -> ContactForce<N> {
+        let spring = self.spring.at(deformation);
+        let damping = self.damping(deformation, rate);
+        let force = spring + damping * rate;
+        let power = |term: &Term<N>| deformation.like(term.power.value());
+        let slope = power(&self.spring) * spring + power(&self.damper) * damping * rate;
+        let zero = deformation.like(0.0);
+        let pushes = |number: N| N::select(zero.exceeds(force), zero, number);
+        ContactForce {
+            force: pushes(force),
+            stiffness: pushes(slope / deformation),
+            damping: pushes(damping),
+        }
+    }
+
     /// ∂F/∂δ̇ before the clamp.
     #[inline(always)]
     fn damping(&self, deformation: N, rate: N) -> N {
@@ -124,26 +141,6 @@ impl<N: Number> Form<N> {
 }
 
 impl Form {
-    /// Force and tangents at δ > 0; all are 0 where the law would pull.
-    pub fn respond(&self, deformation: f64, rate: f64) -> ContactForce {
-        let spring = self.spring.at(deformation);
-        let damping = self.damping(deformation, rate);
-        let force = spring + damping * rate;
-        if force < 0.0 {
-            return ContactForce {
-                force: 0.0,
-                stiffness: 0.0,
-                damping: 0.0,
-            };
-        }
-        let slope = self.spring.power.value() * spring + self.damper.power.value() * damping * rate;
-        ContactForce {
-            force,
-            stiffness: slope / deformation,
-            damping,
-        }
-    }
-
     /// The same at δ ≤ 0, where the damper acts from the touch on; nothing elsewhere.
     pub(crate) fn before_touch(&self, deformation: f64, rate: f64) -> Option<ContactForce> {
         let (stiffness, damping) = (self.spring.coefficient, self.damper.coefficient);

@@ -13,13 +13,13 @@ pub struct Overlap {
 
 /// Force of a compliant law and its consistent tangents.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactForce {
+pub struct ContactForce<N = f64> {
     /// Pounding force F \[N\], ≥ 0; the left structure gets −F, the right one +F.
-    pub force: f64,
+    pub force: N,
     /// ∂F/∂δ \[N/m\].
-    pub stiffness: f64,
+    pub stiffness: N,
     /// ∂F/∂δ̇ \[N·s/m\].
-    pub damping: f64,
+    pub damping: N,
 }
 
 /// Reduced mass m₁m₂/(m₁+m₂) \[kg\] of two neighbours given by their inverse masses \[1/kg\].

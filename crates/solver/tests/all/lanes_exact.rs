@@ -183,6 +183,10 @@ proptest! {
         };
         prop_assert_eq!(bits(forth), bits(back));
         let single: Vec<_> = rows.iter().flat_map(|row| beside(std::slice::from_ref(row), &ground, 1e-8)).collect();
-        prop_assert_eq!(bits(beside(&rows, &ground, 1e-8)), bits(single));
+        prop_assert_eq!(bits(beside(&rows, &ground, 1e-8)), bits(single.clone()));
+        // More than one batch, with lanes in contact that change scenes all the time.
+        let many: Vec<_> = rows.iter().cycle().take(300).cloned().collect();
+        let again: Vec<_> = single.iter().cycle().take(300).copied().collect();
+        prop_assert_eq!(bits(beside(&many, &ground, 1e-8)), bits(again));
     }
 }

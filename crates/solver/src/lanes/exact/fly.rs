@@ -1,14 +1,12 @@
-//! Two groups of scenes from sample to sample: what happens in one does not wait for the other.
+//! Free flight in lanes: where a structure of every scene would be at the next sample, and whether it could turn on the way.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::pair::{Scene, Side};
-use super::{ExactSideBySide, Interval};
-use crate::exact::in_flight;
-use crate::lanes::Tallies;
+use super::Interval;
+use super::pair::Side;
+use crate::Flight;
 use crate::lanes::number::{Lanes, MOST_LANES, Mask};
-use crate::{Elastic, Flight, Row};
 
 /// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
 const NEWTON: usize = 3;
@@ -16,63 +14,8 @@ const TERMS: usize = 22;
 /// Part of the time to a turn within which its jerk tells the rest.
 const NEAR: f64 = 1e-3;
 
-/// Runs rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in them.
-#[inline(always)]
-pub(super) fn run<S: Simd>(
-    simd: S,
-    method: &ExactSideBySide,
-    rows: &[(usize, &Row<Elastic>)],
-    tallies: &mut Tallies,
-) {
-    for rows in rows.chunks(2 * Lanes::<S>::N) {
-        run_in_step(simd, method, rows, tallies);
-    }
-}
-
-/// Runs as many rows as two numbers have lanes, or fewer.
-#[inline(always)]
-fn run_in_step<S: Simd>(
-    simd: S,
-    method: &ExactSideBySide,
-    rows: &[(usize, &Row<Elastic>)],
-    tallies: &mut Tallies,
-) {
-    let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
-    // A group without scenes repeats the other one, and is not told.
-    let parts = [one, if other.is_empty() { one } else { other }];
-    let mut groups = parts.map(|rows| Group::new(simd, method, rows));
-    if other.is_empty() {
-        groups[1].lost = u64::MAX;
-    }
-    for interval in &method.intervals {
-        for group in &mut groups {
-            group.go(interval, method.step);
-        }
-    }
-    for (scene, (place, _)) in rows.iter().enumerate() {
-        groups[scene / Lanes::<S>::N].tell(scene % Lanes::<S>::N, (*place, tallies));
-    }
-    let told = 1 + usize::from(!other.is_empty());
-    for group in &groups[..told] {
-        tallies.steps += method.intervals.len() as u64;
-        tallies.touching_steps += group.alone;
-    }
-}
-
-/// As many scenes as there are lanes.
-struct Group<S: Simd> {
-    flyers: [Flyer<S>; 2],
-    gap: Lanes<S>,
-    scenes: [Scene; MOST_LANES],
-    /// Scenes in compliant contact, and those that have been given up.
-    pressed: u64,
-    lost: u64,
-    /// Intervals in which some scene went alone.
-    alone: u64,
-}
-
 /// A structure of every scene, or its wall.
-struct Flyer<S: Simd> {
+pub(super) struct Flyer<S: Simd> {
     /// Change of the displacement, and velocity at the next sample, by a unit of velocity, of load over mass that stays, and of load
     /// over mass that grows by one in a second.
     change: [Lanes<S>; 3],
@@ -83,26 +26,26 @@ struct Flyer<S: Simd> {
     mobile: Lanes<S>,
     /// By how much more than at its ends, and by its load, a structure can accelerate on the way.
     growth: Lanes<S>,
-    displacement: Lanes<S>,
+    pub(super) displacement: Lanes<S>,
     velocity: Lanes<S>,
     /// Least and largest displacement so far \[m\].
-    extremes: [Lanes<S>; 2],
+    pub(super) extremes: [Lanes<S>; 2],
 }
 
 /// Where a structure would be at the next sample.
 #[derive(Clone, Copy)]
-struct Landing<S: Simd> {
-    displacement: Lanes<S>,
+pub(super) struct Landing<S: Simd> {
+    pub(super) displacement: Lanes<S>,
     velocity: Lanes<S>,
     /// How far it could be on the way from the line between the ends \[m\].
-    bow: Lanes<S>,
+    pub(super) bow: Lanes<S>,
     /// Where it turns on the way, if that is farther than it has reached \[m\].
     turned: Lanes<S>,
 }
 
 impl<S: Simd> Flyer<S> {
     #[inline(always)]
-    fn new(simd: S, sides: &[Side; MOST_LANES], step: f64) -> Self {
+    pub(super) fn new(simd: S, sides: &[Side; MOST_LANES], step: f64) -> Self {
         let gather = |number: &dyn Fn(&Side) -> f64| {
             let mut values = [0.0; MOST_LANES];
             for (value, side) in values.iter_mut().zip(sides) {
@@ -142,7 +85,7 @@ impl<S: Simd> Flyer<S> {
     /// Where the structure would be at the next sample, and where it could turn on the way beyond what it has reached, unless
     /// [`Self::turn`] has found how far it goes.
     #[inline(always)]
-    fn ahead(&self, interval: &Interval) -> (Landing<S>, Mask<S>) {
+    pub(super) fn ahead(&self, interval: &Interval) -> (Landing<S>, Mask<S>) {
         let (u, v) = (self.displacement, self.velocity);
         let zero = u.like(0.0);
         let ground = self.mobile * u.like(interval.value);
@@ -241,7 +184,7 @@ impl<S: Simd> Flyer<S> {
     }
 
     #[inline(always)]
-    fn land(&mut self, landing: Landing<S>) {
+    pub(super) fn land(&mut self, landing: Landing<S>) {
         self.displacement = landing.displacement;
         self.velocity = landing.velocity;
         let [least, largest] = self.extremes;
@@ -253,7 +196,7 @@ impl<S: Simd> Flyer<S> {
 
     /// Gives a scene the motion of its lane.
     #[inline(always)]
-    fn put(&self, lane: usize, side: &mut Side) {
+    pub(super) fn put(&self, lane: usize, side: &mut Side) {
         side.displacement = self.displacement.lane(lane);
         side.velocity = self.velocity.lane(lane);
         side.extremes = [self.extremes[0].lane(lane), self.extremes[1].lane(lane)];
@@ -261,7 +204,7 @@ impl<S: Simd> Flyer<S> {
 
     /// Takes the motion of a scene into its lane.
     #[inline(always)]
-    fn take(&mut self, lane: usize, side: &Side) {
+    pub(super) fn take(&mut self, lane: usize, side: &Side) {
         self.displacement.set(lane, side.displacement);
         self.velocity.set(lane, side.velocity);
         self.extremes[0].set(lane, side.extremes[0]);
@@ -272,7 +215,7 @@ impl<S: Simd> Flyer<S> {
 impl<S: Simd> Flyer<S> {
     /// Whether it has not moved.
     #[inline(always)]
-    fn rests(&self, lane: usize) -> bool {
+    pub(super) fn rests(&self, lane: usize) -> bool {
         let [least, largest] = self.extremes.map(|extreme| extreme.lane(lane));
         least.total_cmp(&largest).is_eq()
     }
@@ -296,105 +239,4 @@ fn weights(side: &Side, step: f64) -> [[f64; 3]; 2] {
     };
     let columns = [by(1.0, [0.0; 2]), by(0.0, [1.0, 0.0]), by(0.0, [0.0, 1.0])];
     [0, 1].map(|place| columns.map(|column| side.mobile * column[place]))
-}
-
-impl<S: Simd> Group<S> {
-    #[inline(always)]
-    fn new(simd: S, method: &ExactSideBySide, rows: &[(usize, &Row<Elastic>)]) -> Self {
-        // Lanes without a scene repeat the last one, and go nowhere alone.
-        let mut lost = u64::MAX << rows.len();
-        let scenes: [Scene; MOST_LANES] = std::array::from_fn(|lane| {
-            let (_, row) = rows[lane.min(rows.len() - 1)];
-            let rates = [0, 1].map(|node: usize| Side::fastest_rate(&row.nodes()[node]));
-            if !rates.into_iter().all(|rate| method.reaches(rate)) {
-                lost |= 1 << lane;
-            }
-            let lens = rates.map(|rate| in_flight(rate * method.step));
-            Scene::new(row, (method.tolerance, lens))
-        });
-        let side = |index: usize| std::array::from_fn(|lane| scenes[lane].sides[index]);
-        Self {
-            flyers: [
-                Flyer::new(simd, &side(0), method.step),
-                Flyer::new(simd, &side(1), method.step),
-            ],
-            gap: Lanes::new(simd, &std::array::from_fn(|lane| scenes[lane].gap)),
-            scenes,
-            pressed: 0,
-            lost,
-            alone: 0,
-        }
-    }
-
-    /// Brings all scenes to the next sample.
-    #[inline(always)]
-    fn go(&mut self, interval: &Interval, step: f64) {
-        let [left, right] = &self.flyers;
-        let (one, turns) = left.ahead(interval);
-        let (other, also) = right.ahead(interval);
-        let before = left.displacement - right.displacement;
-        let after = one.displacement - other.displacement;
-        let reached = before.max(after) + one.bow + other.bow;
-        let events = turns | also | reached.reaches(self.gap);
-        let mut alone = (events.bits() | self.pressed) & !self.lost;
-        if interval.length < step {
-            alone = !self.lost & ((1 << Lanes::<S>::N) - 1);
-        }
-        if alone == 0 {
-            self.flyers[0].land(one);
-            self.flyers[1].land(other);
-            return;
-        }
-        self.alone += 1;
-        self.put(alone);
-        self.flyers[0].land(one);
-        self.flyers[1].land(other);
-        while alone != 0 {
-            let lane = alone.trailing_zeros() as usize;
-            alone &= alone - 1;
-            self.go_alone(lane, interval);
-        }
-    }
-
-    /// Gives scenes the motions of their lanes.
-    #[inline(always)]
-    fn put(&mut self, lanes: u64) {
-        for (lane, scene) in self.scenes.iter_mut().enumerate() {
-            if lanes >> lane & 1 == 1 {
-                self.flyers[0].put(lane, &mut scene.sides[0]);
-                self.flyers[1].put(lane, &mut scene.sides[1]);
-            }
-        }
-    }
-
-    /// Brings a scene alone to the next sample.
-    #[inline(always)]
-    fn go_alone(&mut self, lane: usize, interval: &Interval) {
-        let scene = &mut self.scenes[lane];
-        let bit = 1 << lane;
-        if scene.go(interval).is_err() {
-            self.lost |= bit;
-        }
-        self.pressed &= !bit;
-        if scene.contact.is_some() {
-            self.pressed |= bit;
-        }
-        self.flyers[0].take(lane, &scene.sides[0]);
-        self.flyers[1].take(lane, &scene.sides[1]);
-    }
-
-    /// Tells what happened in a lane, as that scene.
-    #[inline(always)]
-    fn tell(&self, lane: usize, (scene, tallies): (usize, &mut Tallies)) {
-        let mut told = self.lost >> lane & 1 == 0;
-        for (node, flyer) in self.flyers.iter().enumerate() {
-            let [least, largest] = flyer.extremes.map(|extreme| extreme.lane(lane));
-            let peak = if -least > largest { least } else { largest };
-            let differ = (-least).total_cmp(&largest).is_ne() || flyer.rests(lane);
-            tallies.displacements[2 * scene + node] = peak;
-            told &= differ && flyer.displacement.lane(lane).is_finite();
-        }
-        tallies.pairs[scene] = self.scenes[lane].tally();
-        tallies.told[scene] = told;
-    }
 }

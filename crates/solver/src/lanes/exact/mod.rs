@@ -1,21 +1,27 @@
-//! The exact method of many scenes at once: free flight in lanes, events scene by scene.
+//! The exact method of many scenes at once: free flight and compliant contact in lanes, other events scene by scene.
 //!
 //! A lane flies from sample to sample of the record with the weights of the exact solution for a load that is linear between
 //! samples. Bounds say where a gap may close, or a displacement may turn beyond what was reached; a scene goes through
-//! such an interval alone ([`scene`]): by power series to its turns, touches and impacts, and through compliant contact by an
-//! error-controlled Runge–Kutta method ([`press`]). Sources: N. C. Nigam and P. C. Jennings, *Bull. Seismol. Soc. Am.* 59 (1969)
+//! such an interval alone ([`scene`]), by power series to its turns, touches and impacts. Scenes in compliant contact fill lanes
+//! again, whichever they are ([`press`]), and go by an error-controlled Runge–Kutta method. Sources: N. C. Nigam and P. C. Jennings, *Bull. Seismol. Soc. Am.* 59 (1969)
 //! 909; J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6 (1980) 19.
 
+mod dormand_prince;
 mod fly;
+mod group;
 mod pair;
 mod press;
 mod pressed;
+mod pressing;
 mod scene;
+mod search;
 
 use fearless_simd::{Level, dispatch};
 
+use pair::{Scene, Side};
+
 use super::Tallies;
-use crate::exact::LONGEST_LEAP;
+use crate::exact::{LONGEST_LEAP, in_flight};
 use crate::{Clock, Elastic, Exact, Excitation, Row, RunError, Support};
 
 /// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
@@ -79,12 +85,17 @@ impl ExactSideBySide {
     /// A scene is not told where bounces come to rest, neighbours start in touch, or a period is shorter than some six samples: a run
     /// of it alone says what happens. What is told of a scene does not depend on the others.
     pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut Tallies) {
-        dispatch!(self.level, simd => fly::run(simd, self, rows, tallies));
+        dispatch!(self.level, simd => group::run(simd, self, rows, tallies));
     }
 
-    /// Whether series reach over an interval.
-    fn reaches(&self, fastest_rate: f64) -> bool {
-        fastest_rate * self.step <= LONGEST_LEAP
+    /// The scene of a row; given up at once where series do not reach over an interval.
+    fn scene(&self, row: &Row<Elastic>) -> Scene {
+        let leaps = [0, 1].map(|node: usize| self.step * Side::fastest_rate(&row.nodes()[node]));
+        let mut scene = Scene::new(row, (self.tolerance, leaps.map(in_flight)));
+        if !leaps.into_iter().all(|leap| leap <= LONGEST_LEAP) {
+            scene.give_up();
+        }
+        scene
     }
 }
 

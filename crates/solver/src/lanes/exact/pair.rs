@@ -39,6 +39,18 @@ pub(super) struct Scene {
     pub(super) contact: Option<Contact>,
     /// Whether the gap is closed at this instant and opens: after an impact, or a parting.
     pub(super) parts: bool,
+    /// Of the interval through which it goes alone: how far it is, the time since its start \[s\], and events so far.
+    pub(super) stage: Stage,
+    pub(super) at: f64,
+    pub(super) events: usize,
+}
+
+/// How far a scene is that goes alone through an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Stage {
+    OnTheWay,
+    Arrived,
+    GivenUp,
 }
 
 /// Why a scene has to run alone.
@@ -83,12 +95,6 @@ impl Side {
         flight.expand(room);
     }
 
-    /// Acceleration over the ground \[m/s²\] at a displacement and velocity, pushed by a force \[N\].
-    pub(super) fn acceleration(&self, [u, v]: [f64; 2], (force, ground): (f64, f64)) -> f64 {
-        let force = force - (self.damping * v + self.stiffness * u);
-        self.inverse_mass * force - self.mobile * ground
-    }
-
     /// Brings the side to a displacement.
     pub(super) fn reach(&mut self, displacement: f64) {
         let [least, largest] = self.extremes;
@@ -109,6 +115,9 @@ impl Scene {
             tally: PairTally::default(),
             contact: None,
             parts: false,
+            stage: Stage::Arrived,
+            at: 0.0,
+            events: 0,
         }
     }
 

@@ -1,9 +1,11 @@
 //! An interval in which a scene may touch or turn, from event to event.
 
+use pounding_contact::Action;
+
 use super::Interval;
-use super::pair::{GivenUp, Scene};
+use super::pair::{GivenUp, Scene, Stage};
 use super::press::Contact;
-use crate::exact::roots::{CAPACITY, first_rise};
+use crate::exact::roots::{CAPACITY, quick_first_rise};
 use crate::span::{Expansion, value};
 
 /// Events of a scene between two samples; with more of them bounces come to rest.
@@ -21,33 +23,60 @@ enum Event {
 }
 
 impl Scene {
-    /// Carries the scene through an interval.
-    ///
-    /// # Errors
-    /// [`GivenUp`] where a run of the scene alone has to say what happens.
-    pub(super) fn go(&mut self, interval: &Interval) -> Result<(), GivenUp> {
-        let mut at = 0.0;
-        for _ in 0..MOST_EVENTS {
-            let ahead = interval.after(at);
-            if let Some(mut contact) = self.contact.take() {
-                let Some(length) = self.press(&mut contact, &ahead)? else {
-                    self.contact = Some(contact);
-                    return Ok(());
-                };
-                at += length;
-                self.tally.impulse += contact.impulse;
-                self.parts = true;
-                continue;
-            }
-            let (length, event) = self.fly(&ahead);
-            at += length;
+    /// Begins an interval in which the scene goes alone.
+    pub(super) fn set_out(&mut self) {
+        (self.stage, self.at, self.events) = (Stage::OnTheWay, 0.0, 0);
+    }
+
+    /// Flies on, to the sample or into compliant contact.
+    pub(super) fn fly_on(&mut self, interval: &Interval) {
+        while self.stage == Stage::OnTheWay && self.contact.is_none() {
+            let (length, event) = self.fly(&interval.after(self.at));
+            self.at += length;
             match event {
-                Event::Sample => return Ok(()),
+                Event::Sample => self.arrive(None),
                 Event::Turn(side) => self.sides[side].velocity = 0.0,
-                Event::Touch => self.touch()?,
+                Event::Touch => {
+                    if self.touch().is_err() {
+                        self.give_up();
+                    }
+                }
             }
+            self.count();
         }
-        Err(GivenUp)
+    }
+
+    /// The end of the interval, in compliant contact or not.
+    pub(super) fn arrive(&mut self, contact: Option<Contact>) {
+        (self.stage, self.contact) = (Stage::Arrived, contact);
+    }
+
+    /// The end of a compliant contact, some time after \[s\] it was gone on with.
+    pub(super) fn part(&mut self, contact: &Contact, passed: f64, interval: &Interval) {
+        self.at = (self.at + passed).min(interval.length);
+        self.tally.impulse += contact.impulse;
+        self.parts = true;
+        self.count();
+    }
+
+    /// Only a run of the scene alone can say what happens.
+    pub(super) fn give_up(&mut self) {
+        self.stage = Stage::GivenUp;
+    }
+
+    /// What its law branches on: scenes in contact at once go side by side where this is the same.
+    pub(super) fn branches(&self) -> Option<[u64; 3]> {
+        let form = self.contact.as_ref()?.form;
+        let powers = [form.spring.power, form.damper.power].map(|power| power.value().to_bits());
+        let approach = u64::from(form.action == Action::Approach);
+        Some([powers[0], powers[1], approach])
+    }
+
+    fn count(&mut self) {
+        self.events += 1;
+        if self.events > MOST_EVENTS && self.stage == Stage::OnTheWay {
+            self.give_up();
+        }
     }
 
     /// Flies to the next event; returns how long that takes \[s\].
@@ -72,7 +101,7 @@ impl Scene {
         } else {
             deformation[0] - self.gap
         };
-        if let Some(touch) = first_rise(deformation, length) {
+        if let Some(touch) = quick_first_rise(deformation, length) {
             (length, event) = (touch, Event::Touch);
         }
         for (index, (side, room)) in self.sides.iter().zip(&rooms).enumerate() {
@@ -91,7 +120,7 @@ impl Scene {
             for (rate, coefficient) in falling.iter_mut().zip(rates) {
                 *rate = -first.signum() * coefficient;
             }
-            if let Some(turn) = first_rise(falling, length) {
+            if let Some(turn) = quick_first_rise(falling, length) {
                 (length, event) = (turn, Event::Turn(index));
             }
         }
@@ -123,7 +152,7 @@ impl Scene {
             return Err(GivenUp);
         }
         let Some(law) = self.law.impulsive() else {
-            self.contact = Some(self.begin(rate)?);
+            self.begin(rate)?;
             return Ok(());
         };
         let impulse = (1.0 + law.restitution) * self.reduced_mass * rate;
@@ -140,17 +169,18 @@ impl Scene {
         }
     }
 
-    fn begin(&mut self, rate: f64) -> Result<Contact, GivenUp> {
+    fn begin(&mut self, rate: f64) -> Result<(), GivenUp> {
         let form = self.law.form(self.reduced_mass, rate).ok_or(GivenUp)?;
         self.tally.collisions += 1.0;
         self.tally.peak_force = self.tally.peak_force.max(form.force(0.0, rate));
-        Ok(Contact::new(form, rate))
+        self.contact = Some(Contact::new(form, rate));
+        Ok(())
     }
 }
 
 impl Interval {
     /// What is left of it after a time \[s\].
-    fn after(&self, at: f64) -> Self {
+    pub(super) fn after(&self, at: f64) -> Self {
         Self {
             length: self.length - at,
             value: self.value + self.slope * at,

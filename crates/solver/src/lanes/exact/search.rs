@@ -1,0 +1,76 @@
+//! Where numbers go through zero, in every lane for itself.
+
+use pounding_contact::Number;
+
+/// Evaluations of a search; none that was looked at needs a third.
+const MOST_SEARCH: usize = 60;
+
+/// Where in 0 ..= 1 a number rises through zero, which is negative at 0 and not at 1, to within `part`; in lanes that are wanted.
+///
+/// The secant, with the value at an end that stays halved (Illinois); the middle where that leaves the bracket, or is no number.
+/// What is found in a lane does not depend on others.
+#[inline(always)]
+pub(super) fn rise<N: Number>(
+    wanted: N::Mask,
+    [start, end]: [N; 2],
+    part: f64,
+    number: impl Fn(N) -> N,
+) -> N {
+    let like = |number: f64| start.like(number);
+    let (zero, half) = (like(0.0), like(0.5));
+    let (mut low, mut below) = (zero, start);
+    let (mut high, mut above) = (like(1.0), end);
+    // Which end moved last: −1, 1, or none yet.
+    let mut moved = zero;
+    let (mut x, mut open) = (high, wanted);
+    for _ in 0..MOST_SEARCH {
+        let secant = high - above * (high - low) / (above - below);
+        // It is an end where the value there is zero, or that at the other end without bound: then it says nothing.
+        let at_end = !above.exceeds(zero) & !secant.exceeds(high);
+        let inside = secant.exceeds(low) & (high.exceeds(secant) | at_end);
+        let next = N::select(inside, secant, half * (low + high));
+        let near = like(part).exceeds((next - x).abs());
+        x = N::select(open, next, x);
+        open = open & !near;
+        if !N::any(open) {
+            break;
+        }
+        let value = number(x);
+        let falls_short = zero.exceeds(value);
+        let again = zero.exceeds(moved);
+        above = N::select(falls_short & again, half * above, above);
+        below = N::select(!falls_short & moved.exceeds(zero), half * below, below);
+        low = N::select(falls_short, x, low);
+        below = N::select(falls_short, value, below);
+        high = N::select(falls_short, high, x);
+        above = N::select(falls_short, above, value);
+        moved = N::select(falls_short, like(-1.0), like(1.0));
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn reference_zeros_of_cubics_with_a_known_one(
+            zero in 0.0..1.0_f64, rise in 0.01..10.0_f64, curve in 0.0..50.0_f64,
+        ) {
+            let number = |x: f64| (x - zero) * (rise + curve * (x - zero) * (x - zero));
+            let found = super::rise(true, [number(0.0), number(1.0)], 1e-9, number);
+            prop_assert!((found - zero).abs() < 1e-8, "{found} {zero}");
+        }
+    }
+
+    #[test]
+    fn limit_ends_that_are_no_numbers_are_left_to_the_middle() {
+        let number = |x: f64| if x < 0.25 { f64::NEG_INFINITY } else { x - 0.5 };
+        let found = rise(true, [f64::NEG_INFINITY, 0.5], 1e-9, number);
+        assert!((found - 0.5).abs() < 1e-8, "{found}");
+        let at_the_end = rise(true, [-1.0, 0.0], 1e-9, |x| x - 1.0);
+        assert_eq!(at_the_end.to_bits(), 1.0_f64.to_bits());
+    }
+}
