@@ -1,15 +1,22 @@
-//! What is shown of work that takes longer than a second: on standard error, and only on a terminal.
+//! What is shown of work that takes longer than a second, on standard error: a bar on a terminal, and of many runs a line now and
+//! then in the log of a job.
 
+use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use indicatif::{
+    FormattedDuration, HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle,
+};
 
 /// How long work may take before anything is shown of it.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// How often what is shown moves, so that long work does not look dead.
 const TICK: Duration = Duration::from_millis(200);
+/// How long a log waits for its first line, and for each of the others.
+const FIRST_LINE: Duration = Duration::from_secs(10);
+const LINES: Duration = Duration::from_secs(60);
 
 /// Of runs of which nobody knows yet how many there are, and of one run.
 const CLOCK: &str = "{spinner} {msg}, {elapsed}";
@@ -32,16 +39,25 @@ struct Shown {
 }
 
 impl Shown {
-    fn new(words: &'static str) -> Self {
+    fn new(words: &'static str, log: Log) -> Self {
         let hidden = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let bar = hidden.with_style(style(CLOCK)).with_message(words);
         let (working, over) = channel();
         let shown = bar.clone();
         let clock = thread::spawn(move || {
             // Nothing is ever sent: what ends the waiting is the end of the work.
-            if over.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
-                shown.set_draw_target(ProgressDrawTarget::stderr());
-                shown.enable_steady_tick(TICK);
+            let goes_on = |wait| over.recv_timeout(wait) == Err(RecvTimeoutError::Timeout);
+            if std::io::stderr().is_terminal() {
+                if goes_on(PATIENCE) {
+                    shown.set_draw_target(ProgressDrawTarget::stderr());
+                    shown.enable_steady_tick(TICK);
+                }
+            } else if log == Log::Lines {
+                let mut wait = FIRST_LINE;
+                while goes_on(wait) {
+                    line(&shown);
+                    wait = LINES;
+                }
             }
         });
         Self {
@@ -50,6 +66,24 @@ impl Shown {
             clock: Some(clock),
         }
     }
+}
+
+/// What is shown where standard error is no terminal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Log {
+    Nothing,
+    Lines,
+}
+
+/// How far work is, as a line.
+#[expect(
+    clippy::print_stderr,
+    reason = "who reads a log wants to know that work goes on"
+)]
+fn line(bar: &ProgressBar) {
+    let [done, of] = [bar.position(), bar.length().unwrap_or(0)].map(HumanCount);
+    let [passed, left] = [bar.elapsed(), bar.eta()].map(FormattedDuration);
+    eprintln!("{done} of {of} runs, {passed}, {left} left");
 }
 
 impl Drop for Shown {
@@ -69,7 +103,7 @@ pub(crate) struct Progress(Shown);
 
 impl Progress {
     pub(crate) fn new() -> Self {
-        Self(Shown::new("running"))
+        Self(Shown::new("running", Log::Nothing))
     }
 
     /// One run of so many is done.
@@ -90,7 +124,7 @@ pub(crate) struct Counter(Shown);
 impl Counter {
     /// Of `done` runs of so many.
     pub(crate) fn new((done, of): (u64, u64)) -> Self {
-        let shown = Shown::new("running");
+        let shown = Shown::new("running", Log::Lines);
         let rate = |state: &ProgressState, to: &mut dyn std::fmt::Write| {
             // What cannot be written is not shown.
             let _ = write!(to, "{:.0} a second", state.per_sec());
@@ -119,7 +153,7 @@ pub(crate) struct Waiting {
 impl Waiting {
     pub(crate) fn new(words: &'static str) -> Self {
         Self {
-            _shown: Shown::new(words),
+            _shown: Shown::new(words, Log::Nothing),
         }
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 use pounding::studies::{
-    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
+    ColumnErrors, Joined, Method, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
 };
 
 use super::suite::{STOPPED, stop_when_asked};
@@ -29,9 +29,9 @@ The table has a row for each run, in SI units; a run that fails is a row with
 the reason in its last column. A name that ends in .zst is compressed
 (Zstandard). The same bytes come out whatever the threads and shards.
 
-Rows are kept in parts beside the table, in OUT.parts. Killed or stopped by
-Ctrl-C, the same command goes on and runs only what is missing. Pressed again,
-Ctrl-C ends at once.
+Rows are kept in parts beside the table, in OUT.parts. Killed or stopped (by
+Ctrl-C or SIGTERM, which finish the parts that have begun), the same command
+goes on and runs only what is missing. Pressed again, Ctrl-C ends at once.
 
 A shard is a share of the runs: with --shard it leaves its parts, which
 `pounding merge` joins. In a job array the task is taken from
@@ -73,6 +73,12 @@ fn shard_of_task(shards: Option<u64>) -> Result<Shard, String> {
     Ok(task.map_or(Shard::WHOLE, |(_, shard)| shard))
 }
 
+/// Says before long work begins how it is done.
+#[expect(clippy::print_stderr, reason = "the answer comes at the end")]
+fn announce(accuracy: &SweepAccuracy) {
+    eprintln!("{}", chosen(accuracy));
+}
+
 /// Runs a sweep, or what is missing of it.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let shard = match asked.shard {
@@ -86,6 +92,9 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     new_file::check(&out, asked.overwrite)?;
     let words = |error: SweepError| error.to_string();
     let sweep = Sweep::read(&asked.sweep).map_err(words)?;
+    if let Some(accuracy) = sweep.accuracy() {
+        announce(accuracy);
+    }
     // A shard would delete what another has just begun.
     let overwritten = asked.overwrite && shard.is_whole();
     let parts = Parts::open(&sweep, &out, overwritten).map_err(words)?;
@@ -99,7 +108,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let there = parts.runs_there(shard);
     if there < n_runs && STOPPED.load(Ordering::Relaxed) {
         return Err(format!(
-            "stopped by Ctrl-C: {there} of {n_runs} runs are in {}; the same command runs the others",
+            "stopped: {there} of {n_runs} runs are in {}; the same command runs the others",
             parts.folder().display()
         ));
     }
@@ -152,22 +161,45 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
         largest,
         ..
     } = &accuracy.rows;
-    let (name, asked) = (accuracy.method.name(), percent(accuracy.asked));
-    let method = match accuracy.method.time_step() {
-        Some(step) => format!("{name} with steps of {}", milliseconds(step)),
-        None => name.into(),
-    };
+    if accuracy.method == Method::EXACT {
+        return Ok(format!(
+            "{}: no step that was tried keeps {} of a sample of the runs within it. Errors are measured by the exact method and here are \
+             none. All columns: {}",
+            chosen(accuracy),
+            percent(SweepAccuracy::SHARE),
+            path.display()
+        ));
+    }
     let worst = accuracy.columns.iter();
     let worst = worst.max_by(|a, b| a.largest.total_cmp(&b.largest));
     let worst = worst.map_or("", |column| column.name.as_str());
+    let short = if accuracy.within < SweepAccuracy::SHARE {
+        format!(
+            " Those are fewer than the {} of the sample that chose the steps: ask for a smaller error, or leave out a number that \
+             counts whole things.",
+            percent(SweepAccuracy::SHARE)
+        )
+    } else {
+        String::new()
+    };
     Ok(format!(
-        "{asked} asked: {method}. Of {runs} runs measured by the exact method {} are within it in every number; the median of the \
-         largest error in a row is {}, the largest {} ({worst}). All columns: {}",
+        "{}. Of {runs} other runs measured by the exact method {} are within it in every number; the median of the largest error in a \
+         row is {}, the largest {} ({worst}).{short} All columns: {}",
+        chosen(accuracy),
         percent(accuracy.within),
         percent(quantiles[0]),
         percent(*largest),
         path.display()
     ))
+}
+
+/// What was asked, and the method that it chose.
+fn chosen(accuracy: &SweepAccuracy) -> String {
+    let (name, asked) = (accuracy.method.name(), percent(accuracy.asked));
+    match accuracy.method.time_step() {
+        Some(step) => format!("{asked} asked: {name} with steps of {}", milliseconds(step)),
+        None => format!("{asked} asked: {name}"),
+    }
 }
 
 /// Joins the parts, which then are no longer needed.

@@ -16,13 +16,11 @@ use crate::tables::to_csv;
 /// Runs that choose the method, and others that measure it.
 const CHOOSING: usize = 64;
 const MEASURING: usize = 128;
-/// Part of the runs that a method has to bring within the error that is asked for.
-const SHARE: f64 = 0.95;
 /// The longest time step that is tried \[s\], and how often it is halved.
 const LONGEST: f64 = 0.02;
 const HALVED: i32 = 7;
-/// How often where the exact method runs scenes side by side: it then costs as much as steps of 0.3 to 0.5 ms (`cargo xtask bench --peers`).
-const HALVED_BESIDE: i32 = 5;
+/// How often where the exact method runs scenes side by side: it then costs as much as steps of about a millisecond (`cargo xtask bench --peers`).
+const HALVED_BESIDE: i32 = 4;
 /// Its tolerance, as a part of the error that is asked for.
 const PART: f64 = 0.1;
 
@@ -71,6 +69,9 @@ impl ColumnErrors {
 }
 
 impl SweepAccuracy {
+    /// Part of the runs that a method has to bring within the error that is asked for, in the sample that chooses it.
+    pub const SHARE: f64 = 0.95;
+
     /// Errors of all columns, and of rows, as CSV.
     pub fn csv(&self) -> String {
         let header = ["column", "runs", "median", "p90", "p95", "p99", "largest"];
@@ -208,7 +209,10 @@ impl Sweep {
         };
         let (numbers, beside): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
         let beside: usize = beside.iter().sum();
-        (numbers, beside as f64 >= SHARE * runs.len() as f64)
+        (
+            numbers,
+            beside as f64 >= SweepAccuracy::SHARE * runs.len() as f64,
+        )
     }
 }
 
@@ -231,7 +235,7 @@ fn exact(tolerance: f64) -> Method {
 
 /// Whether most runs are within an error.
 fn holds_for(truth: &[Option<Vec<f64>>], found: &[Option<Vec<f64>>], asked: f64) -> bool {
-    at_most(&sorted(rows(&errors(truth, found))), SHARE) <= asked
+    at_most(&sorted(rows(&errors(truth, found))), SweepAccuracy::SHARE) <= asked
 }
 
 /// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite.

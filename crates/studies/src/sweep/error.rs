@@ -117,6 +117,11 @@ pub enum SweepError {
         "vary: found a field of `method` where scene.method asks for an accuracy, for which one method is chosen; leave one of them out"
     )]
     Accuracy,
+    /// A record, or folder of records, that is not there.
+    #[error(
+        "records: found no file or folder {0}, allowed is one that is there, seen from the folder of the sweep"
+    )]
+    NoSuchRecord(String),
     /// No record that shakes.
     #[error("records: found no record in {0}, allowed is a folder with one or more, or a file")]
     NoRecord(String),
@@ -259,7 +264,7 @@ impl SweepError {
             Self::NothingSampled => "samples",
             Self::TooManyAxes { .. } => "samples.method",
             Self::TooManyRuns(_) | Self::Accuracy => "vary",
-            Self::NoRecord(_) => "records",
+            Self::NoSuchRecord(_) | Self::NoRecord(_) => "records",
             Self::Study(_)
             | Self::InFile { .. }
             | Self::NoShard { .. }

@@ -214,7 +214,7 @@ pub struct Vary {
 impl Vary {
     /// Name of its column.
     pub fn name(&self) -> String {
-        self.fields.join(" + ")
+        self.fields.join(" = ")
     }
 }
 

@@ -106,7 +106,10 @@ impl Sweep {
         let scene = trial::first_scene(&first, &read.scene)?;
         let folders = (&*folder(path), &*folder(&read.path));
         let motions = Motions::read(&file, folders, &scene, first.axes());
-        let motions = motions.map_err(|error| error.in_file(&read.path))?;
+        let motions = motions.map_err(|error| {
+            let named_here = matches!(error, SweepError::NoSuchRecord(_) | SweepError::NoRecord(_));
+            error.in_file(if named_here { path } else { &read.path })
+        })?;
         let plan = Plan::new(vary, file.samples, motions.all.len())?;
         let sha256 = hash(bytes, &read.bytes, &motions);
         let mut sweep = Self {

@@ -100,7 +100,7 @@ impl Motions {
         };
         for path in records.paths() {
             if !base.join(path).exists() {
-                return Err(SweepError::NoRecord(path.clone()));
+                return Err(SweepError::NoSuchRecord(path.clone()));
             }
             motions.read_path(&base.join(path), (&record, &scene.name), directions)?;
         }

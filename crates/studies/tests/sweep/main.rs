@@ -97,7 +97,7 @@ impl Row<'_> {
     /// Its scene as a user would write it.
     fn by_hand(&self) -> Scene {
         let mut scene = scene();
-        let mass = self.number("structures[0].sdof.mass_kg + structures[1].sdof.mass_kg");
+        let mass = self.number("structures[0].sdof.mass_kg = structures[1].sdof.mass_kg");
         for structure in 0..2 {
             scene["structures"][structure]["sdof"]["mass_kg"] = json!(mass);
         }
