@@ -12,9 +12,9 @@ use serde_json::{Value, json};
 
 use crate::bench::setting::{self, DAMPING, GAPS, MASS, PERIODS, RESTITUTION, STIFFNESS};
 
-/// Scenes whose errors are measured, and those that run in lanes: vectors are full, and the former are the first of them.
+/// Scenes whose errors are measured, and those that run in lanes: as many as a sweep hands over at once, of which the former are the first.
 pub(super) const SCENES: usize = 8;
-pub(super) const IN_LANES: usize = 64;
+pub(super) const IN_LANES: usize = 256;
 /// Time step of the record \[s\], and how long the scenes last \[s\].
 const GROUND_STEP: f64 = 0.02;
 pub(super) const DURATION: f64 = 10.0;
