@@ -1,6 +1,6 @@
 //! The exact method side by side: what it tells is what the exact method alone finds.
 
-use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Integrator, Node, Pair,
     PairTally, Peaks, Row, SimultaneousImpacts, Tallies,
@@ -188,5 +188,29 @@ proptest! {
         let many: Vec<_> = rows.iter().cycle().take(300).cloned().collect();
         let again: Vec<_> = single.iter().cycle().take(300).copied().collect();
         prop_assert_eq!(bits(beside(&many, &ground, 1e-8)), bits(again));
+    }
+}
+
+/// Touches that fall on samples, to rounding on either side: steps in contact of no length, and contacts that begin with an interval.
+#[test]
+fn extreme_touches_at_samples() {
+    let law = NonlinearViscoelastic::calibrated(1e9, 0.6, Calibration::Exact).expect("valid");
+    let ground = [0.0; 60];
+    let rows: Vec<_> = (1..=40)
+        .map(|sample| {
+            let case = Case {
+                // Nearly free: it arrives where it is sent.
+                sides: [[1e5, 1e5, 0.0, 0.5], [1.0, f64::NAN, 0.0, 0.0]],
+                gap: 0.5 * GROUND_STEP * f64::from(sample),
+                law: ContactLaw::NonlinearViscoelastic(law),
+            };
+            case.row()
+        })
+        .collect();
+    for (row, told) in rows.iter().zip(beside(&rows, &ground, 1e-9)) {
+        let (told, exact) = (told.expect("told"), alone(row, &ground).expect("it runs"));
+        let error = distance(&exact, &told);
+        assert!(error < 1e-7, "{error:e}: {exact:?} {told:?}");
+        assert!((exact.1[1] - told.1[1]).abs() < 0.5, "{exact:?} {told:?}");
     }
 }
