@@ -82,8 +82,13 @@ enum Log {
 )]
 fn line(bar: &ProgressBar) {
     let [done, of] = [bar.position(), bar.length().unwrap_or(0)].map(HumanCount);
-    let [passed, left] = [bar.elapsed(), bar.eta()].map(FormattedDuration);
-    eprintln!("{done} of {of} runs, {passed}, {left} left");
+    let passed = FormattedDuration(bar.elapsed());
+    // Nothing is known of the rest before some are done.
+    let left = match bar.eta() {
+        Duration::ZERO => String::new(),
+        left => format!(", {} left", FormattedDuration(left)),
+    };
+    eprintln!("{done} of {of} runs, {passed}{left}");
 }
 
 impl Drop for Shown {

@@ -30,10 +30,10 @@ pub(super) struct Ran<T> {
 }
 
 impl<T> Ran<T> {
-    /// What is printed of the lines; where somebody said stop before all were finished, it is printed here.
+    /// What is printed of the lines; where Ctrl-C was pressed before all were finished, it is printed here.
     ///
     /// # Errors
-    /// Says that it was stopped.
+    /// Says that Ctrl-C was pressed.
     pub(super) fn answer(&self, text: String) -> Result<String, String> {
         let finished = self.lines.len();
         if finished == self.n_cases {
@@ -42,15 +42,15 @@ impl<T> Ran<T> {
         crate::print(&text)?;
         let of = self.n_cases;
         Err(format!(
-            "stopped: of {of} runs the {finished} are printed that were finished"
+            "stopped by Ctrl-C: of {of} runs the {finished} are printed that were finished"
         ))
     }
 }
 
-/// Whether Ctrl-C was pressed, or SIGTERM sent.
+/// Whether Ctrl-C was pressed.
 pub(super) static STOPPED: AtomicBool = AtomicBool::new(false);
 
-/// From now on Ctrl-C, or SIGTERM, lets runs end that have begun, and begins no other; asked again, it ends the program.
+/// From now on Ctrl-C lets runs end that have begun, and begins no other; pressed again it ends the program.
 pub(super) fn stop_when_asked() {
     let asked = ctrlc::set_handler(|| {
         if STOPPED.swap(true, Ordering::Relaxed) {

@@ -29,9 +29,9 @@ The table has a row for each run, in SI units; a run that fails is a row with
 the reason in its last column. A name that ends in .zst is compressed
 (Zstandard). The same bytes come out whatever the threads and shards.
 
-Rows are kept in parts beside the table, in OUT.parts. Killed or stopped (by
-Ctrl-C or SIGTERM, which finish the parts that have begun), the same command
-goes on and runs only what is missing. Pressed again, Ctrl-C ends at once.
+Rows are kept in parts beside the table, in OUT.parts. Killed or stopped by
+Ctrl-C, the same command goes on and runs only what is missing. Pressed again,
+Ctrl-C ends at once.
 
 A shard is a share of the runs: with --shard it leaves its parts, which
 `pounding merge` joins. In a job array the task is taken from
@@ -108,7 +108,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let there = parts.runs_there(shard);
     if there < n_runs && STOPPED.load(Ordering::Relaxed) {
         return Err(format!(
-            "stopped: {there} of {n_runs} runs are in {}; the same command runs the others",
+            "stopped by Ctrl-C: {there} of {n_runs} runs are in {}; the same command runs the others",
             parts.folder().display()
         ));
     }
@@ -175,7 +175,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     let worst = worst.map_or("", |column| column.name.as_str());
     let short = if accuracy.within < SweepAccuracy::SHARE {
         format!(
-            " Those are fewer than the {} of the sample that chose the steps: ask for a smaller error, or leave out a number that \
+            " Those are fewer than the {} of the sample that chose the method: ask for a smaller error, or leave out a number that \
              counts whole things.",
             percent(SweepAccuracy::SHARE)
         )
@@ -183,7 +183,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
         String::new()
     };
     Ok(format!(
-        "{}. Of {runs} other runs measured by the exact method {} are within it in every number; the median of the largest error in a \
+        "{}. Of {runs} runs measured by the exact method {} are within it in every number; the median of the largest error in a \
          row is {}, the largest {} ({worst}).{short} All columns: {}",
         chosen(accuracy),
         percent(accuracy.within),

@@ -373,7 +373,7 @@ fn reference_a_sweep_that_is_stopped_says_how_to_go_on() {
     assert_eq!(output.status.code(), Some(1), "{said}");
     let wanted = "of 2000000 runs are in sweep.csv.parts; the same command runs the others\n";
     assert!(
-        said.starts_with("error: stopped: ") && said.ends_with(wanted),
+        said.starts_with("error: stopped by Ctrl-C: ") && said.ends_with(wanted),
         "{said}"
     );
     fs::remove_dir_all(&parts).expect("nobody works there any more");

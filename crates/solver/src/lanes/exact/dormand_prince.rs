@@ -4,7 +4,7 @@ use pounding_contact::Number;
 
 use super::pressed::{Point, Pressed, State, fourth_power, larger};
 
-/// Weights of the slopes so far at every stage; the last row is the solution of order 5.
+/// Weights of the slopes so far at the second stage; those of the others below, of which the last are the solution of order 5.
 const SECOND: [f64; 1] = [1.0 / 5.0];
 const THIRD: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
 const FOURTH: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];

@@ -78,7 +78,7 @@ fn go_alone<S: Simd>(
         if waiting.is_empty() {
             return;
         }
-        waiting.sort_by_key(|scene| scenes[*scene].branches());
+        waiting.sort_unstable_by_key(|scene| scenes[*scene].branches());
         let mut first = 0;
         while let Some(one) = waiting.get(first) {
             let branches = scenes[*one].branches();

@@ -3,8 +3,8 @@
 //! A lane flies from sample to sample of the record with the weights of the exact solution for a load that is linear between
 //! samples. Bounds say where a gap may close, or a displacement may turn beyond what was reached; a scene goes through
 //! such an interval alone ([`scene`]), by power series to its turns, touches and impacts. Scenes in compliant contact fill lanes
-//! again, whichever they are ([`press`]), and go by an error-controlled Runge–Kutta method. Sources: N. C. Nigam and P. C. Jennings, *Bull. Seismol. Soc. Am.* 59 (1969)
-//! 909; J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6 (1980) 19.
+//! again, whichever they are ([`press`]), and go by an error-controlled Runge–Kutta method. Sources: N. C. Nigam and
+//! P. C. Jennings, *Bull. Seismol. Soc. Am.* 59 (1969) 909; J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6 (1980) 19.
 
 mod dormand_prince;
 mod fly;

@@ -197,14 +197,15 @@ impl<S: Simd> Pressing<S> {
         let step = self.step;
         let like = |number: f64| step.like(number);
         let rest = self.end - self.here.s;
-        let reached = self.reach(step.min(rest));
+        let reached = self.reach(step.min(rest).max(like(0.0)));
         let Reached { length, next, .. } = reached;
         let error = reached.error / self.tolerance;
         let used = self.used.exceeds(like(0.0));
         self.tried = self.tried + like(1.0);
         let sound = like(f64::INFINITY).exceeds((next.state[1] + next.state[3]).abs());
+        let sound = sound & !error.differs(error);
         let broken = used & (self.tried.exceeds(like(MOST_STEPS)) | !sound);
-        let taken = used & sound & !error.exceeds(like(1.0));
+        let taken = used & sound & like(1.0).reaches(error);
         self.follow(&reached, taken);
         // Roots of order 4 and 8 on purpose: shrinks more than order 5 asks for, and grows less.
         let root = error.sqrt().sqrt();
@@ -259,7 +260,11 @@ impl<S: Simd> Pressing<S> {
             let part = rise(passed, [sign * before, sign * after], FINELY, number);
             length = Number::select(passed, part * length, length);
             stepped = pressed.step(here, length);
-            let settled = self.settle(corner, &stepped.next, length);
+            let (settled, close) = self.settle(corner, &stepped.next, length);
+            if corner == Corner::Parting {
+                // A polynomial too coarse to say where they part.
+                too_long = too_long | (passed & !close);
+            }
             next.s = Number::select(passed, settled.s, next.s);
             for index in 0..next.state.len() {
                 let [state, slope] = [settled.state[index], settled.slope[index]];
@@ -280,9 +285,14 @@ impl<S: Simd> Pressing<S> {
         }
     }
 
-    /// A point near a corner brought to it on a line.
+    /// A point near a corner brought to it on a line, and where it was near enough for that.
     #[inline(always)]
-    fn settle(&self, corner: Corner, near: &Point<Lanes<S>>, length: Lanes<S>) -> Point<Lanes<S>> {
+    fn settle(
+        &self,
+        corner: Corner,
+        near: &Point<Lanes<S>>,
+        length: Lanes<S>,
+    ) -> (Point<Lanes<S>>, Mask<S>) {
         let pressed = &self.pressed;
         let probe = length * length.like(PROBE);
         let value = pressed.side_of(corner, &near.state);
@@ -290,8 +300,8 @@ impl<S: Simd> Pressing<S> {
         let zero = length.like(0.0);
         let rest = (zero - value) * probe / (beyond - value);
         let close = (length * length.like(MOST_REST)).exceeds(rest.abs());
-        let rest = Number::select(close, rest, zero);
-        pressed.at(near.s + rest, near.moved(rest))
+        let rest = Number::select(close, rest.min(self.end - near.s), zero);
+        (pressed.at(near.s + rest, near.moved(rest)), close)
     }
 
     /// What is largest on the way of a step that is taken.

@@ -39,6 +39,9 @@ impl Scene {
                 Event::Touch => {
                     if self.touch().is_err() {
                         self.give_up();
+                    } else if self.contact.is_some() && self.at >= interval.length {
+                        let contact = self.contact.take();
+                        self.arrive(contact);
                     }
                 }
             }

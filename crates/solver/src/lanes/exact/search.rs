@@ -22,7 +22,8 @@ pub(super) fn rise<N: Number>(
     let (mut high, mut above) = (like(1.0), end);
     // Which end moved last: −1, 1, or none yet.
     let mut moved = zero;
-    let (mut x, mut open) = (high, wanted);
+    // No number before the first evaluation, which nothing is near to.
+    let (mut x, mut open) = (like(f64::NAN), wanted);
     for _ in 0..MOST_SEARCH {
         let secant = high - above * (high - low) / (above - below);
         // It is an end where the value there is zero, or that at the other end without bound: then it says nothing.
