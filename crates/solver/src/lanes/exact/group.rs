@@ -103,7 +103,7 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
 struct Group<S: Simd> {
     flyers: [Flyer<S>; 2],
     gap: Lanes<S>,
-    /// Scenes in compliant contact, those that have been given up with lanes that have none, and those that are.
+    /// Lanes whose scenes are in compliant contact, whose scenes have been given up, and those that have scenes.
     pressed: u64,
     lost: u64,
     all: u64,

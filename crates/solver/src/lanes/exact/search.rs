@@ -32,7 +32,10 @@ pub(super) fn rise<N: Number>(
         let next = N::select(inside, secant, half * (low + high));
         let near = like(part).exceeds((next - x).abs());
         x = N::select(open, next, x);
-        open = open & !near;
+        // A secant that creeps from one end is near to nothing: the other end has to have moved, too.
+        let both = low.exceeds(zero) & like(1.0).exceeds(high);
+        let closed = like(part).exceeds(high - low) | (near & (both | at_end));
+        open = open & !closed;
         if !N::any(open) {
             break;
         }
@@ -64,6 +67,18 @@ mod tests {
             let found = super::rise(true, [number(0.0), number(1.0)], 1e-9, number);
             prop_assert!((found - zero).abs() < 1e-8, "{found} {zero}");
         }
+    }
+
+    /// Secants that creep from an end where the number is a million times as large are no zeros.
+    #[test]
+    fn extreme_ends_of_other_magnitudes() {
+        let steep = |x: f64| (x - 0.5) / libm::pow(x + 1e-5, 1.25);
+        let found = rise(true, [steep(0.0), steep(1.0)], 1e-6, steep);
+        assert!((found - 0.5).abs() < 1e-5, "{found}");
+        let cubed = |x: f64| 1.0 + 100.0 * (1.0 - x) * (1.0 - x) * (1.0 - x);
+        let top = |x: f64| (x - 0.6) * cubed(x);
+        let found = rise(true, [top(0.0), top(1.0)], 1e-2, top);
+        assert!((found - 0.6).abs() < 2e-2, "{found}");
     }
 
     #[test]
