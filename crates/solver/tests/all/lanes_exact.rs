@@ -148,6 +148,7 @@ proptest! {
         let coarse = beside(&rows, &ground, 1e-3);
         let lost = told.iter().zip(&coarse).filter(|(fine, coarse)| fine.is_some() && coarse.is_none());
         prop_assert_eq!(lost.count(), 0);
+        prop_assert!(told.iter().flatten().count() >= 6, "most are told: {told:?}");
         let middle = beside(&rows, &ground, 1e-6);
         let all = [(tolerance, told), (1e-6, middle), (1e-3, coarse)];
         let all = all.iter().flat_map(|(tolerance, told)| {
