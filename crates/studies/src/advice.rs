@@ -95,7 +95,7 @@ impl Rungs {
 pub fn advise(
     prepared: &Prepared,
     goal: Goal,
-    done: &(impl Fn(usize) + Sync),
+    done: &(dyn Fn(usize) + Sync),
 ) -> Result<Advice, StudyError> {
     let twin = prepared.exact()?;
     let exact = twin

@@ -21,7 +21,7 @@ impl Completed {
     ///
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be prepared or run.
-    pub fn run(mut file: StudyFile, done: &(impl Fn() + Sync)) -> Result<Self, StudyError> {
+    pub fn run(mut file: StudyFile, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         use rayon::prelude::*;
         let stepless = |scene: &&Scene| scene.method.time_step().is_none();
         if let Some(scene) = file.study.scenes.iter().find(stepless)

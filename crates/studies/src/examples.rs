@@ -42,7 +42,7 @@ impl Examples {
     /// The first [`StudyError`] in the order of names.
     pub fn files(
         &self,
-        done: &(impl Fn() + Sync),
+        done: &(dyn Fn() + Sync),
     ) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
         let made = self.scenes.par_iter().map(|(path, scene)| {
             let files = of_scene(path, scene).map_err(|error| error.in_file(path));

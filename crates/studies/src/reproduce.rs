@@ -92,7 +92,7 @@ impl Studies {
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the studies.
-    pub fn reproduce(self, done: &(impl Fn() + Sync)) -> Result<Reproduction, StudyError> {
+    pub fn reproduce(self, done: &(dyn Fn() + Sync)) -> Result<Reproduction, StudyError> {
         let completed = self
             .files
             .into_par_iter()
@@ -158,10 +158,7 @@ impl Studies {
 }
 
 /// The scenes under other ground motions, where a study lists some.
-fn beyond(
-    completed: &[Completed],
-    done: &(impl Fn() + Sync),
-) -> Result<Option<Beyond>, StudyError> {
+fn beyond(completed: &[Completed], done: &(dyn Fn() + Sync)) -> Result<Option<Beyond>, StudyError> {
     let read: Vec<&StudyFile> = completed.iter().map(|study| &study.file).collect();
     let study = BeyondStudy::listed(&read)?;
     study.map(|study| study.usual().run(done)).transpose()
@@ -176,11 +173,7 @@ struct Made {
 }
 
 impl Made {
-    fn of(
-        study: &Completed,
-        extent: Extent,
-        done: &(impl Fn() + Sync),
-    ) -> Result<Self, StudyError> {
+    fn of(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let output = &study.file.study.output;
         let folder = if let Some(ladder) = output.ladder() {
             Trade::measure(study, ladder, done)?.files()?

@@ -90,7 +90,7 @@ pub fn response_spectrum_watched(
     record: &Record,
     periods: &[f64],
     damping_ratio: f64,
-    done: &(impl Fn() + Sync),
+    done: &(dyn Fn() + Sync),
 ) -> Result<Vec<SpectralValues>, SpectrumError> {
     let excitation = Excitation::new(record.time_step(), record.samples())?;
     check(

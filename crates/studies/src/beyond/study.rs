@@ -131,7 +131,7 @@ impl BeyondStudy {
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of the cases; of a folder of records only where no motion is left.
-    pub fn run(mut self, done: &(impl Fn() + Sync)) -> Result<Beyond, StudyError> {
+    pub fn run(mut self, done: &(dyn Fn() + Sync)) -> Result<Beyond, StudyError> {
         let motions = std::mem::take(&mut self.motions);
         let changes = self.changes.iter().copied().map(Some);
         let changes: Vec<_> = std::iter::once(None).chain(changes).collect();

@@ -42,7 +42,7 @@ impl Extremes {
         completed: &Completed,
         edges: &Edges,
         extent: Extent,
-        done: &(impl Fn() + Sync),
+        done: &(dyn Fn() + Sync),
     ) -> Result<Self, StudyError> {
         let cells = edges.cells(completed, extent)?;
         let measured: Vec<_> = cells

@@ -43,7 +43,7 @@ impl Atlas {
     pub fn draw(
         completed: &Completed,
         settings: &AtlasSettings,
-        done: &(impl Fn() + Sync),
+        done: &(dyn Fn() + Sync),
     ) -> Result<Self, StudyError> {
         let refuse = |error: CertificateError| {
             let allowed = "masses, speed, stiffness and restitution that every law takes";

@@ -23,7 +23,7 @@ pub(super) fn play(
     completed: &Completed,
     entries: &[Entry],
     settings: &AtlasSettings,
-    done: &(impl Fn() + Sync),
+    done: &(dyn Fn() + Sync),
 ) -> Vec<Played> {
     let scenes = &completed.file.study.scenes;
     let runs: Vec<_> = scenes

@@ -31,7 +31,7 @@ struct Rung {
 pub(super) fn climb(
     entries: &[Entry],
     settings: &AtlasSettings,
-    done: &(impl Fn() + Sync),
+    done: &(dyn Fn() + Sync),
 ) -> Vec<Ladder> {
     // An impulsive contact has no duration: its steps are those of the first law that has one.
     let durations = || {

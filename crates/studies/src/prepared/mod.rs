@@ -63,7 +63,7 @@ impl Prepared {
     pub fn watched(
         scene: &Scene,
         base: &Path,
-        done: &(impl Fn(usize) + Sync),
+        done: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         Self::forcing(scene, base, done)?.enforced()
     }
@@ -76,7 +76,7 @@ impl Prepared {
     pub fn forcing(
         scene: &Scene,
         base: &Path,
-        done: &(impl Fn(usize) + Sync),
+        done: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         check::scene(scene).map_err(|source| in_scene(scene, source))?;
         let motion = GroundMotion::of(&scene.record, base, &scene.name)?;
@@ -143,7 +143,7 @@ impl Prepared {
             scale,
             origin,
         }: SharedMotion,
-        done: &(impl Fn(usize) + Sync),
+        done: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
         let duration = scene.duration_under(record.duration());

@@ -223,7 +223,7 @@ impl Parts {
         &self,
         sweep: &Sweep,
         shard: Shard,
-        (stop, done): (&AtomicBool, &(impl Fn(u64) + Sync)),
+        (stop, done): (&AtomicBool, &(dyn Fn(u64) + Sync)),
     ) -> Result<(), SweepError> {
         let missing: Vec<u64> = shard
             .of(self.manifest.n_parts())

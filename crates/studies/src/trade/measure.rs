@@ -141,7 +141,7 @@ fn digits(distance: f64) -> u32 {
 pub(super) fn races(
     completed: &Completed,
     ladder: &Ladder,
-    done: &(impl Fn() + Sync),
+    done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Race>, StudyError> {
     let scenes = &completed.file.study.scenes;
     let runs: Vec<_> = scenes

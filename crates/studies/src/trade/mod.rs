@@ -40,7 +40,7 @@ impl Trade {
     pub fn measure(
         completed: &Completed,
         ladder: &Ladder,
-        done: &(impl Fn() + Sync),
+        done: &(dyn Fn() + Sync),
     ) -> Result<Self, StudyError> {
         check(completed, ladder)?;
         let races = measure::races(completed, ladder, done)?;
