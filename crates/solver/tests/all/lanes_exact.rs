@@ -122,9 +122,10 @@ fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> Vec<Option<F
     (0..rows.len()).map(tell).collect()
 }
 
-/// The largest difference of peaks and impulses, relative to the larger of them.
+/// The largest difference of peaks and impulses, relative to the larger of them. Peaks are compared without their signs: which side
+/// is further is decided by less than the error where both are nearly as far.
 fn distance(one: &Found, other: &Found) -> f64 {
-    let relative = |a: f64, b: f64| (a - b).abs() / a.abs().max(b.abs()).max(1e-12);
+    let relative = |a: f64, b: f64| (a.abs() - b.abs()).abs() / a.abs().max(b.abs()).max(1e-12);
     let peaks = one.0.iter().zip(&other.0);
     let peaks = peaks.map(|(a, b)| relative(*a, *b)).fold(0.0, f64::max);
     peaks.max(relative(one.1[0], other.1[0]))
