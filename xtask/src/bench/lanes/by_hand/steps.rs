@@ -136,32 +136,43 @@ impl<V: Vectors, const PEAKS: bool, const IMPULSIVE: bool> Loop<V, PEAKS, IMPULS
     #[inline(always)]
     fn steps(self, scenes: &mut [Scenes<V>; IN_STEP], ground: &[f64]) {
         let v = self.v;
-        let zero = v.all(0.0);
         for acceleration in ground {
             let acceleration = v.all(*acceleration);
-            let deformations = scenes.map(|scenes| {
-                let [left, right] = &scenes.bodies;
-                v.sub(v.sub(left.displacement, right.displacement), scenes.gap)
-            });
-            // The force: for the impulse of the step in which a pair parts.
-            let touching = [0, 1].map(|vector| {
-                let pushed = v.exceeds(scenes[vector].force, zero);
-                v.or(v.reaches(deformations[vector], zero), pushed)
-            });
+            let deformations = [self.deformation(&scenes[0]), self.deformation(&scenes[1])];
+            let touching = [
+                self.touches(&scenes[0], deformations[0]),
+                self.touches(&scenes[1], deformations[1]),
+            ];
             if !v.any(v.or(touching[0], touching[1])) {
-                for scenes in &mut *scenes {
-                    self.free(scenes, acceleration);
-                }
+                self.free(&mut scenes[0], acceleration);
+                self.free(&mut scenes[1], acceleration);
                 continue;
             }
-            for (scenes, deformation) in scenes.iter_mut().zip(deformations) {
+            for vector in 0..IN_STEP {
                 if IMPULSIVE {
-                    self.impact(scenes, acceleration, deformation);
+                    self.impact(&mut scenes[vector], acceleration, deformations[vector]);
                 } else {
-                    self.push(scenes, acceleration, deformation);
+                    self.push(&mut scenes[vector], acceleration, deformations[vector]);
                 }
             }
         }
+    }
+
+    /// How far the pair overlaps.
+    #[inline(always)]
+    fn deformation(self, scenes: &Scenes<V>) -> V::Vector {
+        let [left, right] = &scenes.bodies;
+        let apart = self.v.sub(left.displacement, right.displacement);
+        self.v.sub(apart, scenes.gap)
+    }
+
+    /// Where a pair touches, or had a force: for the impulse of the step in which it parts.
+    #[inline(always)]
+    fn touches(self, scenes: &Scenes<V>, deformation: V::Vector) -> V::Mask {
+        let v = self.v;
+        let zero = v.all(0.0);
+        let pushed = v.exceeds(scenes.force, zero);
+        v.or(v.reaches(deformation, zero), pushed)
     }
 
     #[inline(always)]
@@ -206,11 +217,11 @@ impl<V: Vectors, const PEAKS: bool, const IMPULSIVE: bool> Loop<V, PEAKS, IMPULS
         let before = scenes.bodies;
         self.free(scenes, ground);
         let two = v.all(2.0 * dt);
-        let velocity = |index: usize| {
-            let (old, new) = (before[index].increment, scenes.bodies[index].increment);
-            v.div(v.add(new, old), two)
-        };
-        let velocities = [velocity(0), velocity(1)];
+        let [left, right] = &scenes.bodies;
+        let velocities = [
+            v.div(v.add(left.increment, before[0].increment), two),
+            v.div(v.add(right.increment, before[1].increment), two),
+        ];
         let rate = v.sub(velocities[0], velocities[1]);
         let hit = v.and(v.reaches(deformation, zero), v.exceeds(rate, zero));
         if !v.any(hit) {
