@@ -90,8 +90,10 @@ impl<V: Vectors, const PEAKS: bool, const IMPULSIVE: bool> Loop<V, PEAKS, IMPULS
             impulses: [0.0; GROUP],
         };
         for first in (0..GROUP).step_by(IN_STEP * V::LANES) {
-            let begin = |vector| self.begin(group, first + vector * V::LANES, ground[0]);
-            let mut scenes = [begin(0), begin(1)];
+            let mut scenes = [
+                self.begin(group, first, ground[0]),
+                self.begin(group, first + V::LANES, ground[0]),
+            ];
             self.steps(&mut scenes, ground);
             for (vector, scenes) in scenes.iter().enumerate() {
                 self.tell(scenes, first + vector * V::LANES, &mut found);
@@ -102,34 +104,40 @@ impl<V: Vectors, const PEAKS: bool, const IMPULSIVE: bool> Loop<V, PEAKS, IMPULS
 
     #[inline(always)]
     fn begin(self, group: &Group, first: usize, ground: f64) -> Scenes<V> {
-        let Self { v, dt, .. } = self;
-        let one = v.all(1.0);
-        let body = |index: usize| {
-            let inverse_mass = v.div(one, v.load(&group.masses[index][first..]));
-            let damping = v.load(&group.dampings[index][first..]);
-            let rate = v.mul(inverse_mass, damping);
-            let half = v.div(v.mul(v.all(0.5), rate), v.all(dt));
-            let inertia = v.all(1.0 / (dt * dt));
-            Body {
-                inverse_mass,
-                stiffness: v.load(&group.stiffnesses[index][first..]),
-                damping,
-                solve: v.div(one, v.add(inertia, half)),
-                carry: v.sub(inertia, half),
-                displacement: v.all(0.0),
-                // The textbook start from rest: u₀ − u₋₁ = −Δt² ü₀/2 with ü₀ = −a_g.
-                increment: v.all(dt * (0.5 * dt * ground)),
-                peak: v.all(0.0),
-            }
-        };
-        let bodies = [body(0), body(1)];
+        let v = self.v;
+        let bodies = [
+            self.at_rest(group, 0, first, ground),
+            self.at_rest(group, 1, first, ground),
+        ];
         let both = v.add(bodies[0].inverse_mass, bodies[1].inverse_mass);
         Scenes {
             bodies,
             gap: v.load(&group.gaps[first..]),
-            reduced_mass: v.div(one, both),
+            reduced_mass: v.div(v.all(1.0), both),
             impulse: v.all(0.0),
             force: v.all(0.0),
+        }
+    }
+
+    #[inline(always)]
+    fn at_rest(self, group: &Group, index: usize, first: usize, ground: f64) -> Body<V> {
+        let Self { v, dt, .. } = self;
+        let one = v.all(1.0);
+        let inverse_mass = v.div(one, v.load(&group.masses[index][first..]));
+        let damping = v.load(&group.dampings[index][first..]);
+        let rate = v.mul(inverse_mass, damping);
+        let half = v.div(v.mul(v.all(0.5), rate), v.all(dt));
+        let inertia = v.all(1.0 / (dt * dt));
+        Body {
+            inverse_mass,
+            stiffness: v.load(&group.stiffnesses[index][first..]),
+            damping,
+            solve: v.div(one, v.add(inertia, half)),
+            carry: v.sub(inertia, half),
+            displacement: v.all(0.0),
+            // The textbook start from rest: u₀ − u₋₁ = −Δt² ü₀/2 with ü₀ = −a_g.
+            increment: v.all(dt * (0.5 * dt * ground)),
+            peak: v.all(0.0),
         }
     }
 
