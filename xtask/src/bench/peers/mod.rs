@@ -15,16 +15,17 @@ use std::path::Path;
 
 use pounding_studies::work_precision_figure;
 
+use super::lanes;
 use environment::Worker;
 use race::Raced;
 use scenes::Scenes;
 
-/// Where the table of all settings, that of error levels and the figure are kept, from the top folder.
-const KEPT: [&str; 3] = [
-    "results/bench/peers.csv",
-    "results/bench/peers-levels.csv",
-    "results/bench/peers.png",
-];
+/// Where the table of all settings and the figure are kept, from the top folder: those of the last machine.
+const KEPT: [&str; 2] = ["results/bench/peers.csv", "results/bench/peers.png"];
+/// Where the table of error levels is kept, of one machine of each kind of instructions, and its head.
+const LEVELS: &str = "results/bench/peers-levels.csv";
+const HEADER: &str =
+    "instructions,law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours";
 
 /// Races all and keeps ratios and a figure.
 pub(super) fn run(root: &Path) -> Result<(), String> {
@@ -42,16 +43,18 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let panels: Vec<_> = raced.iter().map(report::panel).collect();
     let unit = "lanes, 0.01 s";
     let figure = work_precision_figure(&panels, unit).map_err(|error| error.to_string())?;
-    let (settings, levels) = (report::settings_csv(&raced), report::levels_csv(&raced));
-    let files = [settings.into_bytes(), levels.clone().into_bytes(), figure];
+    let files = [report::settings_csv(&raced).into_bytes(), figure];
     for (path, bytes) in KEPT.into_iter().zip(files) {
         let place = root.join(path);
         std::fs::create_dir_all(place.parent().unwrap_or(root))
             .and_then(|()| std::fs::write(&place, bytes))
             .map_err(|error| format!("{path}: {error}"))?;
     }
+    let instructions = lanes::instructions().unwrap_or("others");
+    let levels = report::levels(&raced);
+    let levels = lanes::keep(&root.join(LEVELS), (HEADER, instructions), &levels)?;
     println!(
-        "{}\n{levels}\nkept in {}",
+        "{}\n{levels}\nkept in {LEVELS}, {}",
         report::checks(&raced),
         KEPT.join(", ")
     );

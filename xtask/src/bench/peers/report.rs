@@ -59,9 +59,8 @@ pub(super) fn settings_csv(all: &[Raced]) -> String {
 /// At every error level our cheapest method, and the best package and the best compiled loop over it.
 ///
 /// Where nobody comes to the error the ratio has a `>`: that of what was spent on the finest settings, in vain.
-pub(super) fn levels_csv(all: &[Raced]) -> String {
-    let mut csv =
-        String::from("law,error,ours,best_package,package_over_ours,best_loop,loop_over_ours\n");
+pub(super) fn levels(all: &[Raced]) -> Vec<String> {
+    let mut lines = Vec::new();
     for raced in all {
         let ours = points(raced, Run::is_ours);
         let packages = points(raced, |run| {
@@ -73,17 +72,15 @@ pub(super) fn levels_csv(all: &[Raced]) -> String {
                 continue;
             };
             let cells = [&packages, &loops].map(|points| beside(points, level, seconds));
-            writeln!(
-                csv,
+            lines.push(format!(
                 "{},{level:e},{},{}",
                 raced.law,
                 own.entrant.method,
                 cells.join(",")
-            )
-            .expect("a string takes all");
+            ));
         }
     }
-    csv
+    lines
 }
 
 /// Who is best at an error, and its CPU time over ours.
