@@ -34,6 +34,14 @@ pub enum Fault {
         "found `{0}`, which a study has: a scene is one entry of its `scenes`, in a file of its own"
     )]
     Study(String),
+    /// A sweep where a scene is asked for.
+    #[error("found `{0}`, which a sweep has, allowed is a scene; `pounding sweep` runs a sweep")]
+    Sweep(String),
+    /// A scene where a sweep is asked for.
+    #[error(
+        "found `{0}`, which a scene has, allowed is a sweep, which names a scene in `scene` and what varies in `vary`; `pounding run` runs a scene alone"
+    )]
+    Scene(String),
     /// A field that is not known.
     #[error(
         "found the field `{found}`, allowed are {}{}",
@@ -94,6 +102,24 @@ const ONE_CHOICE: &str = "the name of one, or a table with one of them and its s
 const ONE_DAMPING: &str = "such as {\"ratio\": 0.05} in JSON, { ratio = 0.05 } in TOML";
 
 impl Fault {
+    /// A field that is not known there, which may tell what the file is instead.
+    fn unknown_field(found: String, allowed: Vec<String>) -> Self {
+        let allows = |field: &str| allowed.iter().any(|known| known == field);
+        let (of_scene, of_sweep) = (allows("structures") && allows("contacts"), allows("vary"));
+        match found.as_str() {
+            "title" | "scenes" | "output" | "notes" if of_scene => Self::Study(found),
+            "scene" | "vary" | "samples" | "directions" | "outputs" | "verdict" if of_scene => {
+                Self::Sweep(found)
+            }
+            "name" | "duration_s" | "structures" | "contacts" | "arrivals_s" | "method"
+                if of_sweep =>
+            {
+                Self::Scene(found)
+            }
+            _ => Self::UnknownField { found, allowed },
+        }
+    }
+
     /// What a deserialiser says of a field.
     pub(crate) fn of(message: &str, place: &str) -> Self {
         let known = |allowed: &str| quoted(allowed);
@@ -102,13 +128,7 @@ impl Fault {
             .and_then(|rest| rest.split_once(", "))
         {
             let found = quoted(found).concat();
-            let allowed = known(allowed);
-            let of_study = matches!(found.as_str(), "title" | "scenes" | "output" | "notes");
-            return if of_study && allowed.iter().any(|field| field == "structures") {
-                Self::Study(found)
-            } else {
-                Self::UnknownField { found, allowed }
-            };
+            return Self::unknown_field(found, known(allowed));
         }
         if let Some((found, allowed)) = message
             .strip_prefix("unknown variant ")

@@ -122,7 +122,7 @@ fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> Vec<Option<F
     (0..rows.len()).map(tell).collect()
 }
 
-/// The largest difference of peaks and impulses, relative to the larger of them. Peaks are compared without their signs: which side
+/// The largest difference of peaks, impulses and forces, relative to the larger of them. Peaks are compared without their signs: which side
 /// is further is decided by less than the error where both are nearly as far.
 fn distance(one: &Found, other: &Found) -> f64 {
     let relative = |a: f64, b: f64| (a.abs() - b.abs()).abs() / a.abs().max(b.abs()).max(1e-12);
@@ -251,10 +251,12 @@ fn extreme_touches_at_samples() {
             case.row()
         })
         .collect();
-    for (row, told) in rows.iter().zip(beside(&rows, &ground, 1e-9)) {
-        let (told, exact) = (told.expect("told"), alone(row, &ground).expect("it runs"));
-        let error = distance(&exact, &told);
-        assert!(error < 1e-7, "{error:e}: {exact:?} {told:?}");
-        assert!((exact.1[1] - told.1[1]).abs() < 0.5, "{exact:?} {told:?}");
+    for tolerance in [1e-9, 1e-3] {
+        for (row, told) in rows.iter().zip(beside(&rows, &ground, tolerance)) {
+            let (told, exact) = (told.expect("told"), alone(row, &ground).expect("it runs"));
+            let error = distance(&exact, &told);
+            assert!(error < 10.0 * tolerance, "{error:e}: {exact:?} {told:?}");
+            assert!((exact.1[1] - told.1[1]).abs() < 0.5, "{exact:?} {told:?}");
+        }
     }
 }
