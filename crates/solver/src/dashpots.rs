@@ -125,11 +125,6 @@ impl Dashpots {
         if (step - floors[0].step).abs() > 0.0 {
             eliminate(floors, step);
         }
-        if let ([floor], [value]) = (&*floors, &mut *values) {
-            // A building of one storey has the bits of a structure of one storey.
-            *value /= floor.equation.pivot;
-            return values;
-        }
         let mut above = 0.0;
         for (floor, value) in floors.iter().zip(values.iter_mut()).rev() {
             *value = floor.solve * *value + floor.from_above * above;

@@ -86,7 +86,7 @@ pub use exact::{Exact, SimultaneousImpacts};
 pub use excitation::Excitation;
 pub use hht::Hht;
 pub use integrator::Integrator;
-pub use lanes::{ExactSideBySide, PairTally, RowsOf, SideBySide, Tallies};
+pub use lanes::{ExactSideBySide, PairTally, RowsOf, SideBySide, Stepping, Tallies};
 pub use levels::{Levels, Storey};
 pub use modes::{Mode, modes};
 pub use moreau_jean::MoreauJean;

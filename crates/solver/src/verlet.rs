@@ -12,11 +12,13 @@
 //! from, so that it may begin and end anywhere, and its displacements are quadratic in time, so that the instant at
 //! which a gap closes is the root of a quadratic.
 
+pub(crate) mod formulas;
 mod storeys;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use formulas::{Closing, Length};
 use storeys::Storeys;
 
 use crate::approach::Approaches;
@@ -335,26 +337,14 @@ fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: 
         rate += opening.velocity;
         curvature += 0.5 * (ground.under(pair.left) - ground.under(pair.right));
     }
-    let root = rising_root(gap, rate, curvature);
+    let closing = Closing {
+        gap,
+        rate,
+        curvature,
+    };
+    let root = closing.instant();
     if gap >= 0.0 && since + root < step.duration {
         since + root
-    } else {
-        f64::INFINITY
-    }
-}
-
-/// The x ≥ 0 at which rate·x + curvature·x² rises through gap ≥ 0; infinite where there is none.
-fn rising_root(gap: f64, rate: f64, curvature: f64) -> f64 {
-    let discriminant = rate * rate + 4.0 * curvature * gap;
-    if discriminant < 0.0 {
-        return f64::INFINITY;
-    }
-    let root = discriminant.sqrt();
-    // Of the two forms of the root, the one without cancellation. Both are 0/0 only for a path that stays in the gap.
-    if rate > 0.0 {
-        2.0 * gap / (rate + root)
-    } else if curvature > 0.0 {
-        (root - rate) / (2.0 * curvature)
     } else {
         f64::INFINITY
     }
@@ -368,15 +358,16 @@ fn close<Column: RestoringForce>(
     (ground, h): (f64, f64),
 ) -> Column::Memory {
     let response = node.column.respond(end.displacement, body.memory);
-    let damping = node.inverse_mass * node.damping;
+    let length = Length::new(h, node.inverse_mass * node.damping);
+    let half_way = start.velocity + length.half * start.acceleration;
     let at_rest = State {
         restoring_force: response.force,
         ..State::default()
     };
-    let smooth = start.acceleration + node.acceleration(&at_rest, ground);
-    let pounding = node.inverse_mass * (body.impulses.0 + body.impulses.1);
+    let smooth = node.acceleration(&at_rest, ground);
+    let pushed = node.inverse_mass * (body.impulses.0 + body.impulses.1);
     end.restoring_force = response.force;
-    end.velocity = (start.velocity + 0.5 * h * smooth + pounding) / (1.0 + 0.5 * h * damping);
+    end.velocity = length.velocity(half_way, smooth, pushed);
     end.acceleration = node.acceleration(end, ground);
     response.memory
 }

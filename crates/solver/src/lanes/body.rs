@@ -172,14 +172,10 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
 }
 
 impl<S: Simd, Memory> Motion<S, Memory> {
-    /// Displacement of the largest magnitude so far in a lane \[m\]; nothing where it is one to the left and one to the right, and
-    /// where displacements are no longer finite.
+    /// Displacement of the largest magnitude so far in a lane \[m\].
     #[inline(always)]
     pub(super) fn peak(&self, lane: usize) -> Option<f64> {
-        let [least, largest] = self.extremes.map(|extreme| extreme.lane(lane));
-        let differ = (-least).total_cmp(&largest).is_ne();
-        let known = differ && self.displacement.lane(lane).is_finite();
-        known.then_some(if -least > largest { least } else { largest })
+        peak(self.extremes, self.displacement, lane)
     }
 
     /// The next displacement under an acceleration but for damping \[m/s²\].
@@ -190,4 +186,14 @@ impl<S: Simd, Memory> Motion<S, Memory> {
         self.increment = coefficients.next(load, self.increment);
         self.displacement = self.displacement + self.increment;
     }
+}
+
+/// Displacement of the largest magnitude in a lane \[m\], of the least and the largest; nothing where it is one to the left and one to
+/// the right, and where the last displacement is no longer finite.
+#[inline(always)]
+pub(super) fn peak<S: Simd>(extremes: [Lanes<S>; 2], last: Lanes<S>, lane: usize) -> Option<f64> {
+    let [least, largest] = [extremes[0].lane(lane), extremes[1].lane(lane)];
+    let differ = (-least).total_cmp(&largest).is_ne();
+    let known = differ && last.lane(lane).is_finite();
+    known.then_some(if -least > largest { least } else { largest })
 }

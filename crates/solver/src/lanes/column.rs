@@ -25,7 +25,18 @@ pub(super) trait SideBySideColumn: RestoringForce {
 
     /// Gathers a number of every scene's columns.
     fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Self::Beside<N>;
+
+    /// What is remembered: the first where the mask says yes, else the second.
+    fn select<N: Number>(
+        mask: N::Mask,
+        yes: MemoryOf<N, Self>,
+        no: MemoryOf<N, Self>,
+    ) -> MemoryOf<N, Self>;
 }
+
+/// What columns remember in several scenes.
+pub(super) type MemoryOf<N, Column> =
+    <<Column as SideBySideColumn>::Beside<N> as RestoringForce<N>>::Memory;
 
 impl SideBySideColumn for Elastic {
     type Beside<N: Number> = Elastic<N>;
@@ -35,6 +46,9 @@ impl SideBySideColumn for Elastic {
             stiffness: gather(|column| column.stiffness),
         }
     }
+
+    #[inline(always)]
+    fn select<N: Number>(_: N::Mask, (): (), (): ()) {}
 }
 
 impl SideBySideColumn for ElastoPlastic {
@@ -45,6 +59,11 @@ impl SideBySideColumn for ElastoPlastic {
             stiffness: gather(|column| column.stiffness),
             yield_force: gather(|column| column.yield_force),
         }
+    }
+
+    #[inline(always)]
+    fn select<N: Number>(mask: N::Mask, yes: N, no: N) -> N {
+        N::select(mask, yes, no)
     }
 }
 
@@ -57,5 +76,10 @@ impl SideBySideColumn for Bilinear {
             yield_force: gather(|column| column.yield_force),
             hardening: gather(|column| column.hardening),
         }
+    }
+
+    #[inline(always)]
+    fn select<N: Number>(mask: N::Mask, yes: N, no: N) -> N {
+        N::select(mask, yes, no)
     }
 }

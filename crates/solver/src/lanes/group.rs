@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::SideBySide;
+use super::Shaken;
 use super::body::Body;
 use super::column::SideBySideColumn;
 use super::jump::Jumps;
@@ -64,14 +64,23 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
         node: usize,
         (settings, time_step, ground): (CentralDifference, f64, f64),
     ) -> Structure<S, Column> {
-        let gather = |number: &dyn Fn(&Node<Column>) -> f64| {
-            let mut values = [0.0; MOST_LANES];
-            for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
-                *value = number(&self.lane(lane).nodes()[node]);
-            }
-            Lanes::new(simd, &values)
-        };
+        let gather = |number: &dyn Fn(&Node<Column>) -> f64| self.gather(simd, node, number);
         Body::new(gather, (settings.start, time_step, ground))
+    }
+
+    /// A number of a structure of all rows.
+    #[inline(always)]
+    pub(super) fn gather<S: Simd>(
+        self,
+        simd: S,
+        node: usize,
+        number: &dyn Fn(&Node<Column>) -> f64,
+    ) -> Lanes<S> {
+        let mut values = [0.0; MOST_LANES];
+        for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
+            *value = number(&self.lane(lane).nodes()[node]);
+        }
+        Lanes::new(simd, &values)
     }
 
     /// Both structures of rows that have two.
@@ -112,7 +121,7 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
     #[inline(always)]
     pub(super) fn new(
         simd: S,
-        method: &SideBySide,
+        method: &Shaken<'_, CentralDifference>,
         (structures, pairs): Scenes<'a, S, Column>,
     ) -> Self {
         Self {
@@ -221,7 +230,8 @@ fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(
         return;
     };
     let overlaps = pair.deformation.exceeds(rate.like(0.0));
-    pair.tally.follow(force, overlaps, 0.5 * time_step);
+    let impulse = force.like(0.5 * time_step) * (pair.tally.last() + force);
+    pair.tally.follow(force, overlaps, impulse);
     left.contact.force_from_right = -force;
     right.contact.force_from_left = force;
 }

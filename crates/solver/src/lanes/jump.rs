@@ -100,29 +100,60 @@ fn strike_all<S: Simd, Column: SideBySideColumn>(
     }
 }
 
-/// Strikes a pair that is the only one of every scene; false where none approaches. A scene that rounding would let approach once
-/// more, which takes further rounds, is given up: its velocities are no numbers from then on, and it runs alone.
+/// Strikes a pair that is the only one of every scene, where it touches; false where none approaches.
 #[inline(always)]
 fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
     pair: &mut Pair<S>,
     law: Impulsive<S>,
     [left, right]: [&mut Body<S, Column>; 2],
 ) -> bool {
-    let (v, w) = (left.contact.velocity, right.contact.velocity);
-    let zero = v.like(0.0);
-    let hits: Mask<S> = pair.deformation.reaches(zero) & (v - w).exceeds(zero);
-    if !Lanes::any(hits) {
-        return false;
-    }
+    let velocities = [left.contact.velocity, right.contact.velocity];
+    let touches = pair.deformation.reaches(velocities[0].like(0.0));
     let mobilities = [mobility(left), mobility(right)];
-    let impulse = law.factor * (v - w) / (mobilities[0] + mobilities[1]);
+    let Some(struck) = struck((touches, law.factor), velocities, mobilities) else {
+        return false;
+    };
+    pair.tally.strike(struck.impulse);
+    [left.contact.jumped, right.contact.jumped] = struck.velocities;
+    true
+}
+
+/// Velocities after an impact \[m/s\], and its impulse \[N·s\]: those before and 0 where there is none.
+pub(super) struct Struck<S: Simd> {
+    pub(super) impulse: Lanes<S>,
+    pub(super) velocities: [Lanes<S>; 2],
+}
+
+/// Strikes pairs that touch in these lanes, each the only one of its scene, with 1 + e; nothing where none approaches.
+///
+/// A scene that rounding would let approach once more, which takes further rounds, is given up: its velocities are no numbers from
+/// then on, and it runs alone.
+#[inline(always)]
+pub(super) fn struck<S: Simd>(
+    (touches, factor): (Mask<S>, Lanes<S>),
+    [v, w]: [Lanes<S>; 2],
+    mobilities: [Lanes<S>; 2],
+) -> Option<Struck<S>> {
+    let zero = v.like(0.0);
+    let hits = touches & (v - w).exceeds(zero);
+    if !Lanes::any(hits) {
+        return None;
+    }
+    let impulse = factor * (v - w) / (mobilities[0] + mobilities[1]);
     let after = (v - mobilities[0] * impulse, w + mobilities[1] * impulse);
     // What rounding leaves of an approach; more would be solved in further rounds.
     let left_over = zero.like(ROUNDING) * (v.abs() + w.abs());
     let again = (after.0 - after.1).exceeds(left_over);
-    let given_up = |velocity: Lanes<S>| Number::select(again, zero.like(f64::NAN), velocity);
-    pair.tally.strike(Number::select(hits, impulse, zero));
-    left.contact.jumped = Number::select(hits, given_up(after.0), v);
-    right.contact.jumped = Number::select(hits, given_up(after.1), w);
-    true
+    let nowhere = zero.like(f64::NAN);
+    let after = [
+        Number::select(again, nowhere, after.0),
+        Number::select(again, nowhere, after.1),
+    ];
+    Some(Struck {
+        impulse: Number::select(hits, impulse, zero),
+        velocities: [
+            Number::select(hits, after[0], v),
+            Number::select(hits, after[1], w),
+        ],
+    })
 }

@@ -7,8 +7,8 @@ use pounding_contact::Number;
 use super::column::SideBySideColumn;
 use super::group::{Group, Rows};
 use super::number::Lanes;
-use super::{PairTally, SideBySide, Tallies};
-use crate::{ImpactRule, Row};
+use super::{Shaken, Tallies};
+use crate::{CentralDifference, ImpactRule, Row};
 
 /// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
 /// longer rows do not wait for each other, and a second group doubles the memory in use.
@@ -27,7 +27,7 @@ struct Task<'a, Column> {
 #[inline(always)]
 pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     simd: S,
-    method: &SideBySide,
+    method: &Shaken<'_, CentralDifference>,
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut Tallies,
 ) {
@@ -49,7 +49,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
 #[inline(always)]
 fn run_in_step<S: Simd, Column: SideBySideColumn>(
     (simd, n_groups): (S, usize),
-    method: &SideBySide,
+    method: &Shaken<'_, CentralDifference>,
     task: Task<'_, Column>,
 ) {
     let rows = task.rows;
@@ -84,7 +84,7 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
 /// All steps of some groups; what happened in a scene is told at its end.
 #[inline(always)]
 fn steps<S: Simd, Column: SideBySideColumn>(
-    method: &SideBySide,
+    method: &Shaken<'_, CentralDifference>,
     groups: &mut [Group<'_, S, Column>],
     Task {
         rows,
@@ -119,7 +119,13 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         }
         for (lane, _) in n_steps.iter().enumerate().filter(|of| of.1 == end) {
             let group = &groups[lane / Lanes::<S>::N];
-            tell(group, lane % Lanes::<S>::N, (first_scene + lane, tallies));
+            let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
+            for (node, structure) in group.structures.iter().enumerate() {
+                tallies.take_structure((scene, node), structure.motion.peak(lane));
+            }
+            for pair in group.pairs.iter().flatten() {
+                tallies.take_pair((scene, pair.index), pair.tally.lane(lane));
+            }
         }
     }
     let with_scenes = rows.len().div_ceil(Lanes::<S>::N);
@@ -171,28 +177,4 @@ fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
         }
     }
     node
-}
-
-/// Tells what happened in a lane, as that scene.
-#[inline(always)]
-fn tell<S: Simd, Column: SideBySideColumn>(
-    group: &Group<'_, S, Column>,
-    lane: usize,
-    (scene, tallies): (usize, &mut Tallies),
-) {
-    let mut told = true;
-    let n_structures = group.structures.len();
-    for (node, structure) in group.structures.iter().enumerate() {
-        let peak = structure.motion.peak(lane);
-        tallies.displacements[scene * n_structures + node] = peak.unwrap_or(f64::NAN);
-        told &= peak.is_some();
-    }
-    for pair in group.pairs.iter().flatten() {
-        tallies.pairs[scene * tallies.n_pairs + pair.index] = PairTally {
-            collisions: pair.tally.collisions.lane(lane),
-            impulse: pair.tally.impulse().lane(lane),
-            peak_force: pair.tally.peak_force.lane(lane),
-        };
-    }
-    tallies.told[scene] = told;
 }

@@ -54,6 +54,18 @@ impl Tallies {
         (self.steps, self.touching_steps) = (0, 0);
     }
 
+    /// Takes the displacement of largest magnitude of a structure of a scene \[m\]; without one the scene is not told.
+    pub(super) fn take_structure(&mut self, (scene, node): (usize, usize), peak: Option<f64>) {
+        self.displacements[scene * self.n_structures + node] = peak.unwrap_or(f64::NAN);
+        // The first of a scene says, and any other may take it back.
+        self.told[scene] = peak.is_some() && (node == 0 || self.told[scene]);
+    }
+
+    /// Takes what happened to a pair of a scene.
+    pub(super) fn take_pair(&mut self, (scene, pair): (usize, usize), tally: PairTally) {
+        self.pairs[scene * self.n_pairs + pair] = tally;
+    }
+
     /// Number of scenes.
     pub fn len(&self) -> usize {
         self.told.len()

@@ -3,15 +3,16 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
+use super::PairTally;
 use super::number::{Lanes, Mask};
 
 /// Collisions of a pair so far, as [`Collisions`](crate::Collisions) counts them.
 pub(super) struct Tally<S: Simd> {
-    pub(super) collisions: Lanes<S>,
+    collisions: Lanes<S>,
     /// Sum of the impulses of the collisions that have ended \[N·s\].
     impulse: Lanes<S>,
     /// Largest pounding force of a compliant pair \[N\].
-    pub(super) peak_force: Lanes<S>,
+    peak_force: Lanes<S>,
     /// Where a compliant collision goes on, and its impulse so far \[N·s\].
     open: Mask<S>,
     current: Lanes<S>,
@@ -42,9 +43,15 @@ impl<S: Simd> Tally<S> {
         Lanes::any(self.open | self.overlapped)
     }
 
-    /// Takes the force of a compliant pair at a node \[N\], and where it overlaps there; `half_step` is half a time step \[s\].
+    /// Force of a compliant pair at the node before \[N\].
     #[inline(always)]
-    pub(super) fn follow(&mut self, force: Lanes<S>, overlaps: Mask<S>, half_step: f64) {
+    pub(super) fn last(&self) -> Lanes<S> {
+        self.force
+    }
+
+    /// Takes the force of a compliant pair at a node \[N\], where it overlaps there, and the impulse since the node before \[N·s\].
+    #[inline(always)]
+    pub(super) fn follow(&mut self, force: Lanes<S>, overlaps: Mask<S>, impulse: Lanes<S>) {
         let zero = force.like(0.0);
         // A clamped force lets go of neighbours that overlap, and may push again; others have parted.
         let goes_on = self.open & self.overlapped;
@@ -53,13 +60,12 @@ impl<S: Simd> Tally<S> {
             self.impulse = Number::select(ends, self.impulse + self.current, self.impulse);
             self.current = Number::select(ends, zero, self.current);
         }
-        let sum = self.force + force;
-        let acts = sum.exceeds(zero);
+        let acts = (self.force + force).exceeds(zero);
         let begins = acts & !goes_on;
         let one = zero.like(1.0);
         self.collisions = Number::select(begins, self.collisions + one, self.collisions);
         self.open = goes_on | acts;
-        self.current = self.current + zero.like(half_step) * sum;
+        self.current = self.current + impulse;
         self.peak_force = self.peak_force.max(force);
         self.force = force;
         self.overlapped = overlaps;
@@ -74,9 +80,14 @@ impl<S: Simd> Tally<S> {
         self.impulse = Number::select(hit, self.impulse + impulse, self.impulse);
     }
 
-    /// Sum of the impulses of all collisions \[N·s\].
+    /// What happened in a lane.
     #[inline(always)]
-    pub(super) fn impulse(&self) -> Lanes<S> {
-        Number::select(self.open, self.impulse + self.current, self.impulse)
+    pub(super) fn lane(&self, lane: usize) -> PairTally {
+        let impulse = Number::select(self.open, self.impulse + self.current, self.impulse);
+        PairTally {
+            collisions: self.collisions.lane(lane),
+            impulse: impulse.lane(lane),
+            peak_force: self.peak_force.lane(lane),
+        }
     }
 }

@@ -3,10 +3,10 @@
 use fearless_simd::Level;
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 
-use super::{ExactSideBySide, RowsOf, SideBySide, Tallies};
+use super::{ExactSideBySide, RowsOf, SideBySide, Stepping, Tallies};
 use crate::{
     CentralDifference, Clock, Elastic, Exact, Excitation, ImpactRule, Node, Pair, Row,
-    SimultaneousImpacts, Start,
+    SimultaneousImpacts, Start, Verlet, VerletImpacts,
 };
 
 const CLOCK: Clock = Clock {
@@ -78,6 +78,9 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
         impacts: ImpactRule::VelocityJump,
         contact_substeps: 1,
     };
+    let verlet = Verlet {
+        impacts: VerletImpacts::Located,
+    };
     let exact = Exact {
         tolerance: 1e-8,
         simultaneous_impacts: SimultaneousImpacts::Together,
@@ -85,9 +88,10 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
     for law in laws() {
         let [mut one, mut other] = [Tallies::default(), Tallies::default()];
         // Two structures have code of their own, up to three go two groups in step.
-        for structures in [2, 3, 5] {
+        let shapes = [2, 3, 5].map(|structures| (Stepping::from(settings), structures));
+        for (method, structures) in shapes.into_iter().chain([(verlet.into(), 2)]) {
             let rows = rows(law, structures);
-            let mut wide = SideBySide::new(settings, excitation, CLOCK).expect("valid");
+            let mut wide = SideBySide::new(method, excitation, CLOCK).expect("valid");
             let all: Vec<_> = rows.iter().collect();
             let n_steps = [CLOCK.n_steps; SCENES];
             assert!(wide.run(RowsOf::Elastic(&all), &n_steps, &mut one));

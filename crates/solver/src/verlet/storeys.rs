@@ -122,9 +122,10 @@ impl<Column: RestoringForce> Building<'_, Column> {
             let restoring = response.force - carried;
             carried = response.force;
             let ground = if floor.is_wall() { 0.0 } else { ground };
-            let smooth = start.acceleration + (floor.inverse_mass * (0.0 - restoring) - ground);
-            let pounding = floor.inverse_mass * (body.impulses.0 + body.impulses.1);
-            *velocity = start.velocity + 0.5 * h * smooth + pounding;
+            let half_way = start.velocity + 0.5 * h * start.acceleration;
+            let smooth = floor.inverse_mass * (0.0 - restoring) - ground;
+            let pushed = floor.inverse_mass * (body.impulses.0 + body.impulses.1);
+            *velocity = half_way + 0.5 * h * smooth + pushed;
         }
     }
 

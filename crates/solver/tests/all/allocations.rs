@@ -9,7 +9,7 @@ use crate::common::{
 use crate::watch::Watch;
 use pounding_solver::{
     CentralDifference, Elastic, Excitation, ImpactRule, Ledger, Node, Peaks, Row, RowsOf,
-    SideBySide, Start, Tallies, TransferredMomentum,
+    SideBySide, Start, Stepping, Tallies, TransferredMomentum, Verlet, VerletImpacts,
 };
 
 /// The system's allocator with a counter.
@@ -86,17 +86,25 @@ fn limit_a_step_side_by_side_allocates_nothing() {
         impacts: ImpactRule::VelocityJump,
         contact_substeps: 1,
     };
-    for law in [STEREOMECHANICAL, VISCOELASTIC] {
+    let verlet = Verlet {
+        impacts: VerletImpacts::Located,
+    };
+    let methods = [(Stepping::from(settings), 5), (verlet.into(), 2)];
+    let laws = [STEREOMECHANICAL, VISCOELASTIC];
+    for ((method, n), law) in methods
+        .into_iter()
+        .flat_map(|one| laws.map(|law| (one, law)))
+    {
         let row = |scene: usize| {
             let node = |index: usize| {
                 let stiffness = 2e6 * (1.0 + 2.0 * (index % 2) as f64 + 0.05 * scene as f64);
                 Node::structure(1e5, 2e4, Elastic { stiffness })
             };
-            Row::new((0..5).map(node).collect(), pairs(5, 0.002, law)).unwrap()
+            Row::new((0..n).map(node).collect(), pairs(n, 0.002, law)).unwrap()
         };
         let rows: Vec<_> = (0..9).map(row).collect();
         let rows: Vec<_> = rows.iter().collect();
-        let beside = SideBySide::new(settings, excitation, clock(0.005, 10.0)).unwrap();
+        let beside = SideBySide::new(method, excitation, clock(0.005, 10.0)).unwrap();
         let mut tallies = Tallies::default();
         let mut count = |n_steps: usize| {
             let n_steps = [n_steps; 9];

@@ -4,7 +4,7 @@ use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hysteretic,
     ImpactRule, Integrator, Node, Pair, PairTally, Peaks, Row, RowsOf, RunError, SideBySide, Start,
-    Tallies,
+    Stepping, Tallies,
 };
 use proptest::prelude::*;
 
@@ -43,7 +43,7 @@ fn stiffer(mut law: ContactLaw, factor: f64) -> ContactLaw {
 }
 
 /// The same row with other numbers.
-fn varied(case: &Case, scene: usize) -> Case {
+pub(crate) fn varied(case: &Case, scene: usize) -> Case {
     let factor = 1.0 + 0.05 * f64::from(u32::try_from(scene).expect("few"));
     let mut case = case.clone();
     for (index, [mass, period, ratio, yields]) in case.structures.iter_mut().enumerate() {
@@ -75,18 +75,13 @@ fn steps(scene: usize) -> usize {
 type Alone = Result<(Vec<f64>, Vec<PairTally>), RunError>;
 
 fn alone<Column: Hysteretic>(
-    (settings, n_steps): (CentralDifference, usize),
+    (stepping, n_steps): (Stepping, usize),
     row: &Row<Column>,
     excitation: Excitation<'_>,
 ) -> Alone {
     let (n, pairs) = (row.nodes().len(), row.pairs());
     let mut recorder = (Peaks::new(n), Collisions::new(n, pairs));
-    Integrator::CentralDifference(settings).watch(
-        row,
-        excitation,
-        Clock { n_steps, ..CLOCK },
-        &mut recorder,
-    )?;
+    Integrator::from(stepping).watch(row, excitation, Clock { n_steps, ..CLOCK }, &mut recorder)?;
     let (peaks, collisions) = recorder;
     let mut tallies = vec![PairTally::default(); pairs.len()];
     for one in collisions.all() {
@@ -108,12 +103,13 @@ pub(crate) type Kind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
 /// Holds every scene of some rows to itself alone.
 pub(crate) fn compare<'a, Column: Hysteretic>(
-    settings: CentralDifference,
+    stepping: impl Into<Stepping>,
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
     ground: &[f64],
 ) -> Result<(), TestCaseError> {
     let excitation = Excitation::new(0.01, ground).expect("the record is finite");
-    let together = SideBySide::new(settings, excitation, CLOCK).expect("the settings are valid");
+    let stepping = stepping.into();
+    let together = SideBySide::new(stepping, excitation, CLOCK).expect("the settings are valid");
     let mut found = Tallies::default();
     let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
     prop_assert!(
@@ -122,10 +118,16 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     );
     prop_assert_eq!(found.len(), rows.len());
     for (scene, row) in rows.iter().enumerate() {
-        let Ok((displacements, pairs)) = alone((settings, steps(scene)), row, excitation) else {
+        let Ok((displacements, pairs)) = alone((stepping, steps(scene)), row, excitation) else {
             prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
             continue;
         };
+        // The velocity Verlet method leaves to runs alone what goes further than structures do.
+        let far = matches!(stepping, Stepping::Verlet(_))
+            && displacements.iter().any(|peak| peak.abs() >= 1e3);
+        if far && !found.is_told(scene) {
+            continue;
+        }
         prop_assert!(found.is_told(scene), "{} must not diverge", scene);
         for (structure, displacement) in displacements.iter().enumerate() {
             let lane = found.displacement(scene, structure);
@@ -198,7 +200,7 @@ proptest! {
 }
 
 /// The same row with other columns, whose last structure is a wall if it is at rest and not alone.
-fn with_columns<Column: Hysteretic>(
+pub(crate) fn with_columns<Column: Hysteretic>(
     row: &Row<ElastoPlastic>,
     column: impl Fn(&Node<ElastoPlastic>) -> Column,
 ) -> Row<Column> {

@@ -16,6 +16,7 @@ mod impacts;
 mod lanes;
 mod lanes_chains;
 mod lanes_exact;
+mod lanes_verlet;
 mod ledger;
 mod ledger_energies;
 mod ledger_faults;

@@ -1,8 +1,7 @@
 //! Prepared scenes that run side by side.
 
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, Exact, ExactSideBySide, Integrator, Row, RowsOf, SideBySide,
-    Tallies,
+    Clock, Elastic, Exact, ExactSideBySide, Integrator, Row, RowsOf, SideBySide, Stepping, Tallies,
 };
 
 use super::Prepared;
@@ -27,16 +26,16 @@ macro_rules! rows {
 /// Runs scenes under the same record side by side, and takes what happened in them; nothing where they cannot: they have to be
 /// rows of structures of one storey, of one shape, without Bouc–Wen columns or a motion that travels, all run by one method.
 ///
-/// By the central difference method without sub-steps every scene has the numbers of its run alone. By the exact method two
-/// elastic structures run side by side, with a tolerance of 1e-12 or more; they then have the numbers of their runs alone to about
-/// that tolerance, and the same ones whatever runs beside them.
+/// By the central difference method without sub-steps, and two structures by the velocity Verlet method, every scene has the numbers
+/// of its run alone. By the exact method two elastic structures run side by side, with a tolerance of 1e-12 or more; they then have
+/// the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
 pub(crate) fn side_by_side(scenes: &[&Prepared]) -> Option<Tallies> {
     let first = scenes.first()?;
     let mut tallies = Tallies::default();
-    if let Integrator::CentralDifference(settings) = first.integrator
+    if let Some(stepping) = Stepping::of(first.integrator)
         && scenes.iter().all(|scene| goes_with(scene, first))
     {
-        return central_difference(scenes, settings, &mut tallies)?.then_some(tallies);
+        return stepped(scenes, stepping, &mut tallies)?.then_some(tallies);
     }
     exact(scenes, &mut tallies).then_some(tallies)
 }
@@ -47,18 +46,14 @@ fn goes_with(one: &Prepared, other: &Prepared) -> bool {
     one.integrator == other.integrator && steps[0].total_cmp(&steps[1]).is_eq()
 }
 
-fn central_difference(
-    scenes: &[&Prepared],
-    settings: CentralDifference,
-    tallies: &mut Tallies,
-) -> Option<bool> {
+fn stepped(scenes: &[&Prepared], stepping: Stepping, tallies: &mut Tallies) -> Option<bool> {
     let first = scenes.first()?;
     let n_steps: Vec<_> = scenes.iter().map(|scene| scene.clock.n_steps).collect();
     let clock = Clock {
         time_step: first.clock.time_step,
         n_steps: n_steps.iter().copied().max()?,
     };
-    let together = SideBySide::new(settings, first.excitation(), clock).ok()?;
+    let together = SideBySide::new(stepping, first.excitation(), clock).ok()?;
     let mut run = |rows| together.run(rows, &n_steps, tallies);
     Some(match first.model {
         Model::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),

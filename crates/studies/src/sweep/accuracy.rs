@@ -3,7 +3,7 @@
 //! Nothing is assumed of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another sample measures
 //! it. Both are drawn by the same numbers in every shard.
 
-use pounding_solver::{ImpactRule, SimultaneousImpacts, Start};
+use pounding_solver::{ImpactRule, SimultaneousImpacts, Start, VerletImpacts};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 use serde_json::Value;
@@ -19,7 +19,8 @@ const MEASURING: usize = 128;
 /// The longest time step that is tried \[s\], and how often it is halved.
 const LONGEST: f64 = 0.02;
 const HALVED: i32 = 7;
-/// How often where the exact method runs scenes side by side: it then costs as much as steps of about a millisecond (`cargo xtask bench --peers`).
+/// How often where the exact method runs scenes side by side: it then costs as much as steps of one to two milliseconds (`cargo xtask
+/// bench --peers`).
 const HALVED_BESIDE: i32 = 4;
 /// Its tolerance, as a part of the error that is asked for.
 const PART: f64 = 0.1;
@@ -133,23 +134,10 @@ impl Sweep {
         let (found, beside) = self.numbers_beside(&chooses);
         let flies = beside && holds_for(&truth, &found, asked);
         let halved = if flies { HALVED_BESIDE } else { HALVED };
-        let steps = (0..=halved).map(|n| LONGEST / f64::from(1 << n));
-        let candidates: Vec<_> = steps.map(central_difference).collect();
-        let mut holds = Vec::new();
-        for candidate in &candidates {
-            self.set_method(candidate);
-            holds.push(holds_for(&truth, &self.numbers(&chooses), asked));
-            // One step may be lucky; the next finer one has to confirm it.
-            if holds.ends_with(&[true, true]) {
-                break;
-            }
-        }
-        let method = match holds[..] {
-            [.., true, true] => candidates[holds.len() - 2],
-            // The finest step that costs less has nothing to confirm it.
-            _ if flies => flown,
-            _ => Method::EXACT,
-        };
+        // The finest step that costs less has nothing to confirm it.
+        let otherwise = if flies { flown } else { Method::EXACT };
+        let method = self.stepping((&chooses, &truth), asked, halved);
+        let method = method.unwrap_or(otherwise);
         self.set_method(&method);
         let errors = errors(&measure, &self.numbers(&measures));
         let names = self.columns();
@@ -167,6 +155,31 @@ impl Sweep {
             within: within as f64 / rows.len().max(1) as f64,
             rows: ColumnErrors::of("largest in a row".into(), rows),
         });
+    }
+
+    /// The stepping method with the longest step that is within the error asked for in most runs, of two with the same step the
+    /// cheaper one.
+    fn stepping(
+        &mut self,
+        (runs, truth): (&[u64], &[Option<Vec<f64>>]),
+        asked: f64,
+        halved: i32,
+    ) -> Option<Method> {
+        let mut held = [false; STEPPING.len()];
+        let mut longer = None;
+        for step in (0..=halved).map(|n| LONGEST / f64::from(1 << n)) {
+            for (method, held) in STEPPING.into_iter().zip(&mut held) {
+                self.set_method(&method(step));
+                let before = *held;
+                *held = holds_for(truth, &self.numbers(runs), asked);
+                // One step may be lucky; the next finer one has to confirm it.
+                if before && *held {
+                    return longer.map(method);
+                }
+            }
+            longer = Some(step);
+        }
+        None
     }
 
     /// Runs that choose and runs that measure: others, where there are enough.
@@ -213,6 +226,16 @@ impl Sweep {
             numbers,
             beside as f64 >= SweepAccuracy::SHARE * runs.len() as f64,
         )
+    }
+}
+
+/// The methods that step, the cheaper one first: both run side by side.
+const STEPPING: [fn(f64) -> Method; 2] = [central_difference, velocity_verlet];
+
+fn velocity_verlet(time_step_s: f64) -> Method {
+    Method::VelocityVerlet {
+        time_step_s,
+        impacts: VerletImpacts::Located,
     }
 }
 

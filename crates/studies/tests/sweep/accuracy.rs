@@ -55,6 +55,38 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
 }
 
+/// Impacts located within a step take longer steps for the same error, and run side by side as well.
+#[test]
+fn reference_impacts_are_located_where_that_costs_less() {
+    let folder = folder("accuracy_impacts");
+    let words = |method: Value| {
+        let mut scene = scene();
+        scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 0.6}});
+        scene["method"] = method;
+        json!({
+            "scene": scene,
+            "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
+            "samples": {"count": 300, "seed": 1, "method": "sobol"},
+            "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
+            "verdict": false,
+        })
+    };
+    let chosen = sweep(&folder, &words(json!({"accuracy": 0.002})));
+    let accuracy = chosen.accuracy().expect("it was asked for");
+    let wanted = json!({"velocity_verlet": {"time_step_s": 0.005, "impacts": "located"}});
+    assert_eq!(json!(accuracy.method), wanted);
+    assert!(accuracy.within > 0.9, "{accuracy:?}");
+    assert_eq!(chosen.batch(0..300).beside, 300);
+    // Shaken in two directions the rows are those of runs alone.
+    let mut both = words(wanted);
+    both["directions"] = json!("both");
+    let beside = sweep(&folder, &both);
+    both["verdict"] = json!(true);
+    let alone = sweep(&folder, &both);
+    assert_eq!(alone.batch(0..600).beside, 0);
+    assert_eq!(table(&beside, 0..600), table(&alone, 0..600));
+}
+
 /// Where no step is close enough, elastic structures go side by side by the exact method.
 #[test]
 fn reference_a_fine_accuracy_is_met_side_by_side() {

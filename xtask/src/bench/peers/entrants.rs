@@ -2,7 +2,7 @@
 
 use pounding_studies::Competitor;
 
-use super::own::{EXACT, EXACT_LANES, LANES, VERLET};
+use super::own::{EXACT, EXACT_LANES, LANES, VERLET_LANES};
 
 /// A method of somebody over a ladder of settings.
 #[derive(Debug, Clone, Copy)]
@@ -101,7 +101,7 @@ pub(super) const ENTRANTS: [Entrant; 16] = {
         ),
         entrant(
             Ours,
-            [OURS, VERLET, "Ours: Verlet, impacts located"],
+            [OURS, VERLET_LANES, "Ours: Verlet, lanes"],
             TimeStep,
             None,
         ),

@@ -6,7 +6,7 @@ use std::time::Duration;
 use cpu_time::ProcessTime;
 use pounding_solver::{
     CentralDifference, Exact, ExactSideBySide, ImpactRule, Integrator, RowsOf, SideBySide,
-    SimultaneousImpacts, Start, Tallies, Verlet, VerletImpacts,
+    SimultaneousImpacts, Start, Stepping, Tallies, Verlet, VerletImpacts,
 };
 
 use super::race::Measured;
@@ -14,18 +14,22 @@ use super::scenes::{Found, IN_LANES, SCENES, Scenes, clock, exact, solved};
 
 /// Names of the methods in tables.
 pub(super) const LANES: &str = "central_difference_in_lanes";
-pub(super) const VERLET: &str = "velocity_verlet_located";
+pub(super) const VERLET_LANES: &str = "velocity_verlet_in_lanes";
 pub(super) const EXACT: &str = "exact";
 pub(super) const EXACT_LANES: &str = "exact_in_lanes";
 
 /// A measurement repeats what is shorter, as `worker.py` does.
 const LEAST: Duration = Duration::from_millis(20);
 
-const CENTRAL_DIFFERENCE: CentralDifference = CentralDifference {
+const CENTRAL_DIFFERENCE: Stepping = Stepping::CentralDifference(CentralDifference {
     start: Start::Consistent,
     impacts: ImpactRule::VelocityJump,
     contact_substeps: 1,
-};
+});
+
+const VERLET: Stepping = Stepping::Verlet(Verlet {
+    impacts: VerletImpacts::Located,
+});
 
 /// Runs the scenes by a method at a setting and measures the CPU time of one.
 pub(super) fn measured(
@@ -34,13 +38,8 @@ pub(super) fn measured(
     setting: f64,
 ) -> Result<Measured, String> {
     match method {
-        LANES => in_lanes(scenes, setting),
-        VERLET => {
-            let settings = Verlet {
-                impacts: VerletImpacts::Located,
-            };
-            Ok(alone(scenes, Integrator::Verlet(settings), setting))
-        }
+        LANES => in_lanes(scenes, CENTRAL_DIFFERENCE, setting),
+        VERLET_LANES => in_lanes(scenes, VERLET, setting),
         // The exact method keeps no time step; a clock says how long it runs.
         EXACT_LANES => exact_in_lanes(scenes, setting),
         EXACT => Ok(alone(scenes, exact(setting), 0.02)),
@@ -51,9 +50,9 @@ pub(super) fn measured(
 }
 
 /// Vectors full of scenes: those that are compared, and others like them.
-fn in_lanes(scenes: &Scenes<'_>, time_step: f64) -> Result<Measured, String> {
+fn in_lanes(scenes: &Scenes<'_>, stepping: Stepping, time_step: f64) -> Result<Measured, String> {
     let clock = clock(time_step);
-    let together = SideBySide::new(CENTRAL_DIFFERENCE, scenes.excitation, clock);
+    let together = SideBySide::new(stepping, scenes.excitation, clock);
     let together = together.map_err(|error| error.to_string())?;
     let rows: Vec<_> = scenes.rows.iter().collect();
     let n_steps = [clock.n_steps; IN_LANES];
