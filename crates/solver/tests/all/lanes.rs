@@ -43,7 +43,7 @@ fn stiffer(mut law: ContactLaw, factor: f64) -> ContactLaw {
 }
 
 /// The same row with other numbers.
-pub(crate) fn varied(case: &Case, scene: usize) -> Case {
+fn varied(case: &Case, scene: usize) -> Case {
     let factor = 1.0 + 0.05 * f64::from(u32::try_from(scene).expect("few"));
     let mut case = case.clone();
     for (index, [mass, period, ratio, yields]) in case.structures.iter_mut().enumerate() {
@@ -158,6 +158,29 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     Ok(())
 }
 
+/// The same with scenes like this one, so many, with every kind of columns.
+pub(crate) fn compare_columns(
+    stepping: Stepping,
+    case: &Case,
+    count: usize,
+) -> Result<(), TestCaseError> {
+    let scenes: Vec<_> = (0..count).map(|scene| varied(case, scene)).collect();
+    let rows: Vec<_> = scenes.iter().map(|case| case.row(SI)).collect();
+    compare(stepping, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
+    let column = |node: &Node<ElastoPlastic>| Bilinear {
+        stiffness: node.column.stiffness,
+        yield_force: node.column.yield_force,
+        hardening: 0.1,
+    };
+    let bilinear: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
+    compare(stepping, (&all(&bilinear), RowsOf::Bilinear), &case.ground)?;
+    let column = |node: &Node<ElastoPlastic>| Elastic {
+        stiffness: node.column.stiffness,
+    };
+    let elastic: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
+    compare(stepping, (&all(&elastic), RowsOf::Elastic), &case.ground)
+}
+
 fn settings() -> impl Strategy<Value = CentralDifference> {
     let starts = vec![
         Start::Consistent,
@@ -183,24 +206,12 @@ proptest! {
         settings in settings(),
         count in prop::sample::select(SCENES.to_vec()),
     ) {
-        let scenes: Vec<_> = (0..count).map(|scene| varied(&case, scene)).collect();
-        let rows: Vec<_> = scenes.iter().map(|case| case.row(SI)).collect();
-        compare(settings, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
-        let column = |node: &Node<ElastoPlastic>| Bilinear {
-            stiffness: node.column.stiffness,
-            yield_force: node.column.yield_force,
-            hardening: 0.1,
-        };
-        let bilinear: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
-        compare(settings, (&all(&bilinear), RowsOf::Bilinear), &case.ground)?;
-        let column = |node: &Node<ElastoPlastic>| Elastic { stiffness: node.column.stiffness };
-        let elastic: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
-        compare(settings, (&all(&elastic), RowsOf::Elastic), &case.ground)?;
+        compare_columns(settings.into(), &case, count)?;
     }
 }
 
 /// The same row with other columns, whose last structure is a wall if it is at rest and not alone.
-pub(crate) fn with_columns<Column: Hysteretic>(
+fn with_columns<Column: Hysteretic>(
     row: &Row<ElastoPlastic>,
     column: impl Fn(&Node<ElastoPlastic>) -> Column,
 ) -> Row<Column> {

@@ -2,13 +2,12 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Bilinear, Elastic, ElastoPlastic, Excitation, Node, Row, RowsOf, SideBySide, Tallies, Verlet,
-    VerletImpacts,
+    Elastic, Excitation, Node, Row, RowsOf, SideBySide, Tallies, Verlet, VerletImpacts,
 };
 use proptest::prelude::*;
 
-use crate::lanes::{CLOCK, SCENES, all, compare, varied, with_columns};
-use crate::random_rows::{Case, SI, any_law, cases, config};
+use crate::lanes::{CLOCK, SCENES, all, compare, compare_columns};
+use crate::random_rows::{Case, any_law, cases, config};
 
 /// Two structures of a row.
 fn shortened(mut case: Case) -> Case {
@@ -38,24 +37,27 @@ proptest! {
         impacts in prop::sample::select(vec![VerletImpacts::VelocityJump, VerletImpacts::Located]),
         count in prop::sample::select(SCENES.to_vec()),
     ) {
-        let settings = Verlet { impacts };
-        let scenes: Vec<_> = (0..count).map(|scene| varied(&case, scene)).collect();
-        let rows: Vec<_> = scenes.iter().map(|case| case.row(SI)).collect();
-        compare(settings, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
-        let column = |node: &Node<ElastoPlastic>| Bilinear {
-            stiffness: node.column.stiffness,
-            yield_force: node.column.yield_force,
-            hardening: 0.1,
-        };
-        let bilinear: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
-        compare(settings, (&all(&bilinear), RowsOf::Bilinear), &case.ground)?;
-        let column = |node: &Node<ElastoPlastic>| Elastic { stiffness: node.column.stiffness };
-        let elastic: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
-        compare(settings, (&all(&elastic), RowsOf::Elastic), &case.ground)?;
-        let apart = |row: &Row<Elastic>| Row::new(row.nodes().to_vec(), vec![]).expect("valid");
-        let apart: Vec<_> = elastic.iter().map(apart).collect();
-        compare(settings, (&all(&apart), RowsOf::Elastic), &case.ground)?;
+        compare_columns(Verlet { impacts }.into(), &case, count)?;
     }
+}
+
+/// Structures that cannot touch.
+#[test]
+fn limit_structures_without_a_pair_give_the_bits_of_theirs_alone() {
+    let row = |scene: u32| {
+        let node = |stiffness: f64| Node::structure(1e5, 1e4, Elastic { stiffness });
+        let stiffness = 1e6 * (1.0 + 0.1 * f64::from(scene));
+        Row::new(vec![node(stiffness), node(4e6)], vec![]).expect("valid")
+    };
+    let rows: Vec<_> = (0..11).map(row).collect();
+    let ground: Vec<f64> = (0..120)
+        .map(|n| 3.0 * libm::sin(0.3 * f64::from(n)))
+        .collect();
+    let settings = Verlet {
+        impacts: VerletImpacts::Located,
+    };
+    let held = compare(settings, (&all(&rows), RowsOf::Elastic), &ground);
+    held.expect("the same bits");
 }
 
 #[test]

@@ -7,6 +7,17 @@ use serde_json::{Value, json};
 
 use crate::{folder, scene, sweep, table};
 
+/// Three hundred periods of the left structure in a scene.
+fn with_periods(scene: &Value) -> Value {
+    json!({
+        "scene": scene,
+        "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
+        "samples": {"count": 300, "seed": 1, "method": "sobol"},
+        "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
+        "verdict": false,
+    })
+}
+
 /// What an accuracy chooses is what one would write by hand, and it is measured.
 #[test]
 fn reference_an_accuracy_chooses_a_method_and_measures_it() {
@@ -14,13 +25,7 @@ fn reference_an_accuracy_chooses_a_method_and_measures_it() {
     let words = |method: Value| {
         let mut scene = scene();
         scene["method"] = method;
-        json!({
-            "scene": scene,
-            "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
-            "samples": {"count": 300, "seed": 1, "method": "sobol"},
-            "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
-            "verdict": false,
-        })
+        with_periods(&scene)
     };
     let chosen = sweep(&folder, &words(json!({"accuracy": 0.02})));
     let accuracy = chosen.accuracy().expect("it was asked for");
@@ -63,13 +68,7 @@ fn reference_impacts_are_located_where_that_costs_less() {
         let mut scene = scene();
         scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 0.6}});
         scene["method"] = method;
-        json!({
-            "scene": scene,
-            "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
-            "samples": {"count": 300, "seed": 1, "method": "sobol"},
-            "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
-            "verdict": false,
-        })
+        with_periods(&scene)
     };
     let chosen = sweep(&folder, &words(json!({"accuracy": 0.002})));
     let accuracy = chosen.accuracy().expect("it was asked for");
@@ -97,14 +96,7 @@ fn reference_a_fine_accuracy_is_met_side_by_side() {
         let fields = left.as_object_mut().expect("an object");
         fields.remove("yield_displacement_m");
         scene["method"] = json!({"accuracy": accuracy});
-        let words = json!({
-            "scene": scene,
-            "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
-            "samples": {"count": 300, "seed": 1, "method": "sobol"},
-            "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
-            "verdict": false,
-        });
-        sweep(&folder, &words)
+        sweep(&folder, &with_periods(&scene))
     };
     let flown = chosen(1e-7);
     let accuracy = flown.accuracy().expect("it was asked for");
