@@ -19,9 +19,10 @@ const MEASURING: usize = 128;
 /// The longest time step that is tried \[s\], and how often it is halved.
 const LONGEST: f64 = 0.02;
 const HALVED: i32 = 7;
-/// How often where the exact method runs scenes side by side: it then costs as much as steps of one to two milliseconds (`cargo xtask
-/// bench --peers`).
+/// How often where the exact method runs all scenes side by side, and what one costs that runs alone instead, in such scenes: the exact
+/// method side by side costs as much as steps of one to two milliseconds (`cargo xtask bench --peers`).
 const HALVED_BESIDE: i32 = 4;
+const ALONE: f64 = 13.0;
 /// Its tolerance, as a part of the error that is asked for.
 const PART: f64 = 0.1;
 
@@ -132,10 +133,12 @@ impl Sweep {
         let flown = exact(asked * PART);
         self.set_method(&flown);
         let (found, beside) = self.numbers_beside(&chooses);
-        let flies = beside && holds_for(&truth, &found, asked);
-        let halved = if flies { HALVED_BESIDE } else { HALVED };
-        // The finest step that costs less has nothing to confirm it.
-        let otherwise = if flies { flown } else { Method::EXACT };
+        let flies = beside > 0.0 && holds_for(&truth, &found, asked);
+        let (halved, otherwise) = if flies {
+            (halved_beside(beside), flown)
+        } else {
+            (HALVED, Method::EXACT)
+        };
         let method = self.stepping((&chooses, &truth), asked, halved);
         let method = method.unwrap_or(otherwise);
         self.set_method(&method);
@@ -205,8 +208,8 @@ impl Sweep {
         self.numbers_beside(runs).0
     }
 
-    /// The same, and whether most of the runs can go side by side.
-    fn numbers_beside(&self, runs: &[u64]) -> (Vec<Option<Vec<f64>>>, bool) {
+    /// The same, and the part of the runs that went side by side \[–\].
+    fn numbers_beside(&self, runs: &[u64]) -> (Vec<Option<Vec<f64>>>, f64) {
         let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
         let of_floors = of_floor.cycle();
         let of_floors = of_floors.take(self.outputs.structures.len() * self.row.floors.len());
@@ -222,11 +225,16 @@ impl Sweep {
         };
         let (numbers, beside): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
         let beside: usize = beside.iter().sum();
-        (
-            numbers,
-            beside as f64 >= SweepAccuracy::SHARE * runs.len() as f64,
-        )
+        (numbers, beside as f64 / runs.len() as f64)
     }
+}
+
+/// How often the longest step can be halved before it costs more than the exact method, by which this part of the scenes goes side by
+/// side.
+fn halved_beside(beside: f64) -> i32 {
+    let cost = 1.0 + ALONE * (1.0 - beside);
+    let cheaper = |halved: &i32| f64::from(1 << (halved - HALVED_BESIDE)) <= cost;
+    (HALVED_BESIDE..=HALVED).rfind(cheaper).unwrap_or(HALVED)
 }
 
 /// The methods that step, the cheaper one first: both run side by side.
@@ -291,6 +299,13 @@ fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn reference_steps_down_to_what_the_exact_method_costs() {
+        for (beside, wanted) in [(1.0, 4), (0.95, 4), (0.9, 5), (0.5, 6), (0.0, 7)] {
+            assert_eq!(halved_beside(beside), wanted, "{beside}");
+        }
+    }
 
     #[test]
     fn reference_quantiles_and_distances() {
