@@ -84,6 +84,7 @@ fn reference_every_encoding_of_counts_in_both_versions() {
 fn reference_floats_need_their_unit_alone() {
     let declared = Declared {
         per_count: None,
+        acceleration: false,
         ..in_milli_g()
     };
     for version in [2, 3] {
@@ -145,7 +146,7 @@ fn extreme_records() {
     tail.extend(b"something else");
     assert_snapshot!(refusal(&tail, &in_milli_g()), @r#"byte 513 reads "somethin", but a record of miniSEED should stand there; fetch the file again"#);
     let velocity = record(2, "HHE", 0, EncodingFormat::Int32, Samples::Int(vec![7, 8]));
-    assert_snapshot!(refusal(velocity, &in_milli_g()), @r#"byte 1 reads "ZZ.STA.00.HHE", but only histories of acceleration are read; take the stream of an accelerometer, such as HNE"#);
+    assert_snapshot!(refusal(velocity, &in_milli_g()), @r#"byte 1 reads "ZZ.STA.00.HHE", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"#);
     let not_finite = record(
         3,
         "HNE",

@@ -72,6 +72,7 @@ const IN_SI: Declared = Declared {
     time_step: None,
     component: None,
     per_count: None,
+    acceleration: false,
 };
 
 #[test]
