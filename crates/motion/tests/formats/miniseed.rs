@@ -171,3 +171,23 @@ proptest! {
         }
     }
 }
+
+/// Records without a blockette 1000 were refused: their packing is Steim 1, and their length is where the next begins.
+#[test]
+fn issue_records_without_a_blockette_1000() {
+    let bare = |start: u32| {
+        let mut bytes = counts(2, start, EncodingFormat::Steim1);
+        bytes[39] = 0;
+        bytes[46..48].fill(0);
+        bytes
+    };
+    let expected = accelerogram(counts(2, 0, EncodingFormat::Steim1), &in_milli_g());
+    let found = accelerogram(bare(0), &in_milli_g());
+    assert_eq!(found.values(), expected.values());
+    let two = [bare(0), bare(9)].concat();
+    assert_eq!(
+        accelerogram(two, &in_milli_g()).values().len(),
+        2 * expected.values().len()
+    );
+    assert_snapshot!(refusal(&bare(0)[..400], &in_milli_g()), @r#"byte 1 reads "000001D ", but a record with a blockette 1000 that tells its length, or another record behind it should stand there; fetch the file again"#);
+}
