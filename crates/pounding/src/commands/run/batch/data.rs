@@ -4,7 +4,7 @@ use pounding::studies::{PairSummary, Scene, StructureSummary};
 use serde_json::json;
 
 use super::Line;
-use crate::commands::{csv_text, json_text};
+use crate::commands::{csv_text, json_text, suite};
 
 /// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
 fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
@@ -107,6 +107,7 @@ pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
         Ok(found) => json!({
             "record": line.motion,
             "reversed": line.reversed,
+            "direction": suite::direction(line),
             "pga_m_per_s2": found.pga,
             "scale_factor": found.scale,
             "largest_error": found.error,
