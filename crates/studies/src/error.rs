@@ -138,6 +138,7 @@ fn by_fields(error: &ReadError) -> String {
         ("`time_step`", "`record.time_step_s`"),
         ("`component`", "`record.component`"),
         ("`per_count`", "`record.per_count`"),
+        ("`acceleration`", "`record.acceleration` as true"),
     ]
     .iter()
     .fold(error.to_string(), |text, (word, field)| {

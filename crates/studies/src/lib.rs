@@ -108,7 +108,7 @@ pub use spectrum::{
     response_spectrum_watched, scaled_to_sa, spectra_figure,
 };
 pub use study::{Output, Study, StudyFile};
-pub use suite::{Motion, Vertical, files_in};
+pub use suite::{Motion, Orientation, Vertical, files_in};
 pub use surveys::{
     Fragility, Kept, PoundingSpectra, Range, RequiredGap, Scan, Sensitivity, StiffnessRatio,
     Survey, SurveyStudy,

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::studies::{Motion, Prepared, Scene, StudyError};
+use pounding::studies::{Motion, Orientation, Prepared, Scene, StudyError};
 use rayon::prelude::*;
 
 use crate::progress::Progress;
@@ -12,6 +12,8 @@ use crate::progress::Progress;
 pub(super) struct Line<T> {
     pub(super) motion: String,
     pub(super) reversed: bool,
+    /// Whether nothing tells how the motion lies.
+    pub(super) untold: bool,
     pub(super) found: Result<T, String>,
 }
 
@@ -95,6 +97,7 @@ pub(super) fn lines<T: Send>(
         Line {
             motion: motion.name(),
             reversed,
+            untold: motion.orientation == Orientation::Untold,
             found: found.map_err(|error| error.reason()),
         }
     };
@@ -139,6 +142,29 @@ pub(super) fn left_out<T>(lines: &[Line<T>]) -> Vec<String> {
     said
 }
 
+/// What is said of motions that shake the row though nothing tells how they lie; `None` if there are none.
+pub(super) fn untold<T>(lines: &[Line<T>]) -> Option<String> {
+    let untold = lines
+        .iter()
+        .filter(|line| line.untold && line.found.is_ok());
+    let mut names: Vec<&str> = untold.map(|line| line.motion.as_str()).collect();
+    names.dedup();
+    said_of_untold(&names)
+}
+
+/// What is said of motions of these names, whose direction nothing tells; `None` if there are none.
+pub(super) fn said_of_untold(names: &[impl AsRef<str>]) -> Option<String> {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    let said =
+        "they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
+    (!names.is_empty()).then(|| format!("not told, {said}: {}", names.join(", ")))
+}
+
+/// How a line's motion lies, for a program: `null` where nothing tells.
+pub(super) fn direction<T>(line: &Line<T>) -> Option<&'static str> {
+    (!line.untold).then_some("horizontal")
+}
+
 /// The motions of a folder, at least one.
 fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
     let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
@@ -161,6 +187,7 @@ mod tests {
         Line {
             motion: motion.into(),
             reversed,
+            untold: false,
             found: found.map_err(String::from),
         }
     }

@@ -10,7 +10,7 @@ use pounding::studies::{
     ColumnErrors, Joined, Method, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
 };
 
-use super::suite::{STOPPED, stop_when_asked};
+use super::suite::{STOPPED, said_of_untold, stop_when_asked};
 use crate::new_file;
 use crate::progress::Counter;
 use crate::text::{milliseconds, paragraph, percent};
@@ -116,6 +116,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     if !sweep.left_out().is_empty() {
         lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
     }
+    lines.extend(said_of_untold(sweep.untold()).map(|said| paragraph("Direction", &said)));
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, &out)?));
     }

@@ -146,6 +146,11 @@ impl Sweep {
         &self.motions.left_out
     }
 
+    /// Returns the names of records whose direction nothing tells; they count as horizontal.
+    pub fn untold(&self) -> &[String] {
+        &self.motions.untold
+    }
+
     /// SHA-256 of everything that the rows depend on, in hexadecimal digits.
     pub(crate) fn sha256(&self) -> &str {
         &self.sha256
