@@ -1,11 +1,13 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
+use std::ops::Range;
+
 use crate::exact::contact::{Contact, Link};
 use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
 use crate::exact::roots::CAPACITY;
 use crate::exact::storey::rate_of_drift;
-use crate::exact::{CHATTER, ROUNDING, Run};
+use crate::exact::{CHATTER, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 
@@ -58,12 +60,16 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Impacts of chains of touching pairs, then rest or parting.
     fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
+        let closed_in = |hit: &Hit| hit.closed_in(&self.members);
+        if let Some(pair) = hits.iter().find_map(closed_in) {
+            return Err(self.closed_in(pair, time));
+        }
         loop {
             for hit in &mut hits {
                 self.give_impulses(hit);
             }
             self.unload(&hits);
-            self.rest_or_part(&hits, time);
+            self.rest_or_part(&hits, time)?;
             let mut grown = false;
             for hit in &mut hits {
                 for pair in hit.first..=hit.last {
@@ -251,8 +257,12 @@ impl<R: Recorder> Run<'_, R> {
     /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
     /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
     /// go first whose coefficient does.
-    fn rest_or_part(&mut self, hits: &[Hit], time: f64) {
-        let pairs = || hits.iter().flat_map(|hit| hit.first..=hit.last);
+    fn rest_or_part<'h>(&mut self, hits: &'h [Hit], time: f64) -> Result<(), RunError> {
+        let chains = || {
+            let of = |hit: &'h Hit| (hit.first..=hit.last).map(move |pair| (hit, pair));
+            hits.iter().flat_map(of)
+        };
+        let pairs = || chains().map(|(_, pair)| pair);
         for pair in pairs() {
             self.contacts[pair].link = Link::Apart;
         }
@@ -271,10 +281,13 @@ impl<R: Recorder> Run<'_, R> {
                     .min(),
             };
             let mut grown = false;
-            for pair in pairs() {
+            for (hit, pair) in chains() {
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
-                    self.join(pair, time);
+                    if self.is_held(pair) {
+                        return Err(self.closed_in(pair, time));
+                    }
+                    self.join(hit, pair, time);
                     grown = true;
                 }
             }
@@ -282,13 +295,24 @@ impl<R: Recorder> Run<'_, R> {
                 break;
             }
         }
-        // Neighbours that move alike without a force stay together.
-        for pair in pairs() {
-            if self.may_press(pair) && self.press(pair).is_none() {
-                self.join(pair, time);
+        // Neighbours that move alike without a force stay together; not what walls on both sides hold: which of its forces
+        // is zero, as one must be, is free.
+        for (hit, pair) in chains() {
+            if self.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
+                self.join(hit, pair, time);
             }
         }
         self.regroup();
+        Ok(())
+    }
+
+    fn closed_in(&self, pair: usize, time: f64) -> RunError {
+        let left = self.lefts[pair];
+        RunError::ClosedIn {
+            left,
+            right: left + 1,
+            time,
+        }
     }
 
     /// Whether a pair that touches is neither at rest nor parting with a rate.
@@ -297,29 +321,43 @@ impl<R: Recorder> Run<'_, R> {
         contact.link == Link::Apart && contact.rate == 0.0
     }
 
-    fn join(&mut self, pair: usize, time: f64) {
-        self.contacts[pair].link = Link::Resting;
+    /// Whether both sides of a pair rest against walls already.
+    fn is_held(&self, pair: usize) -> bool {
         let left = self.lefts[pair];
-        let (a, b) = (&self.members[left], &self.members[left + 1]);
-        let [v, w] = [a.state.velocity, b.state.velocity];
-        let heavier_left = a.mass >= b.mass;
-        let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) else {
-            let velocity = if heavier_left { v } else { w };
-            self.members[left].state.velocity = velocity;
-            self.members[left + 1].state.velocity = velocity;
-            return;
+        let rests = |node: usize| {
+            let pair = self.pair_right_of[node];
+            pair.is_some_and(|pair| self.contacts[pair].link == Link::Resting)
         };
-        let grounds = [left, left + 1].map(|node| travel.ground(node, time).velocity);
-        let carried = grounds[0] - grounds[1];
-        let terms = [v, w, grounds[0], grounds[1]].map(f64::abs);
-        // At rest already: what is known to be zero of either velocity stays so.
-        if (v - w + carried).abs() <= ROUNDING * terms.iter().sum::<f64>() {
+        let mut first = left;
+        while first > 0 && rests(first - 1) {
+            first -= 1;
+        }
+        let mut last = left + 1;
+        while last < self.members.len() && rests(last) {
+            last += 1;
+        }
+        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.members[node].is_wall());
+        holds(first..left + 1) && holds(left + 1..last + 1)
+    }
+
+    /// Lets a pair rest: the lighter side takes the velocity of the heavier one, over its own ground.
+    fn join(&mut self, hit: &Hit, pair: usize, time: f64) {
+        self.contacts[pair].link = Link::Resting;
+        if hit.rests_on(pair, &self.members) {
             return;
         }
-        if heavier_left {
-            self.members[left + 1].state.velocity = v + carried;
+        let left = self.lefts[pair];
+        let opens = self.contacts[pair].opens();
+        let carried = self.travel.as_ref().filter(|_| opens).map(|travel| {
+            let [first, last] = [left, left + 1].map(|node| travel.ground(node, time).velocity);
+            first - last
+        });
+        let [a, b] = [left, left + 1].map(|node| &self.members[node]);
+        let [v, w] = [a.state.velocity, b.state.velocity];
+        if a.mass >= b.mass {
+            self.members[left + 1].state.velocity = carried.map_or(v, |carried| v + carried);
         } else {
-            self.members[left].state.velocity = w - carried;
+            self.members[left].state.velocity = carried.map_or(w, |carried| w - carried);
         }
     }
 

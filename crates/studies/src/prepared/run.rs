@@ -325,6 +325,7 @@ impl Prepared {
             RunError::BouncesWithoutEnd { left, right, .. }
             | RunError::TooDamped { left, right, .. }
             | RunError::NoSeries { left, right, .. }
+            | RunError::ClosedIn { left, right, .. }
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };
