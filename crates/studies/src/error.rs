@@ -197,6 +197,16 @@ impl StudyError {
         }
     }
 
+    /// Whether somebody ended the run.
+    pub fn is_stopped(&self) -> bool {
+        match self {
+            Self::Run { source, .. } => matches!(source, RunError::Stopped { .. }),
+            Self::NoReference(source) => source.is_stopped(),
+            Self::InFile { source, .. } => source.is_stopped(),
+            _ => false,
+        }
+    }
+
     /// The message without the name of a record file, beside which it stands.
     pub fn reason(&self) -> String {
         if let Self::Record { source, .. } = self {

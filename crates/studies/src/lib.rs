@@ -97,8 +97,8 @@ pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
 pub use savings::{Burden, Burdened};
 pub use scene::{
     BoucWen, Building, Columns, Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground,
-    Method, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Storey,
-    Structure, Unit,
+    Method, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic,
+    Storey, Structure, Unit,
 };
 pub use scene_error::SceneError;
 pub use schema::{scene_schema, sweep_schema};

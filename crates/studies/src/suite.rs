@@ -1,6 +1,7 @@
 //! A folder of records, each of which shakes the same row.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Direction, components};
 
@@ -74,6 +75,19 @@ impl Motion {
     /// # Errors
     /// Those of [`Prepared::new`]; [`StudyError::Vertical`].
     pub fn shake(&self, scene: &Scene, reversed: bool) -> Result<Prepared, StudyError> {
+        self.shake_until(scene, reversed, None)
+    }
+
+    /// The same; whoever sets `stop` ends its runs, and those that find its method.
+    ///
+    /// # Errors
+    /// Those of [`Self::shake`]; [`StudyError::is_stopped`] tells one that was ended.
+    pub fn shake_until(
+        &self,
+        scene: &Scene,
+        reversed: bool,
+        stop: Option<&'static AtomicBool>,
+    ) -> Result<Prepared, StudyError> {
         if let Orientation::Vertical(vertical) = &self.orientation {
             return Err(StudyError::Vertical(vertical.clone()));
         }
@@ -82,7 +96,7 @@ impl Motion {
         scene.record.reversed = reversed;
         self.where_unsaid(&scene.record.clone(), |source| {
             scene.record.source = source;
-            Prepared::new(&scene, Path::new(""))
+            Prepared::stopped_by(&scene, Path::new(""), stop)
         })
     }
 

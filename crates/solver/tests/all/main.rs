@@ -3,6 +3,7 @@
 mod allocations;
 mod audit;
 mod beyond_numbers;
+mod budgets;
 mod chopra;
 mod clamped_collisions;
 mod common;

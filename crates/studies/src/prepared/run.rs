@@ -242,7 +242,8 @@ impl Prepared {
         recorder: &mut R,
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
-        with_row!(&self.model, row => integrator.run(row, excitation, clock, recorder))
+        let course = clock.within(self.budget());
+        with_row!(&self.model, row => integrator.run(row, excitation, course, recorder))
     }
 
     /// Runs the scene with recorders of a type that others use too.
@@ -323,6 +324,7 @@ impl Prepared {
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. }
+            | RunError::TooDamped { left, right, .. }
             | RunError::NoSeries { left, right, .. }
             | RunError::ClosedIn { left, right, .. }
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Sweep;
 use super::quantity::Ran;
@@ -50,6 +51,13 @@ impl Batch {
     }
 }
 
+/// Runs, how many of them are made ready at a time, and who ends them.
+type Many = (Range<u64>, usize, Option<&'static AtomicBool>);
+
+fn is_set(stop: Option<&'static AtomicBool>) -> bool {
+    stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+}
+
 /// Scenes that are made ready before they run: of two structures as many as a batch has use for (the record is read once for all of
 /// them), of long rows what fills all lanes and not the memory.
 fn beside(n_floors: usize) -> usize {
@@ -66,24 +74,34 @@ impl Sweep {
 
     /// Runs a range of runs, below [`Self::n_runs`].
     pub fn batch(&self, runs: Range<u64>) -> Batch {
-        self.batch_of(runs, beside(self.row.floors.len()))
+        self.batch_of(runs, (beside(self.row.floors.len()), None))
     }
 
-    /// The same, so many of which are made ready at a time.
-    pub(super) fn batch_of(&self, runs: Range<u64>, beside: usize) -> Batch {
+    /// The same; nothing where somebody sets `stop` before they are done.
+    pub(super) fn batch_until(&self, runs: Range<u64>, stop: &'static AtomicBool) -> Option<Batch> {
+        let batch = self.batch_of(runs, (beside(self.row.floors.len()), Some(stop)));
+        (!is_set(Some(stop))).then_some(batch)
+    }
+
+    /// Runs a range of runs, so many of which are made ready at a time; some fail where somebody sets `stop`.
+    pub(super) fn batch_of(
+        &self,
+        runs: Range<u64>,
+        (beside, stop): (usize, Option<&'static AtomicBool>),
+    ) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.n_columns());
         let mut run = runs.start;
         while run < runs.end {
             let (motion, next) = self.plan.motion(run);
             let end = next.min(runs.end);
-            self.run_under(motion, (run..end, beside), &mut batch);
+            self.run_under(motion, (run..end, beside, stop), &mut batch);
             run = end;
         }
         batch
     }
 
     /// Runs a range of runs under one motion.
-    fn run_under(&self, motion: usize, (runs, beside): (Range<u64>, usize), batch: &mut Batch) {
+    fn run_under(&self, motion: usize, (runs, beside, stop): Many, batch: &mut Batch) {
         let mut scene = self.scene.clone();
         let (mut point, mut settings) = (Point::default(), Vec::new());
         // What is made ready for the numbers of many runs is of no use to one.
@@ -91,7 +109,7 @@ impl Sweep {
         let mut renumbered = many.then(|| self.renumbered(motion)).flatten();
         let (mut ready, mut ran) = (Vec::new(), Vec::new());
         let mut next = runs.start;
-        while next < runs.end {
+        while next < runs.end && !is_set(stop) {
             // Those that are read anew may be of other columns, in whose memory no numbers are set.
             let mut all_set = renumbered.is_some();
             for run in (next..runs.end).take(beside) {
@@ -111,7 +129,10 @@ impl Sweep {
                     }
                 });
                 match prepared {
-                    Ok(prepared) => ready.push((batch.place(run), prepared)),
+                    Ok(mut prepared) => {
+                        prepared.set_stop(stop);
+                        ready.push((batch.place(run), prepared));
+                    }
                     Err(reason) => batch.fail(run, reason),
                 }
                 next = run + 1;
