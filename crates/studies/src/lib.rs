@@ -54,6 +54,7 @@ mod sweep;
 mod tables;
 mod trade;
 mod unneeded;
+pub mod verify;
 mod warning;
 mod words;
 mod work_precision;
