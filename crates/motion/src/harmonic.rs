@@ -75,11 +75,12 @@ impl Harmonic {
 
     /// Share of the amplitude some time \[s\] after zero.
     fn rise(&self, time: f64) -> f64 {
+        // The last sample may lie behind the end by its rounding, and a ramp may have no length.
+        let time = time.max(0.0);
         if time >= self.ramp() {
             1.0
         } else {
-            // The last sample may lie behind the end by its rounding.
-            0.5 - 0.5 * libm::cos(PI * time.max(0.0) / self.ramp())
+            0.5 - 0.5 * libm::cos(PI * time / self.ramp())
         }
     }
 }

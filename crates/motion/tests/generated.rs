@@ -52,6 +52,22 @@ fn limit_ramps_change_nothing_between_them_and_begin_and_end_at_zero() {
 }
 
 #[test]
+fn issue_a_last_sample_behind_the_end_by_its_rounding_is_a_number() {
+    // 70 steps of 0.01 s end 1e-16 s behind 0.7 s. Without ramps that sample was 0/0, and the run refused its own record.
+    for (duration, time_step) in [(0.7, 0.01), (4.1, 0.025)] {
+        let motion = Harmonic {
+            frequency: 5.0,
+            duration,
+            time_step,
+            ..HARMONIC
+        };
+        let record = motion.record().unwrap();
+        let last = *record.samples().last().unwrap();
+        assert!(last.abs() < 1e-12, "{duration} s: {last}");
+    }
+}
+
+#[test]
 fn reference_a_ricker_pulse_leaves_the_ground_where_it_was() {
     let pulse = RickerPulse {
         amplitude: -3.0,

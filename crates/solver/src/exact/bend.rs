@@ -24,6 +24,8 @@ pub(super) struct Bend {
     products: Vec<bool>,
     /// Sign of h, and of the rate of the drift; 0 as long as they are not known.
     signs: (f64, f64),
+    /// Sign of the rate of the drift where its first coefficients are rounding; else 0.
+    direction: f64,
     /// h.
     pub(super) force: [f64; CAPACITY],
     /// |y| and its powers, one a product.
@@ -47,6 +49,7 @@ impl Bend {
             limit,
             products,
             signs: (0.0, 0.0),
+            direction: 0.0,
             force: [0.0; CAPACITY],
             powers: [[0.0; CAPACITY]; PRODUCTS + 1],
         }
@@ -56,7 +59,26 @@ impl Bend {
     pub(super) fn begin(&mut self, force: f64) {
         self.force = [0.0; CAPACITY];
         self.force[0] = force;
-        self.signs = (sign(force), 0.0);
+        self.signs = (sign(force), self.direction);
+        if self.signs.0 == 0.0 {
+            self.signs.0 = self.direction;
+        }
+    }
+
+    /// What is known of the next pieces' direction is forgotten: their first coefficients tell it.
+    pub(super) fn forget_direction(&mut self) {
+        self.direction = 0.0;
+    }
+
+    /// Takes the direction from a coefficient of the rate of the drift that is not rounding; true where the last expansion
+    /// went the other way.
+    pub(super) fn goes_with(&mut self, leading: f64) -> bool {
+        let known = sign(leading);
+        let other = self.signs.1 != known;
+        if other {
+            self.direction = known;
+        }
+        other
     }
 
     /// Finds coefficient `n` of h; those of the drift up to `n` are known.

@@ -187,8 +187,14 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Expands a body; once more where the first expansion shows that columns unload, or what is but rounding.
     fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
-        for joined in self.groups.of(first).pairs() {
+        let group = self.groups.of(first);
+        for joined in group.pairs() {
             self.contacts[joined.pair].alike = 0;
+        }
+        for &node in group.followed() {
+            if let Some(bend) = &mut self.members[node].bend {
+                bend.forget_direction();
+            }
         }
         let (power, len) = self.expand(first, time);
         self.clean(first, time, power);

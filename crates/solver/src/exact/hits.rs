@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::Recorder;
-use crate::exact::contact::Contact;
+use crate::exact::contact::{Contact, Link};
+use crate::exact::member::Member;
 use crate::exact::{CHATTER, Run};
 
 /// Impacts of a pair within the shortest remainder after which the next one is plastic.
@@ -22,10 +23,25 @@ pub(super) struct Hit {
     /// Velocities of the nodes and rates of the pairs before.
     pub(super) before: Vec<f64>,
     pub(super) rates: Vec<f64>,
+    /// Pairs that were at rest until now.
+    pub(super) rested: Vec<bool>,
     /// Pairs that come to rest instead of bouncing on.
     pub(super) plastic: Vec<bool>,
     /// Impulse of every pair.
     pub(super) impulses: Vec<f64>,
+}
+
+impl Hit {
+    /// Whether a pair goes on resting: both sides keep their velocities to the last bit, and what is known of them, such as
+    /// that one of them passes zero.
+    pub(super) fn rests_on(&self, pair: usize, members: &[Member]) -> bool {
+        let index = pair - self.first;
+        let keeps = |side: usize| {
+            let velocity = members[self.left + side].state.velocity;
+            velocity.total_cmp(&self.before[side]).is_eq()
+        };
+        self.rested[index] && keeps(index) && keeps(index + 1)
+    }
 }
 
 impl<R: Recorder> Run<'_, R> {
@@ -70,6 +86,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let contacts = &self.contacts[first..=last];
         let again = |contact: &Contact| time - contact.hit < CHATTER && contact.burst >= BURST;
+        let rests = |contact: &Contact| contact.link == Link::Resting;
         let left = self.lefts[first];
         let members = &self.members[left..=self.lefts[last] + 1];
         Hit {
@@ -79,6 +96,7 @@ impl<R: Recorder> Run<'_, R> {
             carried: self.carried(left..self.lefts[last] + 2, time),
             before: members.iter().map(|member| member.state.velocity).collect(),
             rates: contacts.iter().map(|contact| contact.rate).collect(),
+            rested: contacts.iter().map(rests).collect(),
             plastic: contacts.iter().map(again).collect(),
             impulses: vec![0.0; contacts.len()],
         }

@@ -225,18 +225,25 @@ impl Member {
         }
     }
 
-    /// Ends yielding where the motion from a standstill leads back; true when it did.
+    /// Ends yielding where the motion from a standstill leads back, and turns columns that yield smoothly the way it leads;
+    /// true when it did either.
     pub(super) fn turns_back(&mut self, below: Option<&Self>, p: usize) -> bool {
         let coefficients = self.drift_rate().iter().enumerate();
         // Where the acceleration is zero by an event, rounding has no say in it.
         let leading = coefficients
             .filter(|(n, coefficient)| coefficient.abs() > self.noise_of_rate(below, p, *n))
-            .map(|(_, coefficient)| coefficient)
+            .map(|(_, coefficient)| *coefficient)
             .next();
-        let back = match (self.branch, leading) {
-            (Branch::Right, Some(leading)) => *leading < 0.0,
-            (Branch::Left, Some(leading)) => *leading > 0.0,
-            (Branch::Elastic, _) | (_, None) => false,
+        let Some(leading) = leading else {
+            return false;
+        };
+        if let Some(bend) = &mut self.bend {
+            return bend.goes_with(leading);
+        }
+        let back = match self.branch {
+            Branch::Right => leading < 0.0,
+            Branch::Left => leading > 0.0,
+            Branch::Elastic => false,
         };
         if back {
             self.branch = Branch::Elastic;

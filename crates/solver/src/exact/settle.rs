@@ -251,8 +251,12 @@ impl<R: Recorder> Run<'_, R> {
     /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
     /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
     /// go first whose coefficient does.
-    fn rest_or_part(&mut self, hits: &[Hit], time: f64) {
-        let pairs = || hits.iter().flat_map(|hit| hit.first..=hit.last);
+    fn rest_or_part<'h>(&mut self, hits: &'h [Hit], time: f64) {
+        let chains = || {
+            let of = |hit: &'h Hit| (hit.first..=hit.last).map(move |pair| (hit, pair));
+            hits.iter().flat_map(of)
+        };
+        let pairs = || chains().map(|(_, pair)| pair);
         for pair in pairs() {
             self.contacts[pair].link = Link::Apart;
         }
@@ -271,10 +275,10 @@ impl<R: Recorder> Run<'_, R> {
                     .min(),
             };
             let mut grown = false;
-            for pair in pairs() {
+            for (hit, pair) in chains() {
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
-                    self.join(pair, time);
+                    self.join(hit, pair, time);
                     grown = true;
                 }
             }
@@ -283,9 +287,9 @@ impl<R: Recorder> Run<'_, R> {
             }
         }
         // Neighbours that move alike without a force stay together.
-        for pair in pairs() {
+        for (hit, pair) in chains() {
             if self.may_press(pair) && self.press(pair).is_none() {
-                self.join(pair, time);
+                self.join(hit, pair, time);
             }
         }
         self.regroup();
@@ -297,29 +301,24 @@ impl<R: Recorder> Run<'_, R> {
         contact.link == Link::Apart && contact.rate == 0.0
     }
 
-    fn join(&mut self, pair: usize, time: f64) {
+    /// Lets a pair rest: the lighter side takes the velocity of the heavier one, over its own ground.
+    fn join(&mut self, hit: &Hit, pair: usize, time: f64) {
         self.contacts[pair].link = Link::Resting;
-        let left = self.lefts[pair];
-        let (a, b) = (&self.members[left], &self.members[left + 1]);
-        let [v, w] = [a.state.velocity, b.state.velocity];
-        let heavier_left = a.mass >= b.mass;
-        let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) else {
-            let velocity = if heavier_left { v } else { w };
-            self.members[left].state.velocity = velocity;
-            self.members[left + 1].state.velocity = velocity;
-            return;
-        };
-        let grounds = [left, left + 1].map(|node| travel.ground(node, time).velocity);
-        let carried = grounds[0] - grounds[1];
-        let terms = [v, w, grounds[0], grounds[1]].map(f64::abs);
-        // At rest already: what is known to be zero of either velocity stays so.
-        if (v - w + carried).abs() <= ROUNDING * terms.iter().sum::<f64>() {
+        if hit.rests_on(pair, &self.members) {
             return;
         }
-        if heavier_left {
-            self.members[left + 1].state.velocity = v + carried;
+        let left = self.lefts[pair];
+        let opens = self.contacts[pair].opens();
+        let carried = self.travel.as_ref().filter(|_| opens).map(|travel| {
+            let [first, last] = [left, left + 1].map(|node| travel.ground(node, time).velocity);
+            first - last
+        });
+        let [a, b] = [left, left + 1].map(|node| &self.members[node]);
+        let [v, w] = [a.state.velocity, b.state.velocity];
+        if a.mass >= b.mass {
+            self.members[left + 1].state.velocity = carried.map_or(v, |carried| v + carried);
         } else {
-            self.members[left].state.velocity = w - carried;
+            self.members[left].state.velocity = carried.map_or(w, |carried| w - carried);
         }
     }
 

@@ -149,9 +149,11 @@ impl Recorder for Collisions {
         } else {
             end
         };
-        if collision.peak_force.is_some_and(|peak| known > peak) {
-            collision.peak_force = Some(known);
-            collision.peak_force_time = Some(span.end_time);
+        // A floor that is hit presses a damped neighbour harder at once: the force jumps between two spans.
+        for (force, time) in [(start, span.start_time), (known, span.end_time)] {
+            if collision.peak_force.is_some_and(|peak| force > peak) {
+                (collision.peak_force, collision.peak_force_time) = (Some(force), Some(time));
+            }
         }
     }
 

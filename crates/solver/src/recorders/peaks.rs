@@ -109,6 +109,10 @@ impl Recorder for Peaks {
         let peaks = &mut self.structures[span.structure];
         if span.start_time == 0.0 {
             peaks.take(&span.start, 0.0);
+        } else {
+            // A pounding force jumps where a floor that presses a damped neighbour is hit; no other number does.
+            let force = span.start.pounding_force();
+            peaks.pounding_force.take(force, span.start_time);
         }
         if let Path::Series(_) = span.path {
             peaks.take_inside(span);
