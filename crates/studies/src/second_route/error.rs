@@ -27,16 +27,6 @@ pub enum SecondRouteError {
         /// The tolerance asked for.
         tolerance: f64,
     },
-    /// A stereomechanical pair bounces down to rest in contact, which this route does not follow.
-    #[error(
-        "second route: pair {pair} comes to rest in contact at t = {time} s; only the exact solver follows that"
-    )]
-    ComesToRest {
-        /// Index of the pair in its row.
-        pair: usize,
-        /// Impact too weak to be told from rounding \[s\].
-        time: f64,
-    },
     /// More events between two samples of the record than can be told apart.
     #[error(
         "second route: more than {limit} events within one sample of the record, at t = {time} s"

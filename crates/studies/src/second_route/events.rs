@@ -4,7 +4,7 @@ use pounding_contact::SLOWEST_APPROACH;
 
 use super::law::Law;
 use super::model::{TIME, velocity};
-use super::motion::Motion;
+use super::motion::{Motion, NOW};
 use super::phases::{Branch, Contact};
 use super::variable::Variable;
 
@@ -35,6 +35,10 @@ pub(super) enum Event {
     Clamp(usize),
     /// It pushes again.
     Grip(usize),
+    /// The force of a pair at rest fades.
+    Fade(usize),
+    /// A pair at rest without a force would close, or open.
+    Stir(usize),
 }
 
 /// Lists the events that the present phases allow while a step runs in a variable.
@@ -68,7 +72,9 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
         }
     }
     for (index, phase) in motion.phases.pairs.iter().enumerate() {
-        events.push(Event::Reversal(index));
+        if !matches!(phase.contact, Contact::Resting { .. }) {
+            events.push(Event::Reversal(index));
+        }
         match phase.contact {
             // Deformation grows only while the rate is positive, and every change of its sign ends a step.
             Contact::Apart if phase.direction > 0.0 => events.push(Event::Touch(index)),
@@ -84,6 +90,10 @@ pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>)
                 }
             }
             Contact::Clamped => events.extend([Event::Part(index), Event::Grip(index)]),
+            Contact::Resting { presses: true, .. } => {
+                events.extend([Event::ForcePeak(index), Event::Fade(index)]);
+            }
+            Contact::Resting { presses: false, .. } => events.push(Event::Stir(index)),
         }
     }
 }
@@ -116,22 +126,29 @@ impl Event {
             }
             Self::Balance(structure) => {
                 let push = phases.structures[structure].push;
-                push.map_or(0.0, |sign| sign * motion.push(structure, y))
+                motion.slope(NOW, y, scratch);
+                push.map_or(0.0, |sign| sign * motion.push(structure, scratch))
             }
             Self::Reversal(pair) => phases.pairs[pair].direction * model.rate(pair, y),
             Self::Touch(pair) => -model.deformation(pair, y),
             Self::Part(pair) => model.deformation(pair, y),
             Self::ForcePeak(pair) => {
-                let (Contact::Approach { rising, .. } | Contact::Restitution { rising }) =
-                    phases.pairs[pair].contact
-                else {
-                    return 0.0;
-                };
-                motion.slope((Variable::Time, 0.0), y, scratch);
-                rising * motion.force_rate(pair, y, scratch)
+                motion.slope(NOW, y, scratch);
+                match phases.pairs[pair].contact {
+                    Contact::Approach { rising, .. } | Contact::Restitution { rising } => {
+                        rising * motion.force_rate(pair, y, scratch)
+                    }
+                    Contact::Resting { .. } => motion.resting_peak(pair, y, scratch),
+                    Contact::Apart | Contact::Clamped => 0.0,
+                }
             }
             Self::Clamp(pair) => motion.grip(pair, y),
             Self::Grip(pair) => -motion.grip(pair, y),
+            Self::Fade(pair) => {
+                motion.slope(NOW, y, scratch);
+                scratch[model.impulse(pair)]
+            }
+            Self::Stir(pair) => motion.idles(pair, y, scratch),
         }
     }
 
@@ -140,11 +157,12 @@ impl Event {
         matches!(self, Self::Turn(_) | Self::DriftTurn(_) | Self::Reversal(_))
     }
 
-    /// Changes the phases by what the event means for them; touches of impulsive pairs are left to the impact.
+    /// Changes the phases by what the event means for them; touches and rest of impulsive pairs are decided afterwards.
     pub(super) fn apply(self, motion: &mut Motion, y: &[f64]) {
         let Motion { model, phases, .. } = motion;
         match self {
-            Self::SegmentEnd => {}
+            // What is at rest is decided anew after every event.
+            Self::SegmentEnd | Self::Fade(_) | Self::Stir(_) => {}
             Self::Turn(structure) => phases.turn(structure, model, y),
             Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
             Self::Yield(structure) => motion.yields(structure, y),
@@ -156,16 +174,7 @@ impl Event {
             Self::Reversal(pair) => {
                 let phase = &mut phases.pairs[pair];
                 phase.direction = -phase.direction;
-                if phase.contact.touches() {
-                    phase.contact = if phase.direction < 0.0 {
-                        Contact::Restitution { rising: -1.0 }
-                    } else {
-                        Contact::Approach {
-                            touch: None,
-                            rising: 1.0,
-                        }
-                    };
-                }
+                phase.contact = phase.contact.turned(phase.direction);
             }
             Self::Touch(pair) => {
                 if matches!(model.pairs[pair].law, Law::Compliant(_)) {
@@ -179,8 +188,9 @@ impl Event {
             }
             Self::Part(pair) => phases.pairs[pair].contact = Contact::Apart,
             Self::ForcePeak(pair) => {
-                if let Contact::Approach { rising, .. } | Contact::Restitution { rising } =
-                    &mut phases.pairs[pair].contact
+                if let Contact::Approach { rising, .. }
+                | Contact::Restitution { rising }
+                | Contact::Resting { rising, .. } = &mut phases.pairs[pair].contact
                 {
                     *rising = -*rising;
                 }

@@ -5,9 +5,10 @@
 //! −(1+e) u⁻ ≥ 0, so the impulses that solve W P = −(1+e) u⁻ are ≥ 0 without a search.
 
 use super::law::Law;
-use super::model::{Model, displacement, velocity};
+use super::model::{Model, displacement};
+use super::motion::Motion;
+use super::phases::Contact;
 use super::scales::Scales;
-use super::state::State;
 
 /// Rounds in which a pair gives back its restitution; what still approaches then is stopped.
 const MOST_ROUNDS: usize = 50;
@@ -15,151 +16,169 @@ const MOST_ROUNDS: usize = 50;
 /// Distance, as a part of the gap and the displacements, below which a pair touches together with another.
 const TOGETHER: f64 = 1e-13;
 
-/// Velocity, as a part of the largest of the row, below which a pair does not approach again, and the like for the
-/// impulse of a collision.
+/// Part of what a velocity or an impulse is a sum of that is rounding.
 pub(super) const NOISE: f64 = 1e-14;
 
-/// Approach, as a part of the largest velocities so far, that is too slow to be followed: between two such impacts
-/// structures part by no more than displacements are rounded.
-const REST: f64 = 1e-8;
-
-/// What happened at an instant.
-#[derive(Debug, Clone)]
-pub(super) struct Impacts {
-    /// Each pair that collided and its impulse \[N·s\], > 0.
-    pub impulses: Vec<(usize, f64)>,
-    /// Rounding of the velocities after it \[m/s\].
-    pub noise: f64,
-}
-
-/// Jumps the velocities of a state.
-///
-/// # Errors
-/// The pair that approaches fastest, where even that is too slow.
-pub(super) fn collide(model: &Model, state: &mut State, scales: &Scales) -> Result<Impacts, usize> {
-    let touching = touching(model, &state.high);
-    let relative = |pair: usize| model.rate(pair, &state.high) / scales.speed(model, pair);
-    let fastest = touching
-        .iter()
-        .copied()
-        .max_by(|&left, &right| relative(left).total_cmp(&relative(right)));
-    if let Some(pair) = fastest
-        && relative(pair) <= REST
-    {
-        return Err(pair);
-    }
-    let speeds = (0..model.structures.len()).map(|index| state.high[velocity(index)].abs());
-    let openings = model.pairs.iter().filter_map(|pair| pair.opening);
-    let openings = openings.map(|index| state.high[index + 1].abs());
-    let noise = NOISE * speeds.chain(openings).fold(0.0, f64::max);
-    let mut total = vec![0.0; model.pairs.len()];
-    for round in 0..=MOST_ROUNDS {
-        let approaches = |&pair: &usize| model.rate(pair, &state.high) > noise;
-        if !touching.iter().any(approaches) {
-            break;
-        }
-        let impulses = if round < MOST_ROUNDS {
-            restitute(model, &touching, &state.high)
-        } else {
-            stop(model, &touching, &state.high, noise)
-        };
-        for (pair, impulse) in impulses {
-            push(model, pair, impulse, &mut state.high);
-            total[pair] += impulse;
-        }
-    }
-    let found = total.into_iter().enumerate();
-    let impulses =
-        found.filter(|&(pair, impulse)| impulse > noise * model.pairs[pair].reduced_mass);
-    Ok(Impacts {
-        impulses: impulses.collect(),
-        noise,
-    })
-}
-
 /// Impulsive pairs that touch, from left to right.
-fn touching(model: &Model, y: &[f64]) -> Vec<usize> {
+pub(super) fn touching(motion: &Motion, y: &[f64], scales: &Scales) -> Vec<usize> {
+    let model = &motion.model;
     let touches = |&index: &usize| {
         let pair = model.pairs[index];
-        let size = pair.gap + y[displacement(pair.left)].abs() + y[displacement(pair.right)].abs();
-        let size = pair.opening.map_or(size, |index| size + y[index].abs());
-        matches!(pair.law, Law::Impulsive { .. }) && model.deformation(index, y) >= -TOGETHER * size
+        let size = |structure: usize| scales.sizes()[displacement(structure)];
+        let size = pair.gap + size(pair.left) + size(pair.right);
+        let (deformation, rate) = (model.deformation(index, y), model.rate(index, y));
+        let closed = deformation >= 0.0 || rate >= 0.0 && deformation >= -TOGETHER * size;
+        let rests = matches!(motion.phases.pairs[index].contact, Contact::Resting { .. });
+        matches!(pair.law, Law::Impulsive { .. }) && (rests || closed)
     };
     (0..model.pairs.len()).filter(touches).collect()
 }
 
-/// One round: impulses of the pairs that do not separate.
-fn restitute(model: &Model, touching: &[usize], y: &[f64]) -> Vec<(usize, f64)> {
-    let active: Vec<usize> = touching
-        .iter()
-        .copied()
-        .filter(|&pair| model.rate(pair, y) >= 0.0)
-        .collect();
-    let wanted = |pair: usize| match model.pairs[pair].law {
-        Law::Impulsive { restitution } => (1.0 + restitution) * model.rate(pair, y),
-        Law::Compliant(_) => 0.0,
-    };
-    solve(model, &active, wanted)
+/// Jumps the velocities of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].
+pub(super) fn collide(
+    model: &Model,
+    y: &mut [f64],
+    touching: &[usize],
+    plastic: &[bool],
+) -> Vec<f64> {
+    let mut total = vec![0.0; model.pairs.len()];
+    for round in 0..=MOST_ROUNDS {
+        if !touching.iter().any(|&pair| model.rate(pair, y) > 0.0) {
+            break;
+        }
+        let impulses = if round < MOST_ROUNDS {
+            restitute(model, y, touching, plastic)
+        } else {
+            stop(model, y, touching)
+        };
+        for (pair, impulse) in impulses {
+            total[pair] += impulse;
+        }
+    }
+    total
 }
 
-/// Impulses that leave no touching pair approaching; the set of those that push grows until none does.
-fn stop(model: &Model, touching: &[usize], y: &[f64], noise: f64) -> Vec<(usize, f64)> {
+/// One round: the pairs that do not separate turn round.
+fn restitute(
+    model: &Model,
+    y: &mut [f64],
+    touching: &[usize],
+    plastic: &[bool],
+) -> Vec<(usize, f64)> {
+    let turns = touching.iter().copied().filter_map(|pair| {
+        let rate = model.rate(pair, y);
+        let restitution = match model.pairs[pair].law {
+            Law::Impulsive { restitution } if !plastic[pair] => restitution,
+            Law::Impulsive { .. } | Law::Compliant(_) => 0.0,
+        };
+        (rate >= 0.0).then_some(Turn {
+            pair,
+            rate,
+            after: -restitution * rate,
+        })
+    });
+    let turns: Vec<_> = turns.collect();
+    jump(model, y, touching, &turns)
+}
+
+/// Leaves no touching pair approaching; the set of those that push grows until none does.
+fn stop(model: &Model, y: &mut [f64], touching: &[usize]) -> Vec<(usize, f64)> {
+    let mut after = y.to_vec();
     let mut active: Vec<usize> = Vec::new();
     let mut impulses = Vec::new();
-    let mut after = y.to_vec();
     loop {
         let before = active.len();
         active = touching
             .iter()
             .copied()
-            .filter(|pair| active.contains(pair) || model.rate(*pair, &after) > noise)
+            .filter(|pair| active.contains(pair) || model.rate(*pair, &after) > 0.0)
             .collect();
         if active.len() == before {
+            y.copy_from_slice(&after);
             return impulses;
         }
-        impulses = solve(model, &active, |pair| model.rate(pair, y));
+        let turn = |&pair: &usize| Turn {
+            pair,
+            rate: model.rate(pair, y),
+            after: 0.0,
+        };
+        let turns: Vec<_> = active.iter().map(turn).collect();
         after.copy_from_slice(y);
-        for &(pair, impulse) in &impulses {
-            push(model, pair, impulse, &mut after);
-        }
+        impulses = jump(model, &mut after, touching, &turns);
     }
 }
 
-fn push(model: &Model, pair: usize, impulse: f64, y: &mut [f64]) {
-    let neighbours = model.pairs[pair];
-    let inverse_mass = |structure: usize| model.structures[structure].inverse_mass;
-    y[velocity(neighbours.left)] -= impulse * inverse_mass(neighbours.left);
-    y[velocity(neighbours.right)] += impulse * inverse_mass(neighbours.right);
+/// A pair whose rate of deformation is to change.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    pair: usize,
+    /// The rate before \[m/s\].
+    rate: f64,
+    /// The rate after \[m/s\].
+    after: f64,
 }
 
-/// Impulses of the `active` pairs that slow each approach by what is `wanted` \[m/s\]: W P = wanted, tridiagonal.
-fn solve(model: &Model, active: &[usize], wanted: impl Fn(usize) -> f64) -> Vec<(usize, f64)> {
+/// Gives the impulses of some turns.
+fn jump(model: &Model, y: &mut [f64], touching: &[usize], turns: &[Turn]) -> Vec<(usize, f64)> {
+    let impulses = solve(model, turns);
+    let before: Vec<_> = touching.iter().map(|&pair| model.rate(pair, y)).collect();
+    for &(pair, impulse) in &impulses {
+        let neighbours = model.pairs[pair];
+        let gained = |structure: usize| impulse * model.structures[structure].inverse_mass;
+        model.push(neighbours.left, -gained(neighbours.left), y);
+        model.push(neighbours.right, gained(neighbours.right), y);
+    }
+    for turn in turns {
+        y[model.pairs[turn.pair].deformation + 1] = turn.after;
+    }
+    // Of what stops by the push of a neighbour, rounding is left.
+    for (&pair, before) in touching.iter().zip(before) {
+        let rate = &mut y[model.pairs[pair].deformation + 1];
+        if *rate > 0.0 && *rate <= NOISE * before.abs() {
+            *rate = 0.0;
+        }
+    }
+    impulses
+}
+
+/// Impulses of turns, from left to right: W P = the turns, tridiagonal.
+///
+/// The pivot of a pair is 1/(all mass of its block to the left) + 1/(the mass on the right): no term is taken from another.
+fn solve(model: &Model, turns: &[Turn]) -> Vec<(usize, f64)> {
+    let inverse_mass = |structure: usize| model.structures[structure].inverse_mass;
     // −W between a pair and the one before it: the inverse mass of the structure they share.
     let shared = |position: usize| {
-        let (before, after) = (active[position - 1], active[position]);
-        let structure = model.pairs[after].left;
-        if model.pairs[before].right == structure {
-            model.structures[structure].inverse_mass
+        let structure = model.pairs[turns[position].pair].left;
+        if model.pairs[turns[position - 1].pair].right == structure {
+            inverse_mass(structure)
         } else {
             0.0
         }
     };
-    let mut pivots = vec![0.0; active.len()];
-    let mut impulses = vec![0.0; active.len()];
-    for (position, &pair) in active.iter().enumerate() {
-        pivots[position] = 1.0 / model.pairs[pair].reduced_mass;
-        impulses[position] = wanted(pair);
-        if position > 0 {
-            let factor = shared(position) / pivots[position - 1];
-            pivots[position] -= factor * shared(position);
-            impulses[position] += factor * impulses[position - 1];
+    let mut pivots = vec![0.0; turns.len()];
+    let mut impulses = vec![0.0; turns.len()];
+    let mut lighter = 0.0;
+    for (position, turn) in turns.iter().enumerate() {
+        let pair = model.pairs[turn.pair];
+        impulses[position] = turn.rate - turn.after;
+        let joined = position > 0 && shared(position) > 0.0;
+        // 1/(mass to the left): of the structure alone, or with what it leans on.
+        lighter = if joined {
+            1.0 / (1.0 / lighter + 1.0 / inverse_mass(pair.left))
+        } else {
+            inverse_mass(pair.left)
+        };
+        pivots[position] = lighter + inverse_mass(pair.right);
+        if joined {
+            impulses[position] += shared(position) / pivots[position - 1] * impulses[position - 1];
         }
     }
-    for position in (0..active.len()).rev() {
-        if position + 1 < active.len() {
+    for position in (0..turns.len()).rev() {
+        if position + 1 < turns.len() {
             impulses[position] += shared(position + 1) * impulses[position + 1];
         }
         impulses[position] /= pivots[position];
     }
-    active.iter().copied().zip(impulses).collect()
+    let pairs = turns.iter().map(|turn| turn.pair);
+    pairs.zip(impulses).collect()
 }

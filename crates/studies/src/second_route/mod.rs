@@ -15,13 +15,14 @@
 //! The row may be one of buildings: the force of a storey, spring and damper, acts on the floor above it and on the one
 //! below, and yielding and unloading are events of its drift.
 //!
-//! Where the ground motion arrives at one structure after the other, how far the grounds of a pair have moved towards each
-//! other is integrated with the rest: two unknowns more, and the record's double integral is not asked.
+//! The deformation of a pair and its rate are two unknowns more, so that small bounces keep their digits, and where the
+//! ground motion arrives at one structure after the other the record's double integral is not asked.
 //!
-//! Left out: stereomechanical pairs that bounce down to rest on each other; the run then ends with
-//! [`SecondRouteError::ComesToRest`].
+//! Stereomechanical pairs whose bounces are over rest against each other, and move alike in space until the force between
+//! them fades.
 
 mod arrivals;
+mod bounces;
 mod dormand_prince;
 mod error;
 mod events;
@@ -32,6 +33,7 @@ mod motion;
 mod phases;
 mod plan;
 mod record;
+mod rest;
 mod runner;
 mod scales;
 mod state;

@@ -8,8 +8,10 @@ use super::storey::{Columns, Smooth};
 /// Index of the time within the present segment of the record \[s\] in the vector of unknowns.
 ///
 /// After it follow displacement and velocity of each structure, then the impulse of the present collision of each
-/// pair, then the elastic part of the drift of each storey with columns that yield smoothly, then how far the grounds of
-/// each pair that is not shaken at once have moved towards each other, and at which rate.
+/// pair, then the deformation of each pair and its rate, then the elastic part of the drift of each storey with columns
+/// that yield smoothly.
+///
+/// A deformation is an unknown of its own, since the difference of two displacements would not know small bounces.
 pub(super) const TIME: usize = 0;
 
 /// Index of a structure's displacement in the vector of unknowns.
@@ -29,8 +31,6 @@ pub(super) struct Model {
     pub pairs: Vec<Neighbours>,
     /// Number of storeys with columns that yield smoothly.
     n_smooth: usize,
-    /// Number of pairs whose grounds move on their own.
-    n_opening: usize,
 }
 
 /// A floor with the storey below it, or, with inverse mass 0, a wall.
@@ -56,9 +56,8 @@ pub(super) struct Neighbours {
     pub left: usize,
     pub right: usize,
     pub gap: f64,
-    /// Index of how far the grounds have moved towards each other in the vector of unknowns, before that of its rate; nothing
-    /// where both move alike.
-    pub opening: Option<usize>,
+    /// Index of the deformation in the vector of unknowns, before that of its rate.
+    pub deformation: usize,
     pub reduced_mass: f64,
     pub law: Law,
 }
@@ -69,45 +68,39 @@ impl Model {
         let mut structures: Vec<_> = nodes
             .map(|(index, node)| structure(node, row.arrival(index)))
             .collect();
-        let mut next = 1 + 2 * structures.len() + row.pairs().len();
-        let first = next;
+        let n_pairs = row.pairs().len();
+        let of_pairs = 1 + 2 * structures.len() + n_pairs;
+        let first = of_pairs + 2 * n_pairs;
+        let mut next = first;
         for structure in &mut structures {
             if let Some(Smooth { unknown, .. }) = &mut structure.columns.smooth {
                 *unknown = next;
                 next += 1;
             }
         }
-        let n_smooth = next - first;
-        let mut neighbours = |pair: &pounding_solver::Pair| {
+        let neighbours = |(index, pair): (usize, &pounding_solver::Pair)| {
             let inverse_mass = |index: usize| structures[index].inverse_mass;
             let reduced_mass = 1.0 / (inverse_mass(pair.left) + inverse_mass(pair.right));
-            let arrivals = [pair.left, pair.right].map(|index| structures[index].arrival);
-            let opens = arrivals[0].total_cmp(&arrivals[1]).is_ne();
-            let opening = opens.then_some(next);
-            next += if opens { 2 } else { 0 };
             Neighbours {
                 left: pair.left,
                 right: pair.right,
                 gap: pair.gap,
-                opening,
+                deformation: of_pairs + 2 * index,
                 reduced_mass,
                 law: Law::of(pair.law, reduced_mass),
             }
         };
-        let pairs: Vec<_> = row.pairs().iter().map(&mut neighbours).collect();
-        let opening = pairs.iter().filter(|pair| pair.opening.is_some());
+        let pairs = row.pairs().iter().enumerate().map(neighbours).collect();
         Self {
-            n_opening: opening.count(),
-            structures,
             pairs,
-            n_smooth,
+            n_smooth: next - first,
+            structures,
         }
     }
 
     /// Number of unknowns.
     pub(super) fn n_unknowns(&self) -> usize {
-        let n_own = self.n_smooth + 2 * self.n_opening;
-        1 + 2 * self.structures.len() + self.pairs.len() + n_own
+        1 + 2 * self.structures.len() + 3 * self.pairs.len() + self.n_smooth
     }
 
     /// Index of the impulse of a pair's present collision in the vector of unknowns.
@@ -143,27 +136,37 @@ impl Model {
 
     /// Deformation δ of a pair \[m\]; negative while it stands apart.
     pub(super) fn deformation(&self, pair: usize, unknowns: &[f64]) -> f64 {
-        let Neighbours {
-            left,
-            right,
-            gap,
-            opening,
-            ..
-        } = self.pairs[pair];
-        let ahead = unknowns[displacement(left)] - unknowns[displacement(right)];
-        opening.map_or(ahead, |index| ahead + unknowns[index]) - gap
+        unknowns[self.pairs[pair].deformation]
     }
 
     /// Rate of deformation of a pair \[m/s\], positive while approaching.
     pub(super) fn rate(&self, pair: usize, unknowns: &[f64]) -> f64 {
-        let Neighbours {
-            left,
-            right,
-            opening,
-            ..
-        } = self.pairs[pair];
-        let faster = unknowns[velocity(left)] - unknowns[velocity(right)];
-        opening.map_or(faster, |index| faster + unknowns[index + 1])
+        unknowns[self.pairs[pair].deformation + 1]
+    }
+
+    /// Deformation of a pair at t = 0 and its rate \[m\], \[m/s\]; grounds are at rest then.
+    pub(super) fn initial_deformation(&self, pair: &Neighbours) -> [f64; 2] {
+        let [left, right] = [pair.left, pair.right].map(|index| &self.structures[index]);
+        [
+            left.initial_displacement - right.initial_displacement - pair.gap,
+            left.initial_velocity - right.initial_velocity,
+        ]
+    }
+
+    pub(super) fn is_wall(&self, structure: usize) -> bool {
+        self.structures[structure].inverse_mass == 0.0
+    }
+
+    /// Gives a structure a velocity, and every pair it belongs to the rate that follows.
+    pub(super) fn push(&self, structure: usize, gained: f64, unknowns: &mut [f64]) {
+        unknowns[velocity(structure)] += gained;
+        for pair in &self.pairs {
+            if pair.left == structure {
+                unknowns[pair.deformation + 1] += gained;
+            } else if pair.right == structure {
+                unknowns[pair.deformation + 1] -= gained;
+            }
+        }
     }
 }
 

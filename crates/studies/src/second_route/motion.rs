@@ -5,6 +5,9 @@ use super::model::{Model, TIME, displacement, velocity};
 use super::phases::{Branch, Contact, Phases, sign};
 use super::variable::Variable;
 
+/// Where derivatives with respect to time are asked for.
+pub(super) const NOW: (Variable, f64) = (Variable::Time, 0.0);
+
 /// Everything the equations of motion depend on.
 #[derive(Debug, Clone)]
 pub(super) struct Motion {
@@ -22,6 +25,14 @@ pub(super) struct Segment {
     pub length: f64,
     /// Ground acceleration at its start \[m/s²\] and its rate \[m/s³\], under every structure.
     pub grounds: Vec<(f64, f64)>,
+}
+
+impl Segment {
+    /// Ground acceleration under a structure, at a time since the start of the segment \[m/s²\].
+    pub(super) fn ground(&self, structure: usize, since: f64) -> f64 {
+        let (start, rate) = self.grounds[structure];
+        start + rate * since
+    }
 }
 
 impl Motion {
@@ -54,22 +65,33 @@ impl Motion {
             }
             dy[model.impulse(index)] = force;
         }
-        let ground = |structure: usize| {
-            let (start, rate) = segment.grounds[structure];
-            start + rate * y[TIME]
-        };
-        for pair in &model.pairs {
-            if let Some(opening) = pair.opening {
-                dy[opening] = y[opening + 1];
-                dy[opening + 1] = ground(pair.left) - ground(pair.right);
-            }
-        }
+        // From forces to accelerations in space.
         for (index, structure) in model.structures.iter().enumerate() {
             let slope = &mut dy[velocity(index)];
-            *slope = if structure.inverse_mass == 0.0 {
+            *slope = if model.is_wall(index) {
+                segment.ground(index, y[TIME])
+            } else {
+                *slope * structure.inverse_mass
+            };
+        }
+        self.lean(dy);
+        for (pair, phase) in model.pairs.iter().zip(&phases.pairs) {
+            let rests = matches!(phase.contact, Contact::Resting { .. });
+            let [rate, closing] = if rests {
+                [0.0; 2]
+            } else {
+                let of = |structure: usize| dy[velocity(structure)];
+                [y[pair.deformation + 1], of(pair.left) - of(pair.right)]
+            };
+            dy[pair.deformation] = rate;
+            dy[pair.deformation + 1] = closing;
+        }
+        for index in 0..model.structures.len() {
+            let slope = &mut dy[velocity(index)];
+            *slope = if model.is_wall(index) {
                 0.0
             } else {
-                *slope * structure.inverse_mass - ground(index)
+                *slope - segment.ground(index, y[TIME])
             };
         }
         dy[TIME] = 1.0;
@@ -129,7 +151,7 @@ impl Motion {
         };
         let touching = self.touching(pair, deformation, rate);
         match self.phases.pairs[pair].contact {
-            Contact::Apart | Contact::Clamped => 0.0,
+            Contact::Apart | Contact::Resting { .. } | Contact::Clamped => 0.0,
             Contact::Approach { .. } => force.on_approach(touching),
             Contact::Restitution { .. } => force.on_return(touching),
         }
@@ -143,20 +165,15 @@ impl Motion {
         }
     }
 
-    /// Present pounding force of a pair \[N\].
-    pub(super) fn present_force(&self, pair: usize, y: &[f64]) -> f64 {
-        let model = &self.model;
-        self.pounding_force(pair, model.deformation(pair, y), model.rate(pair, y))
-    }
-
-    /// Net pounding force on a structure \[N\], positive to the right.
-    pub(super) fn push(&self, structure: usize, y: &[f64]) -> f64 {
+    /// Net pounding force on a structure \[N\], positive to the right; `slope` is the derivative of the unknowns.
+    pub(super) fn push(&self, structure: usize, slope: &[f64]) -> f64 {
         let mut push = 0.0;
         for (index, pair) in self.model.pairs.iter().enumerate() {
+            let force = slope[self.model.impulse(index)];
             if pair.left == structure {
-                push -= self.present_force(index, y);
+                push -= force;
             } else if pair.right == structure {
-                push += self.present_force(index, y);
+                push += force;
             }
         }
         push
@@ -172,12 +189,12 @@ impl Motion {
     }
 
     /// Takes the sign of the net pounding force where both neighbours have begun to touch.
-    pub(super) fn settle(&mut self, y: &[f64]) {
+    pub(super) fn settle(&mut self, slope: &[f64]) {
         for index in 0..self.model.structures.len() {
             let known = self.phases.structures[index].push;
             let between = self.is_between(index);
             self.phases.structures[index].push =
-                between.then(|| known.unwrap_or_else(|| sign(self.push(index, y))));
+                between.then(|| known.unwrap_or_else(|| sign(self.push(index, slope))));
         }
     }
 

@@ -2,6 +2,7 @@
 
 use pounding_contact::SLOWEST_APPROACH;
 
+use super::law::Law;
 use super::model::{Model, velocity};
 
 /// Sign of a number as a factor, 1 or −1.
@@ -49,7 +50,7 @@ pub(super) struct PairPhase {
     pub approach_speed: f64,
 }
 
-/// Phase of a contact; impulsive pairs always stand apart.
+/// Phase of a contact; impulsive pairs stand apart or are at rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Contact {
     Apart,
@@ -67,11 +68,39 @@ pub(super) enum Contact {
     },
     /// The formula would pull: no force.
     Clamped,
+    /// An impulsive pair stays together.
+    Resting {
+        /// Whether a force keeps both from overlapping; else they move alike without one.
+        presses: bool,
+        /// Sign of the force's rate.
+        rising: f64,
+    },
 }
 
 impl Contact {
+    /// At rest without a force.
+    pub(super) const IDLE: Self = Self::Resting {
+        presses: false,
+        rising: -1.0,
+    };
+
+    /// Whether there may be a force.
     pub(super) fn touches(self) -> bool {
-        !matches!(self, Self::Apart)
+        !matches!(self, Self::Apart | Self::Resting { presses: false, .. })
+    }
+
+    /// The phase after the deformation rate of a touching pair has changed its sign to `direction`.
+    pub(super) fn turned(self, direction: f64) -> Self {
+        match self {
+            Self::Apart | Self::Resting { .. } => self,
+            Self::Approach { .. } | Self::Restitution { .. } | Self::Clamped if direction < 0.0 => {
+                Self::Restitution { rising: -1.0 }
+            }
+            Self::Approach { .. } | Self::Restitution { .. } | Self::Clamped => Self::Approach {
+                touch: None,
+                rising: 1.0,
+            },
+        }
     }
 }
 
@@ -92,10 +121,14 @@ impl Phases {
             }
         };
         let pair = |pair: &super::model::Neighbours| {
-            let speed = |index: usize| model.structures[index].initial_velocity;
+            let [deformation, rate] = model.initial_deformation(pair);
+            let closed = deformation == 0.0 && rate == 0.0;
             PairPhase {
-                direction: sign(speed(pair.left) - speed(pair.right)),
-                contact: Contact::Apart,
+                direction: sign(rate),
+                contact: match pair.law {
+                    Law::Impulsive { .. } if closed => Contact::IDLE,
+                    Law::Impulsive { .. } | Law::Compliant(_) => Contact::Apart,
+                },
                 approach_speed: SLOWEST_APPROACH,
             }
         };
@@ -134,9 +167,7 @@ impl Phases {
     }
 
     /// Takes all directions anew after velocities have jumped.
-    ///
-    /// A pair that approaches by no more than `noise` \[m/s\] does not.
-    pub(super) fn redirect(&mut self, model: &Model, unknowns: &[f64], noise: f64) {
+    pub(super) fn redirect(&mut self, model: &Model, unknowns: &[f64]) {
         for index in 0..self.structures.len() {
             let direction = sign(unknowns[velocity(index)]);
             if direction * self.structures[index].direction < 0.0 {
@@ -148,7 +179,12 @@ impl Phases {
             }
         }
         for index in 0..self.pairs.len() {
-            self.pairs[index].direction = sign(model.rate(index, unknowns) - noise);
+            let direction = sign(model.rate(index, unknowns));
+            let phase = &mut self.pairs[index];
+            if direction * phase.direction < 0.0 {
+                phase.contact = phase.contact.turned(direction);
+            }
+            phase.direction = direction;
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::events::Event;
 use super::model::TIME;
-use super::motion::Motion;
+use super::motion::{Motion, NOW};
 use super::phases::{Contact, PairPhase};
 use super::variable::{Variable, fourth_root};
 
@@ -64,7 +64,10 @@ pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Varia
     let pairs = &motion.phases.pairs;
     let touches = pairs.iter().filter_map(|phase| match phase.contact {
         Contact::Approach { touch, .. } => touch,
-        Contact::Apart | Contact::Restitution { .. } | Contact::Clamped => None,
+        Contact::Apart
+        | Contact::Restitution { .. }
+        | Contact::Clamped
+        | Contact::Resting { .. } => None,
     });
     if let Some(touch) = touches.max_by(f64::total_cmp) {
         return Variable::since(touch, y[TIME]);
@@ -73,7 +76,7 @@ pub(super) fn variable(motion: &Motion, y: &[f64], scratch: &mut [f64]) -> Varia
     if !pairs.iter().any(returns) {
         return Variable::Time;
     }
-    motion.slope((Variable::Time, 0.0), y, scratch);
+    motion.slope(NOW, y, scratch);
     let parting = pairs.iter().enumerate().filter_map(|(index, phase)| {
         let deformation = motion.model.deformation(index, y);
         let rate = motion.model.rate(index, y);

@@ -1,6 +1,5 @@
 //! What the second route reports.
 
-use super::law::Law;
 use super::model::{displacement, velocity};
 use super::motion::Motion;
 use super::state::State;
@@ -16,7 +15,7 @@ pub struct Response {
     pub steps: u64,
 }
 
-/// One touching of a pair, from touch to parting; of an impulsive law, one impact.
+/// One touching of a pair, from touch to parting; of an impulsive law, one impact, or the time for which it presses at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// First touch, or the instant of the impact \[s\].
@@ -25,7 +24,7 @@ pub struct Collision {
     pub end: f64,
     /// Impulse ∫F dt \[N·s\], ≥ 0.
     pub impulse: f64,
-    /// Peak pounding force \[N\]; nothing for an impact.
+    /// Peak pounding force \[N\]; nothing for an impact, while a pair at rest has one.
     pub peak_force: Option<f64>,
 }
 
@@ -61,6 +60,8 @@ pub struct StructureResponse {
 #[derive(Debug, Clone)]
 pub(super) struct Record {
     response: Response,
+    /// Index of the collision of each pair that goes on.
+    open: Vec<Option<usize>>,
 }
 
 fn take(peak: &mut Peak, value: f64, time: f64) {
@@ -77,11 +78,15 @@ impl Record {
             structures,
             steps: 0,
         };
-        Self { response }
+        Self {
+            response,
+            open: vec![None; motion.model.pairs.len()],
+        }
     }
 
-    /// Sees the state at the end of a step, in the phases of the step.
-    pub(super) fn observe(&mut self, motion: &Motion, y: &[f64], time: f64) {
+    /// Sees the state at the end of a step, in the phases of the step, or after what happened there; `slope` is the
+    /// derivative of the unknowns, which has the forces.
+    pub(super) fn observe(&mut self, motion: &Motion, (y, slope): (&[f64], &[f64]), time: f64) {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             let columns = &motion.model.structures[index].columns;
             let drift = motion.model.drift(index, y);
@@ -92,9 +97,10 @@ impl Record {
         }
         for (index, phase) in motion.phases.pairs.iter().enumerate() {
             if phase.contact.touches()
-                && let Some(collision) = self.response.collisions[index].last_mut()
+                && let Some(collision) =
+                    self.open[index].and_then(|last| self.response.collisions[index].get_mut(last))
             {
-                let force = motion.present_force(index, y);
+                let force = slope[motion.model.impulse(index)];
                 collision.peak_force = collision.peak_force.map(|peak| peak.max(force));
             }
         }
@@ -117,8 +123,9 @@ impl Record {
         }
     }
 
-    /// A compliant pair touches, with a force that may jump there.
+    /// A pair begins to press, with a force that may jump there.
     pub(super) fn touch(&mut self, pair: usize, time: f64, force: f64) {
+        self.open[pair] = Some(self.response.collisions[pair].len());
         self.response.collisions[pair].push(Collision {
             start: time,
             end: time,
@@ -127,22 +134,33 @@ impl Record {
         });
     }
 
-    /// A compliant pair parts.
-    pub(super) fn part(&mut self, pair: usize, impulse: f64, time: f64) {
-        if let Some(collision) = self.response.collisions[pair].last_mut() {
-            collision.end = time;
-            collision.impulse = impulse;
+    /// A pair presses no longer; what was no more than `least` \[N·s\] was rounding, as where neighbours without a gap
+    /// start together.
+    pub(super) fn part(&mut self, pair: usize, (impulse, least): (f64, f64), time: f64) {
+        let Some(last) = self.open[pair].take() else {
+            return;
+        };
+        let collisions = &mut self.response.collisions[pair];
+        if impulse > least {
+            collisions[last].end = time;
+            collisions[last].impulse = impulse;
+        } else {
+            collisions.remove(last);
         }
     }
 
-    /// The touch of a compliant pair was rounding: neighbours without a gap that start together.
-    pub(super) fn forget(&mut self, pair: usize) {
-        self.response.collisions[pair].pop();
-    }
-
-    /// Impulsive pairs collide at one instant, each with an impulse > 0.
-    pub(super) fn impacts(&mut self, motion: &Motion, impacts: &[(usize, f64)], time: f64) {
-        for &(pair, impulse) in impacts {
+    /// Impulsive pairs collide at one instant, each with an impulse ≥ 0; of what is no more than `least` \[N·s\] nothing is told.
+    pub(super) fn impacts(
+        &mut self,
+        motion: &Motion,
+        (impulses, least): (&[f64], impl Fn(usize) -> f64),
+        time: f64,
+    ) {
+        let impacts = impulses.iter().copied().enumerate();
+        let impacts: Vec<_> = impacts
+            .filter(|&(pair, impulse)| impulse > least(pair))
+            .collect();
+        for &(pair, impulse) in &impacts {
             self.response.collisions[pair].push(Collision {
                 start: time,
                 end: time,
@@ -167,11 +185,8 @@ impl Record {
 
     /// Closes what goes on at the end of the run.
     pub(super) fn finish(mut self, motion: &Motion, state: &State, time: f64) -> Response {
-        for (index, pair) in motion.model.pairs.iter().enumerate() {
-            let goes_on = motion.phases.pairs[index].contact.touches();
-            if goes_on && matches!(pair.law, Law::Compliant(_)) {
-                self.part(index, state.high[motion.model.impulse(index)], time);
-            }
+        for index in 0..motion.model.pairs.len() {
+            self.part(index, (state.high[motion.model.impulse(index)], 0.0), time);
         }
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             structure.end_displacement = state.high[displacement(index)];

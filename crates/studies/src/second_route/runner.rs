@@ -1,11 +1,12 @@
 //! Step by step from event to event.
 
+use super::bounces::Bounces;
 use super::dormand_prince::DormandPrince;
 use super::events::{self, Event};
-use super::impact;
+use super::impact::NOISE;
 use super::law::Law;
 use super::model::{Model, TIME, displacement, velocity};
-use super::motion::{Motion, Segment};
+use super::motion::{Motion, NOW, Segment};
 use super::phases::Phases;
 use super::plan::{self, Plan};
 use super::record::{Record, Response};
@@ -23,8 +24,8 @@ const MOST_REJECTIONS: usize = 60;
 /// A run under way.
 #[derive(Debug, Clone)]
 pub(super) struct Runner {
-    motion: Motion,
-    state: State,
+    pub(super) motion: Motion,
+    pub(super) state: State,
     /// End of the step under trial.
     trial: State,
     method: DormandPrince,
@@ -32,10 +33,11 @@ pub(super) struct Runner {
     events: Vec<Event>,
     /// Those that did.
     fired: Vec<Event>,
-    scratch: Vec<f64>,
+    pub(super) scratch: Vec<f64>,
     middle: Vec<f64>,
-    record: Record,
-    scales: Scales,
+    pub(super) record: Record,
+    pub(super) bounces: Vec<Bounces>,
+    pub(super) scales: Scales,
     tolerance: f64,
     longest_step: f64,
     /// Length that the error of the last step allows the next one \[s\].
@@ -56,14 +58,17 @@ impl Runner {
                 state.set(smooth.unknown, structure.columns.loaded(smooth, drift));
             }
         }
+        for pair in &model.pairs {
+            let [deformation, rate] = model.initial_deformation(pair);
+            state.set(pair.deformation, deformation);
+            state.set(pair.deformation + 1, rate);
+        }
         let longest_step = interval / f64::from(fineness.steps_per_sample);
         let motion = Motion {
             phases: Phases::new(&model),
             model,
             segment: Segment::default(),
         };
-        let mut record = Record::new(&motion);
-        record.observe(&motion, &state.high, 0.0);
         let mut runner = Self {
             trial: state.clone(),
             method: DormandPrince::new(n),
@@ -71,7 +76,8 @@ impl Runner {
             fired: Vec::new(),
             scratch: vec![0.0; n],
             middle: vec![0.0; n],
-            record,
+            record: Record::new(&motion),
+            bounces: vec![Bounces::default(); motion.model.pairs.len()],
             scales: Scales::new(n, interval, longest_step),
             tolerance: fineness.tolerance,
             longest_step,
@@ -97,6 +103,9 @@ impl Runner {
         self.motion.segment = segment;
         self.state.set(TIME, 0.0);
         self.n_events = 0;
+        // The acceleration of the ground may jump.
+        self.rest(self.now());
+        self.observe();
         while self.state.high[TIME] < length {
             self.advance()?;
         }
@@ -269,8 +278,7 @@ impl Runner {
             return Err(SecondRouteError::NotFinite { time: started });
         }
         self.scales.enlarge(&self.motion.model, &self.state.high);
-        self.record
-            .observe(&self.motion, &self.state.high, self.now());
+        self.observe();
         self.fired.clear();
         for &event in &self.events {
             if event.value(&self.motion, &self.state.high, &mut self.scratch) < 0.0 {
@@ -287,13 +295,23 @@ impl Runner {
                 limit: MOST_EVENTS,
             });
         }
-        self.happen()?;
-        self.motion.settle(&self.state.high);
+        if !self.fired.is_empty() {
+            self.happen();
+            self.observe();
+        }
+        self.motion.settle(&self.scratch);
         Ok(())
     }
 
+    /// Records the present state, whose derivative then is in `scratch`.
+    fn observe(&mut self) {
+        let (y, time) = (&self.state.high, self.now());
+        self.motion.slope(NOW, y, &mut self.scratch);
+        self.record.observe(&self.motion, (y, &self.scratch), time);
+    }
+
     /// Lets the fired events happen.
-    fn happen(&mut self) -> Result<(), SecondRouteError> {
+    fn happen(&mut self) {
         let time = self.now();
         let mut collides = false;
         for index in 0..self.fired.len() {
@@ -301,22 +319,10 @@ impl Runner {
             event.apply(&mut self.motion, &self.state.high);
             match event {
                 Event::SegmentEnd => self.state.set(TIME, self.motion.segment.length),
-                Event::Part(pair) => {
-                    let index = self.motion.model.impulse(pair);
-                    let impulse = self.state.high[index];
-                    if impulse > impact::NOISE * self.scales.sizes()[index] {
-                        self.record.part(pair, impulse, time);
-                    } else {
-                        self.record.forget(pair);
-                    }
-                }
+                Event::Part(pair) => self.part(pair, time),
                 Event::Touch(pair) => match self.motion.model.pairs[pair].law {
                     Law::Impulsive { .. } => collides = true,
-                    Law::Compliant(_) => {
-                        self.state.set(self.motion.model.impulse(pair), 0.0);
-                        let force = self.motion.present_force(pair, &self.state.high);
-                        self.record.touch(pair, time, force);
-                    }
+                    Law::Compliant(_) => self.touch(pair, time),
                 },
                 Event::Turn(_)
                 | Event::DriftTurn(_)
@@ -326,17 +332,30 @@ impl Runner {
                 | Event::Reversal(_)
                 | Event::ForcePeak(_)
                 | Event::Clamp(_)
-                | Event::Grip(_) => {}
+                | Event::Grip(_)
+                | Event::Fade(_)
+                | Event::Stir(_) => {}
             }
         }
         if collides {
-            let impacts = impact::collide(&self.motion.model, &mut self.state, &self.scales)
-                .map_err(|pair| SecondRouteError::ComesToRest { pair, time })?;
-            self.record.impacts(&self.motion, &impacts.impulses, time);
-            let Motion { model, phases, .. } = &mut self.motion;
-            phases.redirect(model, &self.state.high, impacts.noise);
-            self.scales.enlarge(&self.motion.model, &self.state.high);
+            self.collide(time);
+        } else {
+            self.rest(time);
         }
-        Ok(())
+    }
+
+    /// A pair begins to press.
+    pub(super) fn touch(&mut self, pair: usize, time: f64) {
+        self.state.set(self.motion.model.impulse(pair), 0.0);
+        self.motion.slope(NOW, &self.state.high, &mut self.scratch);
+        let force = self.scratch[self.motion.model.impulse(pair)];
+        self.record.touch(pair, time, force);
+    }
+
+    /// A pair presses no longer.
+    pub(super) fn part(&mut self, pair: usize, time: f64) {
+        let index = self.motion.model.impulse(pair);
+        let impulses = (self.state.high[index], NOISE * self.scales.sizes()[index]);
+        self.record.part(pair, impulses, time);
     }
 }

@@ -5,7 +5,7 @@ use super::model::{Model, TIME, displacement, velocity};
 /// Sizes of the unknowns.
 #[derive(Debug, Clone)]
 pub(super) struct Scales {
-    /// Largest magnitude so far of each displacement and velocity, and of those of grounds to each other.
+    /// Largest magnitude so far of each displacement and velocity, and of the rates of deformation.
     largest: Vec<f64>,
     /// Size of each unknown.
     sizes: Vec<f64>,
@@ -29,14 +29,12 @@ impl Scales {
         &self.sizes
     }
 
-    /// Largest speed so far of the structures of a pair, and of their grounds to each other, summed \[m/s\].
-    pub(super) fn speed(&self, model: &Model, pair: usize) -> f64 {
+    /// Largest speed so far of the structures of a pair, summed, or of their grounds to each other \[m/s\].
+    fn speed(&self, model: &Model, pair: usize) -> f64 {
         let neighbours = model.pairs[pair];
         let speed =
             self.largest[velocity(neighbours.left)] + self.largest[velocity(neighbours.right)];
-        neighbours
-            .opening
-            .map_or(speed, |index| speed + self.largest[index + 1])
+        speed.max(self.largest[neighbours.deformation + 1])
     }
 
     /// Sees a state.
@@ -47,12 +45,9 @@ impl Scales {
                 self.sizes[unknown] = self.largest[unknown];
             }
         }
-        let openings = model.pairs.iter().filter_map(|pair| pair.opening);
-        for unknown in openings.flat_map(|index| [index, index + 1]) {
-            self.largest[unknown] = self.largest[unknown].max(y[unknown].abs());
-            self.sizes[unknown] = self.largest[unknown];
-        }
         for (index, pair) in model.pairs.iter().enumerate() {
+            let rate = pair.deformation + 1;
+            self.largest[rate] = self.largest[rate].max(y[rate].abs());
             let momentum = pair.reduced_mass * self.speed(model, index);
             self.sizes[model.impulse(index)] = momentum;
             // A structure that a first collision wakes has no size of its own yet; relative to itself, the error of
@@ -70,6 +65,11 @@ impl Scales {
             *size = size.max(moved);
         }
         self.share(model, displacement);
+        for (index, pair) in model.pairs.iter().enumerate() {
+            let apart = |structure: usize| self.sizes[displacement(structure)];
+            self.sizes[pair.deformation] = apart(pair.left) + apart(pair.right);
+            self.sizes[pair.deformation + 1] = self.speed(model, index);
+        }
         for (index, smooth) in model.smooth() {
             let moved = self.sizes[velocity(index)] * self.longest_step;
             let largest = &mut self.largest[smooth.unknown];
