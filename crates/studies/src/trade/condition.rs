@@ -5,15 +5,15 @@ use rayon::prelude::*;
 
 use super::measure::Run;
 use super::quantities::{Quantities, Quantity};
-use crate::{Prepared, StudyError};
 use crate::comparison::relative;
 use crate::noise::Noise;
 use crate::second_route::Response;
+use crate::{Prepared, StudyError};
 
 /// Relative change of the records, small enough that what a result does is proportional to it.
 const CHANGE: f64 = 1e-9;
 /// Number of records with independent changes of every sample.
-pub(crate) const N_RECORDS: usize = 16;
+const N_RECORDS: usize = 16;
 /// What rounding leaves of a result that moves as much as its record \[–\].
 const ROUNDING: f64 = 1e-15;
 

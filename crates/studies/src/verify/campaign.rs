@@ -28,11 +28,7 @@ impl Campaign {
     }
 
     /// Runs scenes, in their order whatever the number of threads; `done` is called after each.
-    pub fn run(
-        &self,
-        scenes: &[usize],
-        done: &(dyn Fn(&Checked) + Sync),
-    ) -> Vec<Checked> {
+    pub fn run(&self, scenes: &[usize], done: &(dyn Fn(&Checked) + Sync)) -> Vec<Checked> {
         let checked = scenes.par_iter().map(|&index| {
             let checked = self.watched(index);
             done(&checked);

@@ -6,7 +6,7 @@ use super::class::{Class, rests};
 use super::numbers::{Compared, Numbers, Place, Two};
 use crate::prepared::{Asked, Audited};
 use crate::second_route::Fineness;
-use crate::trade::{Known, N_RECORDS, under};
+use crate::trade::{Known, under};
 use crate::{Prepared, Scene, StudyError};
 
 /// Distance of the routes that is always allowed: relative \[–\], of instants \[s\].
@@ -14,9 +14,23 @@ pub const ALLOWED: f64 = 1e-12;
 /// Residual of the energy of an exact run that is always allowed \[–\].
 pub const RESIDUAL: f64 = 1e-11;
 
-/// Relative changes of the record by which a condition is measured. What a run's own noise makes of the smaller one, and
-/// what a graze within reach makes of the larger one, is not the condition: of both the less counts.
+/// Relative changes of the record by which a condition is measured: the second one where the first makes touches come or go.
 const CHANGES: [f64; 2] = [1e-9, 1e-12];
+/// Records under which it is measured; more of them find a larger one, and allow more.
+const N_NEAR: usize = 8;
+/// Other settings of the second route, under which its own rounding is another one.
+const OTHERWISE: [Fineness; 2] = [
+    Fineness {
+        tolerance: 1e-14,
+        steps_per_sample: 7,
+    },
+    Fineness {
+        tolerance: 1e-13,
+        steps_per_sample: 5,
+    },
+];
+/// A distance up to so many times what the second route differs from itself is its own rounding.
+const OWN: f64 = 3.0;
 
 /// What becomes of a scene.
 #[derive(Debug, Clone)]
@@ -25,6 +39,8 @@ pub enum Verdict {
     Agrees,
     /// Some are not: of every kind the one that is furthest off, the worst kind first.
     Disagrees(Vec<Disagreement>),
+    /// Some are not, but the second route differs from itself by as much where it takes other steps: the exact run may be right.
+    SecondRouteRounds(Vec<Disagreement>),
     /// They are not, but the scene is so ill-conditioned that their touches come and go with the last digits of its record.
     Unknowable(Vec<Disagreement>),
     /// The exact run fails.
@@ -79,6 +95,8 @@ pub struct Disagreement {
     pub condition: f64,
     /// The distance allowed.
     pub allowed: f64,
+    /// How far the second route is from itself where it takes other steps: relative \[–\], of instants \[s\].
+    pub own: f64,
 }
 
 /// A scene by both routes.
@@ -115,11 +133,7 @@ impl Checked {
     }
 
     /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins.
-    pub(super) fn run(
-        (index, scene): (usize, &Scene),
-        base: &Path,
-        begin: &dyn Fn(Stage),
-    ) -> Self {
+    pub(super) fn run((index, scene): (usize, &Scene), base: &Path, begin: &dyn Fn(Stage)) -> Self {
         let ended = |verdict| Self::new(index, scene, verdict);
         begin(Stage::Exact);
         let prepared = match Prepared::new(scene, base) {
@@ -169,7 +183,6 @@ impl Checked {
         (mut exact, mut second, residual): (Numbers, Numbers, Option<Disagreement>),
         begin: &dyn Fn(Stage),
     ) -> Verdict {
-        let whole = exact.clone();
         self.grazes = exact.without_grazes(&mut second);
         let all = exact.beside(&second);
         let close = |two: &Two| two.distance <= ALLOWED;
@@ -177,8 +190,7 @@ impl Checked {
             vec![0.0; all.len()]
         } else {
             begin(Stage::Condition);
-            let truth = if self.grazes == 0 { &whole } else { &exact };
-            condition(prepared, truth)
+            condition(prepared, &exact, begin)
         };
         let judged = all.iter().zip(conditions).map(|(two, condition)| {
             let known = Known {
@@ -189,22 +201,64 @@ impl Checked {
                 two: *two,
                 condition,
                 allowed: known.allowed_from(ALLOWED),
+                own: 0.0,
             }
         });
-        let judged: Vec<_> = judged.chain(residual).collect();
+        let mut judged: Vec<_> = judged.collect();
+        if judged.iter().any(Disagreement::is_wrong) {
+            begin(Stage::SecondRoute);
+            own_rounding(prepared, &exact, &mut judged);
+        }
+        judged.extend(residual);
         for (largest, what) in self.largest.iter_mut().zip(Compared::ALL) {
             let own = judged.iter().filter(|one| one.two.what == what);
-            let held = own.filter(|one| one.two.distance <= one.allowed && one.two.distance.is_finite());
+            let held = own.filter(|one| !one.is_wrong() && one.two.distance.is_finite());
             *largest = held.map(|one| one.two.distance).fold(0.0, f64::max);
         }
-        let wrong = worst(judged.iter().filter(|one| one.two.distance > one.allowed));
-        let unknown = judged.iter().filter(|one| {
-            one.two.distance > ALLOWED && one.allowed.is_infinite()
-        });
-        match (wrong.is_empty(), worst(unknown)) {
-            (false, _) => Verdict::Disagrees(wrong),
-            (true, unknown) if !unknown.is_empty() => Verdict::Unknowable(unknown),
-            (true, _) => Verdict::Agrees,
+        let wrong: Vec<_> = judged.iter().filter(|one| one.is_wrong()).collect();
+        let wrong = worst(&wrong);
+        let firm = wrong.iter().any(|one| one.two.distance > OWN * one.own);
+        let unknown = judged
+            .iter()
+            .filter(|one| one.two.distance > ALLOWED && one.allowed.is_infinite());
+        let unknown = worst(&unknown.collect::<Vec<_>>());
+        if firm {
+            Verdict::Disagrees(wrong)
+        } else if !wrong.is_empty() {
+            Verdict::SecondRouteRounds(wrong)
+        } else if unknown.is_empty() {
+            Verdict::Agrees
+        } else {
+            Verdict::Unknowable(unknown)
+        }
+    }
+}
+
+impl Disagreement {
+    fn is_wrong(&self) -> bool {
+        self.two.distance > self.allowed
+    }
+}
+
+/// Asks the second route again with other steps.
+fn own_rounding(prepared: &Prepared, exact: &Numbers, judged: &mut [Disagreement]) {
+    for fineness in OTHERWISE {
+        let Ok(response) = prepared.second_route(fineness) else {
+            continue;
+        };
+        let again = exact.beside(&Numbers::of_second_route(prepared, &response));
+        for (one, again) in judged.iter_mut().zip(again) {
+            let apart = (one.two.second - again.second).abs();
+            let off = (one.two.second - one.two.first).abs();
+            // Both relative to the same scale.
+            let own = if off.is_finite() && off > 0.0 && apart.is_finite() {
+                one.two.distance * (apart / off)
+            } else if one.two.distance.is_finite() == again.distance.is_finite() {
+                0.0
+            } else {
+                f64::INFINITY
+            };
+            one.own = one.own.max(own);
         }
     }
 }
@@ -222,29 +276,35 @@ fn residual(residual: f64) -> Option<Disagreement> {
         },
         condition: 0.0,
         allowed: RESIDUAL,
+        own: 0.0,
     })
 }
 
 /// Of every kind the number that is furthest off, the worst kind first.
-fn worst<'a>(all: impl Iterator<Item = &'a Disagreement> + Clone) -> Vec<Disagreement> {
+fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
     let off = |one: &Disagreement| one.two.distance / one.allowed;
     let of = |what: Compared| {
-        let own = all.clone().filter(|one| one.two.what == what);
-        own.copied()
-            .reduce(|worst, next| if off(&next) > off(&worst) { next } else { worst })
+        let own = all.iter().filter(|one| one.two.what == what);
+        own.map(|one| **one).reduce(|worst, next| {
+            if off(&next) > off(&worst) {
+                next
+            } else {
+                worst
+            }
+        })
     };
     let mut found: Vec<_> = Compared::ALL.into_iter().filter_map(of).collect();
     found.sort_by(|one, other| off(other).total_cmp(&off(one)));
     found
 }
 
-/// How far every number of an exact run moves per relative change of the record.
-fn condition(prepared: &Prepared, truth: &Numbers) -> Vec<f64> {
-    let n = truth.beside(truth).len();
-    let mut least = vec![f64::INFINITY; n];
+/// How far every number of an exact run moves per relative change of the record; infinite where touches come and go.
+fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec<f64> {
+    let mut found = vec![f64::INFINITY; truth.beside(truth).len()];
     for change in CHANGES {
-        let mut largest = vec![0.0_f64; n];
-        for index in 0..=N_RECORDS {
+        let mut largest = vec![0.0_f64; found.len()];
+        for index in 0..=N_NEAR {
+            begin(Stage::Condition);
             let near = under(prepared, change, index);
             let near = near.and_then(|near| {
                 let (outcome, _) = near.run_unjudged(Asked::default())?;
@@ -260,11 +320,16 @@ fn condition(prepared: &Prepared, truth: &Numbers) -> Vec<f64> {
                 Err(_) => largest.fill(f64::INFINITY),
             }
         }
-        for (least, largest) in least.iter_mut().zip(largest) {
-            *least = least.min(largest / change);
+        for (found, largest) in found.iter_mut().zip(largest) {
+            if found.is_infinite() {
+                *found = largest / change;
+            }
+        }
+        if found.iter().all(|one| one.is_finite()) {
+            break;
         }
     }
-    least
+    found
 }
 
 impl Failure {

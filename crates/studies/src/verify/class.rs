@@ -130,14 +130,20 @@ impl Class {
             ),
             (Self::OneStorey, !storeys),
             (Self::Storeys, storeys),
-            (Self::Elastic, columns.iter().any(|one| one.yield_force_n.is_none())),
+            (
+                Self::Elastic,
+                columns.iter().any(|one| one.yield_force_n.is_none()),
+            ),
             (
                 Self::Sharp,
                 columns
                     .iter()
                     .any(|one| one.yield_force_n.is_some() && one.bouc_wen.is_none()),
             ),
-            (Self::Smooth, columns.iter().any(|one| one.bouc_wen.is_some())),
+            (
+                Self::Smooth,
+                columns.iter().any(|one| one.bouc_wen.is_some()),
+            ),
             (Self::OneWall, walls == 1),
             (Self::TwoWalls, walls == 2),
             (Self::Arrivals, scene.arrivals_s.is_some()),
@@ -153,7 +159,9 @@ impl Class {
             Source::Generated(Generated::Harmonic { .. }) => Self::Harmonic,
             Source::Generated(Generated::Ricker { .. } | Generated::HalfSine { .. }) => Self::Pulse,
         };
-        let found = has.into_iter().filter_map(|(class, is)| is.then_some(class));
+        let found = has
+            .into_iter()
+            .filter_map(|(class, is)| is.then_some(class));
         found.chain([motion]).collect()
     }
 }

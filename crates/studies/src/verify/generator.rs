@@ -256,4 +256,3 @@ fn arrivals(random: &mut Random, n: usize) -> Option<Vec<f64>> {
     }
     Some(arrivals)
 }
-

@@ -13,7 +13,10 @@ const RECORDS: [&str; 2] = [
 pub(super) fn one(random: &mut Random) -> RecordUse {
     let reversed = random.chance(0.5);
     let (source, scale_to) = match random.below(20) {
-        0..=6 => (file(random), Some(ScaleTo::PgaG(random.log_within(0.1, 0.8)))),
+        0..=6 => (
+            file(random),
+            Some(ScaleTo::PgaG(random.log_within(0.1, 0.8))),
+        ),
         7..=13 => (stochastic(random), None),
         14..=15 => (ricker(random), None),
         16..=17 => (half_sine(random), None),

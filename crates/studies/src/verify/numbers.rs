@@ -260,7 +260,11 @@ impl OfFloor {
         };
         let own = |what, first: f64, second: f64| two(what, first, second, first);
         [
-            own(Compared::Displacement, self.displacement, other.displacement),
+            own(
+                Compared::Displacement,
+                self.displacement,
+                other.displacement,
+            ),
             own(Compared::Drift, self.drift, other.drift),
             own(
                 Compared::RestoringForce,
@@ -294,7 +298,8 @@ impl Meeting {
     }
 
     fn beside(&self, other: Option<&Self>, (place, largest): (Place, f64)) -> Vec<Two> {
-        let two = |what, first: Option<f64>, second: Option<f64>, scale: f64| match (first, second) {
+        let two = |what, first: Option<f64>, second: Option<f64>, scale: f64| match (first, second)
+        {
             (None, None) => None,
             (first, second) => Some(Two {
                 what,

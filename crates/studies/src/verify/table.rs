@@ -41,6 +41,7 @@ pub struct Summary<'a>(pub &'a [Checked]);
 enum Fate {
     Agrees,
     Disagrees,
+    SecondRouteRounds,
     Unknowable,
     ExactFails,
     SecondRouteFails,
@@ -50,9 +51,10 @@ enum Fate {
 }
 
 impl Fate {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Agrees,
         Self::Disagrees,
+        Self::SecondRouteRounds,
         Self::Unknowable,
         Self::ExactFails,
         Self::SecondRouteFails,
@@ -65,6 +67,7 @@ impl Fate {
         match verdict {
             Verdict::Agrees => Self::Agrees,
             Verdict::Disagrees(_) => Self::Disagrees,
+            Verdict::SecondRouteRounds(_) => Self::SecondRouteRounds,
             Verdict::Unknowable(_) => Self::Unknowable,
             Verdict::ExactFails(_) => Self::ExactFails,
             Verdict::SecondRouteFails(_) => Self::SecondRouteFails,
@@ -78,6 +81,7 @@ impl Fate {
         match self {
             Self::Agrees => "agree",
             Self::Disagrees => "disagree",
+            Self::SecondRouteRounds => "second rounds",
             Self::Unknowable => "ill-conditioned",
             Self::ExactFails => "exact fails",
             Self::SecondRouteFails => "second fails",
@@ -95,6 +99,7 @@ impl Checked {
             Verdict::Agrees => true,
             Verdict::ExactFails(failure) => failure.is_known(),
             Verdict::Disagrees(_)
+            | Verdict::SecondRouteRounds(_)
             | Verdict::Unknowable(_)
             | Verdict::SecondRouteFails(_)
             | Verdict::Refused(_)
@@ -107,9 +112,11 @@ impl Checked {
     pub fn cause(&self) -> String {
         match &self.verdict {
             Verdict::Agrees => String::new(),
-            Verdict::Disagrees(all) | Verdict::Unknowable(all) => {
-                all.first().map_or(String::new(), |one| one.two.what.words().into())
-            }
+            Verdict::Disagrees(all)
+            | Verdict::SecondRouteRounds(all)
+            | Verdict::Unknowable(all) => all
+                .first()
+                .map_or(String::new(), |one| one.two.what.words().into()),
             Verdict::ExactFails(failure)
             | Verdict::SecondRouteFails(failure)
             | Verdict::Refused(failure) => failure.kind.clone(),
@@ -123,9 +130,9 @@ impl Checked {
         let line = |words: String| format!("scene {}: {fate}: {words}", self.index);
         match &self.verdict {
             Verdict::Agrees => Vec::new(),
-            Verdict::Disagrees(all) | Verdict::Unknowable(all) => {
-                all.iter().map(|one| line(one.to_string())).collect()
-            }
+            Verdict::Disagrees(all)
+            | Verdict::SecondRouteRounds(all)
+            | Verdict::Unknowable(all) => all.iter().map(|one| line(one.to_string())).collect(),
             Verdict::ExactFails(failure)
             | Verdict::SecondRouteFails(failure)
             | Verdict::Refused(failure) => {
@@ -155,8 +162,8 @@ impl fmt::Display for Disagreement {
         let what = two.what.words();
         write!(
             out,
-            "{what}{place}: {:e} and {:e}, {:.1e} apart, allowed {:.1e}",
-            two.first, two.second, two.distance, self.allowed
+            "{what}{place}: {:e} and {:e}, {:.1e} apart, allowed {:.1e}, the second route from itself {:.1e}",
+            two.first, two.second, two.distance, self.allowed, self.own
         )
     }
 }
@@ -198,13 +205,20 @@ impl Summary<'_> {
             let causes: Vec<_> = causes
                 .map(|(cause, count)| format!("{cause} {count}"))
                 .collect();
-            writeln!(out, "  {:<16} {count:>6}  {}", fate.words(), causes.join(", "))?;
+            writeln!(
+                out,
+                "  {:<16} {count:>6}  {}",
+                fate.words(),
+                causes.join(", ")
+            )?;
         }
         Ok(())
     }
 
     fn write_classes(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        let seen = Fate::ALL.into_iter().filter(|fate| self.count(*fate, None) > 0);
+        let seen = Fate::ALL
+            .into_iter()
+            .filter(|fate| self.count(*fate, None) > 0);
         let seen: Vec<_> = seen.collect();
         write!(out, "\n{:<24} {:>6}", "scenes with", "all")?;
         for fate in &seen {
@@ -225,7 +239,10 @@ impl Summary<'_> {
     }
 
     fn write_largest(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(out, "\nlargest distance that is allowed, of what both routes ran")?;
+        writeln!(
+            out,
+            "\nlargest distance that is allowed, of what both routes ran"
+        )?;
         for (place, what) in Compared::ALL.into_iter().enumerate() {
             if matches!(what, Compared::Touches | Compared::Residual) {
                 continue;
