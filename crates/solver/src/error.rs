@@ -201,6 +201,19 @@ pub enum RunError {
         /// The instant \[s\].
         time: f64,
     },
+    /// Walls whose grounds move at different times, and close in on what stands between them without a gap.
+    #[error(
+        "structures {left} and {right} at t = {time:.4} s: walls on both sides close in on them, and impulsive contact leaves them \
+         nowhere to go; let the motion arrive at both walls at once, widen a gap, or use a compliant law"
+    )]
+    ClosedIn {
+        /// Index of the left structure.
+        left: usize,
+        /// Index of the right structure.
+        right: usize,
+        /// The instant \[s\].
+        time: f64,
+    },
     /// Too many events.
     #[error(
         "t = {time:.4} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \

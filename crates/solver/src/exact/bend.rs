@@ -74,7 +74,7 @@ impl Bend {
     /// went the other way.
     pub(super) fn goes_with(&mut self, leading: f64) -> bool {
         let known = sign(leading);
-        let other = self.signs.1 != known;
+        let other = self.signs.1.total_cmp(&known).is_ne();
         if other {
             self.direction = known;
         }

@@ -32,6 +32,12 @@ pub(super) struct Hit {
 }
 
 impl Hit {
+    /// Whether two walls are in the chain, whose grounds may close in on what is between them.
+    pub(super) fn is_between_walls(&self, members: &[Member]) -> bool {
+        let nodes = &members[self.left..self.left + self.before.len()];
+        nodes.iter().filter(|member| member.is_wall()).count() > 1
+    }
+
     /// Whether a pair goes on resting: both sides keep their velocities to the last bit, and what is known of them, such as
     /// that one of them passes zero.
     pub(super) fn rests_on(&self, pair: usize, members: &[Member]) -> bool {

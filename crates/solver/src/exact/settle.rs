@@ -1,11 +1,13 @@
 //! What happens to pairs that touch at one instant: impacts, rest, or parting.
 
+use std::ops::Range;
+
 use crate::exact::contact::{Contact, Link};
 use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
 use crate::exact::roots::CAPACITY;
 use crate::exact::storey::rate_of_drift;
-use crate::exact::{CHATTER, ROUNDING, Run};
+use crate::exact::{CHATTER, Run};
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 
@@ -61,9 +63,18 @@ impl<R: Recorder> Run<'_, R> {
         loop {
             for hit in &mut hits {
                 self.give_impulses(hit);
+                let approaches = |pair: &usize| {
+                    let rate = self.contacts[*pair].rate;
+                    rate > 0.0 || rate.is_nan()
+                };
+                if hit.is_between_walls(&self.members)
+                    && let Some(pair) = (hit.first..=hit.last).find(approaches)
+                {
+                    return Err(self.closed_in(pair, time));
+                }
             }
             self.unload(&hits);
-            self.rest_or_part(&hits, time);
+            self.rest_or_part(&hits, time)?;
             let mut grown = false;
             for hit in &mut hits {
                 for pair in hit.first..=hit.last {
@@ -251,7 +262,7 @@ impl<R: Recorder> Run<'_, R> {
     /// In a chain a pair that presses only drives others together, in whatever order they are taken. What presses on another
     /// floor may part them; it does so in a later coefficient than the one it is known by, so that of several chains those
     /// go first whose coefficient does.
-    fn rest_or_part<'h>(&mut self, hits: &'h [Hit], time: f64) {
+    fn rest_or_part<'h>(&mut self, hits: &'h [Hit], time: f64) -> Result<(), RunError> {
         let chains = || {
             let of = |hit: &'h Hit| (hit.first..=hit.last).map(move |pair| (hit, pair));
             hits.iter().flat_map(of)
@@ -278,6 +289,9 @@ impl<R: Recorder> Run<'_, R> {
             for (hit, pair) in chains() {
                 let presses = || matches!(self.press(pair), Some((n, true)) if Some(n) <= soonest);
                 if self.may_press(pair) && presses() {
+                    if self.is_held(pair) {
+                        return Err(self.closed_in(pair, time));
+                    }
                     self.join(hit, pair, time);
                     grown = true;
                 }
@@ -286,19 +300,49 @@ impl<R: Recorder> Run<'_, R> {
                 break;
             }
         }
-        // Neighbours that move alike without a force stay together.
+        // Neighbours that move alike without a force stay together; not what walls on both sides hold: which of its forces
+        // is zero, as one must be, is free.
         for (hit, pair) in chains() {
-            if self.may_press(pair) && self.press(pair).is_none() {
+            if self.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
                 self.join(hit, pair, time);
             }
         }
         self.regroup();
+        Ok(())
+    }
+
+    fn closed_in(&self, pair: usize, time: f64) -> RunError {
+        let left = self.lefts[pair];
+        RunError::ClosedIn {
+            left,
+            right: left + 1,
+            time,
+        }
     }
 
     /// Whether a pair that touches is neither at rest nor parting with a rate.
     fn may_press(&self, pair: usize) -> bool {
         let contact = &self.contacts[pair];
         contact.link == Link::Apart && contact.rate == 0.0
+    }
+
+    /// Whether both sides of a pair rest against walls already.
+    fn is_held(&self, pair: usize) -> bool {
+        let left = self.lefts[pair];
+        let rests = |node: usize| {
+            let pair = self.pair_right_of[node];
+            pair.is_some_and(|pair| self.contacts[pair].link == Link::Resting)
+        };
+        let mut first = left;
+        while first > 0 && rests(first - 1) {
+            first -= 1;
+        }
+        let mut last = left + 1;
+        while last < self.members.len() && rests(last) {
+            last += 1;
+        }
+        let holds = |mut nodes: Range<usize>| nodes.any(|node| self.members[node].is_wall());
+        holds(first..left + 1) && holds(left + 1..last + 1)
     }
 
     /// Lets a pair rest: the lighter side takes the velocity of the heavier one, over its own ground.

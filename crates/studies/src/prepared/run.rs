@@ -323,6 +323,7 @@ impl Prepared {
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. }
             | RunError::NoSeries { left, right, .. }
+            | RunError::ClosedIn { left, right, .. }
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
             RunError::NoProgress { .. } | _ => 0..0,
         };

@@ -37,6 +37,8 @@ impl Runner {
             let impulses = impact::collide(model, &mut self.state.high, &touching, &stops);
             self.motion.phases.redirect(model, &self.state.high);
             for &pair in &touching {
+                // What rounding took from the rate before is none of this one.
+                self.state.low[model.pairs[pair].deformation + 1] = 0.0;
                 let rests = model.rate(pair, &self.state.high) >= 0.0;
                 let contact = if rests { Contact::IDLE } else { Contact::Apart };
                 self.motion.phases.pairs[pair].contact = contact;
