@@ -13,6 +13,9 @@ const USUAL: &str = "target/verify";
 /// What is asked of a campaign.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Asked {
+    /// Scenes in JSON instead of random ones.
+    #[arg(value_name = "SCENE", conflicts_with_all = ["scenes", "first", "seed", "out"])]
+    files: Vec<PathBuf>,
     /// Number of scenes.
     #[arg(long, default_value_t = 300)]
     scenes: usize,
@@ -37,6 +40,9 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
         seed: asked.seed,
         patience: Duration::from_secs(asked.patience),
     };
+    if !asked.files.is_empty() {
+        return of_files(&campaign, &asked.files);
+    }
     let folder = asked.out.clone().unwrap_or_else(|| root.join(USUAL));
     copy_records(&campaign.studies, &folder)?;
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {elapsed}")
@@ -65,12 +71,37 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
     }
 }
 
+/// Runs scenes of files.
+fn of_files(campaign: &Campaign, files: &[PathBuf]) -> Result<(), String> {
+    let mut all = Vec::new();
+    for (index, path) in files.iter().enumerate() {
+        let text = fs::read_to_string(path).map_err(|error| cannot(path, &error))?;
+        let scene = serde_json::from_str(&text);
+        let scene = scene.map_err(|error| format!("{}: {error}", path.display()))?;
+        let base = path.parent().unwrap_or(Path::new(""));
+        let checked = campaign.check((index, scene), base);
+        let lines = checked.lines().join("\n");
+        crate::reproduce::say(&format!("{}\n{lines}\n", path.display()))?;
+        all.push(checked);
+    }
+    let summary = Summary(&all);
+    crate::reproduce::say(&format!("\n{summary}"))?;
+    if summary.is_good() {
+        Ok(())
+    } else {
+        Err("some scenes disagree or fail".into())
+    }
+}
+
 /// Writes the scene, which its folder's copy of the records shakes.
 fn write(campaign: &Campaign, checked: &Checked, folder: &Path) -> Result<(), String> {
     let path = folder.join(format!("{}-{}.json", campaign.seed, checked.index));
     let scene = campaign.scene(checked.index);
     let text = serde_json::to_string_pretty(&scene).expect("a scene is written without errors");
-    fs::write(&path, text + "\n").map_err(|error| cannot(&path, &error))
+    fs::write(&path, text + "\n").map_err(|error| cannot(&path, &error))?;
+    let path = path.with_extension("txt");
+    let lines = checked.lines().join("\n");
+    fs::write(&path, lines + "\n").map_err(|error| cannot(&path, &error))
 }
 
 fn copy_records(studies: &Path, folder: &Path) -> Result<(), String> {

@@ -1,6 +1,6 @@
 //! Many scenes, and what becomes of each.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
@@ -37,11 +37,15 @@ impl Campaign {
         checked.collect()
     }
 
-    /// Runs a scene in a thread of its own, which is left behind where it does not end.
     fn watched(&self, index: usize) -> Checked {
-        let scene = self.scene(index);
+        self.check((index, self.scene(index)), &self.studies)
+    }
+
+    /// Runs a scene, which need not be the campaign's, in a thread of its own, which is left behind where it does not end; `base` is the
+    /// folder from which it names its record.
+    pub fn check(&self, (index, scene): (usize, Scene), base: &Path) -> Checked {
         let (sender, receiver) = mpsc::channel();
-        let (own, base) = (scene.clone(), self.studies.clone());
+        let (own, base) = (scene.clone(), base.to_path_buf());
         std::thread::spawn(move || {
             let begin = |stage| {
                 // Nobody listens any more where patience has ended.

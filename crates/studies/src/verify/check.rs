@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use pounding_solver::Pair;
+
 use super::class::{Class, rests};
 use super::numbers::{Compared, Numbers, Place, Two};
 use crate::prepared::{Asked, Audited};
@@ -116,6 +118,8 @@ pub struct Checked {
     pub grazes: usize,
     /// Touches of the exact run.
     pub touches: usize,
+    /// Where touches of the routes first differ, and the touches of that pair about then by each, a line for each.
+    pub story: Vec<String>,
 }
 
 impl Checked {
@@ -129,6 +133,7 @@ impl Checked {
             largest: [0.0; Compared::ALL.len()],
             grazes: 0,
             touches: 0,
+            story: Vec::new(),
         }
     }
 
@@ -209,6 +214,7 @@ impl Checked {
             begin(Stage::SecondRoute);
             own_rounding(prepared, &exact, &mut judged);
         }
+        self.story = story(prepared, (&exact, &second), &judged);
         judged.extend(residual);
         for (largest, what) in self.largest.iter_mut().zip(Compared::ALL) {
             let own = judged.iter().filter(|one| one.two.what == what);
@@ -238,6 +244,35 @@ impl Disagreement {
     fn is_wrong(&self) -> bool {
         self.two.distance > self.allowed
     }
+}
+
+/// Where touches first differ, and what each route says of them.
+fn story(
+    prepared: &Prepared,
+    (exact, second): (&Numbers, &Numbers),
+    judged: &[Disagreement],
+) -> Vec<String> {
+    let wrong = judged.iter().filter(|one| one.is_wrong());
+    let wrong = wrong.filter_map(|one| match one.two.place {
+        Place::Touch { pair, touch } => Some((pair, touch)),
+        Place::Floor(_) | Place::Pair(_) | Place::Run => None,
+    });
+    let Some((pair, time)) = exact.first_of(wrong, second) else {
+        return Vec::new();
+    };
+    let Pair { gap, law, .. } = &prepared.pairs()[pair];
+    let [left, right] = prepared.floors().names(pair);
+    let first = format!(
+        "first at {time:.9} s, pair {pair}: {left} and {right}, {}, gap {gap} m",
+        law.name()
+    );
+    let of = |name: &str, numbers: &Numbers| {
+        let near = numbers.near((pair, time)).into_iter();
+        let near = near.map(|words| format!("  {name} {words}"));
+        near.collect::<Vec<_>>()
+    };
+    let lines = [vec![first], of("exact ", exact), of("second", second)];
+    lines.concat()
 }
 
 /// Asks the second route again with other steps.

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::random::Random;
 use super::{contacts, motions};
-use crate::{BoucWen, Building, Columns, Damping, Method, Scene, Sdof, Storey, Structure};
+use crate::{BoucWen, Building, Columns, Contact, Damping, Method, Scene, Sdof, Storey, Structure};
 
 /// Most storeys of a building.
 const MOST_STOREYS: f64 = 12.0;
@@ -16,8 +16,11 @@ const MOST_STOREYS: f64 = 12.0;
 /// Scene number `index` of the campaign with a seed, with numbers of at most five digits.
 pub(super) fn scene(seed: u64, index: usize) -> Scene {
     let mut random = Random::new(seed, index);
-    let structures = structures(&mut random);
+    let mut structures = structures(&mut random);
     let contacts = contacts::all(&mut random, &structures);
+    if random.chance(0.08) {
+        push(&mut random, &mut structures, &contacts);
+    }
     let n = structures.len();
     let scene = Scene {
         name: format!("seed {seed}, scene {index}"),
@@ -70,10 +73,6 @@ fn structures(random: &mut Random) -> Vec<Structure> {
         };
         row.push(next);
     }
-    if random.chance(0.08) {
-        let moving = random.below(n);
-        push(random, &mut row[moving]);
-    }
     if walls.0 {
         row.insert(0, Structure::Wall);
     }
@@ -98,12 +97,15 @@ fn named(structure: &Structure, name: String) -> Structure {
     }
 }
 
-/// Moves a structure at the start.
-fn push(random: &mut Random, structure: &mut Structure) {
-    let (displacement, velocity) = (random.within(-0.02, 0.02), random.within(-0.5, 0.5));
-    match structure {
+/// Moves a structure at the start, and one of one storey out of its place by no more than the gaps leave.
+fn push(random: &mut Random, structures: &mut [Structure], contacts: &[Contact]) {
+    let gaps = contacts.iter().map(|contact| contact.gap_m);
+    let room = gaps.fold(0.02, f64::min);
+    let moving = random.below(structures.len());
+    let (displacement, velocity) = (random.within(-room, room), random.within(-0.5, 0.5));
+    match &mut structures[moving] {
         Structure::Sdof(sdof) => {
-            sdof.initial_displacement_m = displacement;
+            sdof.initial_displacement_m = 0.9 * displacement;
             sdof.initial_velocity_m_per_s = velocity;
         }
         Structure::Building(building) => {

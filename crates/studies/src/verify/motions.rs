@@ -68,16 +68,18 @@ fn half_sine(random: &mut Random) -> Source {
 }
 
 fn harmonic(random: &mut Random) -> Source {
+    let frequency_hz = random.log_within(0.3, 5.0);
     Source::Generated(Generated::Harmonic {
         amplitude_m_per_s2: random.within(0.5, 4.0),
-        frequency_hz: random.log_within(0.3, 5.0),
+        frequency_hz,
         phase_rad: if random.chance(0.5) {
             0.0
         } else {
             random.within(0.0, 6.0)
         },
         ramp_periods: random.one_of(&[0.0, 1.0, 2.0]),
-        duration_s: random.within(3.0, 12.0),
+        // At least five periods, of which ramps take up to four.
+        duration_s: random.within(3.0, 12.0).max(5.0 / frequency_hz),
         time_step_s: random.one_of(&[0.005, 0.01, 0.02]),
     })
 }

@@ -24,9 +24,9 @@ pub enum Compared {
     Start,
     /// Instant at which it ends \[s\]; not of laws that let go before neighbours part.
     End,
-    /// Impulse of a touch, relative to it.
+    /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself.
     Impulse,
-    /// Peak force of a touch, relative to it.
+    /// Peak force of a touch, by the same rule.
     PoundingForce,
     /// How many touches a pair has; the distance of unlike numbers is infinite.
     Touches,
@@ -157,7 +157,7 @@ impl Numbers {
                 peak_force: one.peak_force,
                 uncertainty: one.uncertainty,
             });
-            all.collect()
+            in_order(all.collect())
         };
         let pairs = prepared.pairs().iter().enumerate();
         Self {
@@ -184,7 +184,7 @@ impl Numbers {
                 peak_force: one.peak_force,
                 uncertainty: None,
             });
-            all.collect()
+            in_order(all.collect())
         });
         Self {
             floors: floors.collect(),
@@ -201,10 +201,16 @@ impl Numbers {
             all.extend(first.beside(second, (Place::Floor(index), largest)));
         }
         for (pair, (first, second)) in self.pairs.iter().zip(&other.pairs).enumerate() {
-            let largest = largest_impulse(first);
+            let largest = Largest::of(first);
             for (touch, (one, same)) in first.iter().zip(matched(first, second)).enumerate() {
+                // Later touches may be bounces that come to rest, differences of far larger velocities.
+                let scale = if touch == 0 {
+                    Largest::of(&first[..1])
+                } else {
+                    largest
+                };
                 let place = Place::Touch { pair, touch };
-                all.extend(one.beside(same.map(|same| &second[same]), (place, largest)));
+                all.extend(one.beside(same.map(|same| &second[same]), (place, scale)));
             }
             let (n_first, n_second) = (first.len() as f64, second.len() as f64);
             all.push(Two {
@@ -222,11 +228,49 @@ impl Numbers {
         all
     }
 
+    /// Of the touches given by pair and number, and of those that only the other run has, the one that begins first: its pair and
+    /// instant \[s\].
+    pub(super) fn first_of(
+        &self,
+        wrong: impl Iterator<Item = (usize, usize)>,
+        other: &Self,
+    ) -> Option<(usize, f64)> {
+        let own = wrong.map(|(pair, touch)| (pair, self.pairs[pair][touch].start));
+        let pairs = self.pairs.iter().zip(&other.pairs).enumerate();
+        let lone = pairs.flat_map(|(pair, (first, second))| {
+            let same = matched(second, first).into_iter();
+            let lone = second.iter().zip(same).filter(|(_, same)| same.is_none());
+            lone.map(move |(one, _)| (pair, one.start))
+        });
+        own.chain(lone)
+            .min_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The touches of a pair from the last before an instant to the third after it, in words.
+    pub(super) fn near(&self, (pair, time): (usize, f64)) -> Vec<String> {
+        let touches = &self.pairs[pair];
+        let from = touches.iter().rposition(|one| one.start < time);
+        let near = touches.iter().enumerate().skip(from.unwrap_or(0)).take(5);
+        let words = near.map(|(number, one)| {
+            let Meeting {
+                start,
+                lasts,
+                impulse,
+                peak_force,
+                ..
+            } = one;
+            let force = peak_force.map_or("an impact".into(), |force| format!("{force:e} N"));
+            format!("{number}: {start:.15} s for {lasts:e} s, {impulse:e} N·s, {force}")
+        });
+        words.collect()
+    }
+
     /// Takes the touches away that another run does not have, and that are within rounding; how many there were.
     pub(super) fn without_grazes(&mut self, other: &mut Self) -> usize {
         let mut grazes = 0;
         for (first, second) in self.pairs.iter_mut().zip(&mut other.pairs) {
-            let largest = largest_impulse(first).max(largest_impulse(second));
+            let [one, other] = [&*first, &*second].map(|touches| Largest::of(touches).impulse);
+            let largest = one.max(other);
             let (of_first, of_second) = (matched(first, second), matched(second, first));
             for (touches, same) in [(first, of_first), (second, of_second)] {
                 let before = touches.len();
@@ -239,9 +283,33 @@ impl Numbers {
     }
 }
 
-/// Largest impulse of some touches \[N·s\].
-fn largest_impulse(touches: &[Meeting]) -> f64 {
-    touches.iter().map(|one| one.impulse).fold(0.0, f64::max)
+/// The touches in the order of their starts; of an impact and the rest that it begins, the impact first.
+fn in_order(mut touches: Vec<Meeting>) -> Vec<Meeting> {
+    let rests = |one: &Meeting| one.peak_force.is_some();
+    touches.sort_by(|one, other| {
+        let starts = one.start.total_cmp(&other.start);
+        starts.then(rests(one).cmp(&rests(other)))
+    });
+    touches
+}
+
+/// The largest of some touches.
+#[derive(Debug, Clone, Copy, Default)]
+struct Largest {
+    /// Impulse \[N·s\].
+    impulse: f64,
+    /// Force \[N\].
+    force: f64,
+}
+
+impl Largest {
+    fn of(touches: &[Meeting]) -> Self {
+        let forces = touches.iter().filter_map(|one| one.peak_force);
+        Self {
+            impulse: touches.iter().map(|one| one.impulse).fold(0.0, f64::max),
+            force: forces.fold(0.0, f64::max),
+        }
+    }
 }
 
 /// Whether neighbours part when their law's force ends.
@@ -297,35 +365,28 @@ impl Meeting {
         self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
     }
 
-    fn beside(&self, other: Option<&Self>, (place, largest): (Place, f64)) -> Vec<Two> {
-        let two = |what, first: Option<f64>, second: Option<f64>, scale: f64| match (first, second)
-        {
-            (None, None) => None,
-            (first, second) => Some(Two {
+    fn beside(&self, other: Option<&Self>, (place, largest): (Place, Largest)) -> Vec<Two> {
+        let two = |what, value: fn(&Self) -> Option<f64>, scale: f64| {
+            let (first, second) = (value(self), other.and_then(value));
+            if first.is_none() && second.is_none() {
+                return None;
+            }
+            let both = first.zip(second);
+            Some(Two {
                 what,
                 place,
                 first: first.unwrap_or(f64::NAN),
                 second: second.unwrap_or(f64::NAN),
-                distance: first.zip(second).map_or(f64::INFINITY, |(first, second)| {
+                distance: both.map_or(f64::INFINITY, |(first, second)| {
                     relative_to(second, first, scale)
                 }),
-            }),
+            })
         };
-        let of = |value: fn(&Self) -> f64| (Some(value(self)), other.map(value));
-        let maybe = |value: fn(&Self) -> Option<f64>| (value(self), other.and_then(value));
-        let (start, end) = (of(|one| one.start), maybe(|one| one.end));
-        let (impulse, force) = (of(|one| one.impulse), maybe(|one| one.peak_force));
-        let scale = self.impulse.max(ZERO * largest);
         let all = [
-            two(Compared::Start, start.0, start.1, 1.0),
-            two(Compared::End, end.0, end.1, 1.0),
-            two(Compared::Impulse, impulse.0, impulse.1, scale),
-            two(
-                Compared::PoundingForce,
-                force.0,
-                force.1,
-                self.peak_force.unwrap_or(0.0),
-            ),
+            two(Compared::Start, |one| Some(one.start), 1.0),
+            two(Compared::End, |one| one.end, 1.0),
+            two(Compared::Impulse, |one| Some(one.impulse), largest.impulse),
+            two(Compared::PoundingForce, |one| one.peak_force, largest.force),
         ];
         all.into_iter().flatten().collect()
     }

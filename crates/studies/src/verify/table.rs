@@ -17,7 +17,11 @@ pub struct KnownLimit {
 }
 
 /// Failures that are named: everything else that fails is a fault.
-pub const LIMITS: [KnownLimit; 3] = [
+pub const LIMITS: [KnownLimit; 4] = [
+    KnownLimit {
+        kind: "ClosedIn",
+        why: "a row between walls on grounds that travel towards each other has no room: there is no such motion",
+    },
     KnownLimit {
         kind: "BouncesWithoutEnd",
         why: "with e = 1 neighbours that press against each other bounce for ever",
