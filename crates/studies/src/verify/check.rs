@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use pounding_motion::Record;
 use pounding_solver::Pair;
 
 use super::class::{Class, rests};
@@ -18,7 +19,8 @@ pub const RESIDUAL: f64 = 1e-11;
 
 /// Relative changes of the record by which a condition is measured: the second one where the first makes touches come or go.
 const CHANGES: [f64; 2] = [1e-9, 1e-12];
-/// Records under which it is measured; more of them find a larger one, and allow more.
+/// Records with other samples under which it is measured; more of them find a larger one, and allow more. One more has its samples
+/// further apart, as if all structures were faster.
 const N_NEAR: usize = 8;
 /// Other settings of the second route, under which its own rounding is another one.
 const OTHERWISE: [Fineness; 2] = [
@@ -252,7 +254,11 @@ fn story(
     (exact, second): (&Numbers, &Numbers),
     judged: &[Disagreement],
 ) -> Vec<String> {
-    let wrong = judged.iter().filter(|one| one.is_wrong());
+    // A number that one route does not have says more than one that is a little off.
+    let lacks = judged.iter().any(|one| one.two.distance.is_infinite());
+    let wrong = judged
+        .iter()
+        .filter(|one| one.is_wrong() && one.two.distance.is_infinite() == lacks);
     let wrong = wrong.filter_map(|one| match one.two.place {
         Place::Touch { pair, touch } => Some((pair, touch)),
         Place::Floor(_) | Place::Pair(_) | Place::Run => None,
@@ -338,9 +344,13 @@ fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec
     let mut found = vec![f64::INFINITY; truth.beside(truth).len()];
     for change in CHANGES {
         let mut largest = vec![0.0_f64; found.len()];
-        for index in 0..=N_NEAR {
+        for index in 0..=N_NEAR + 1 {
             begin(Stage::Condition);
-            let near = under(prepared, change, index);
+            let near = if index > N_NEAR {
+                stretched(prepared, change)
+            } else {
+                under(prepared, change, index)
+            };
             let near = near.and_then(|near| {
                 let (outcome, _) = near.run_unjudged(Asked::default())?;
                 Ok(Numbers::of_exact(&near, &outcome))
@@ -365,6 +375,14 @@ fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec
         }
     }
     found
+}
+
+/// The scene under its record with samples further apart.
+fn stretched(prepared: &Prepared, change: f64) -> Result<Prepared, StudyError> {
+    prepared.under(|record| {
+        let step = record.time_step() * (1.0 + change);
+        Record::new(step, record.samples().to_vec(), record.source())
+    })
 }
 
 impl Failure {

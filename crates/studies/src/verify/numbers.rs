@@ -250,7 +250,11 @@ impl Numbers {
     pub(super) fn near(&self, (pair, time): (usize, f64)) -> Vec<String> {
         let touches = &self.pairs[pair];
         let from = touches.iter().rposition(|one| one.start < time);
-        let near = touches.iter().enumerate().skip(from.unwrap_or(0)).take(5);
+        let near = touches
+            .iter()
+            .enumerate()
+            .skip(from.unwrap_or(0).saturating_sub(1))
+            .take(7);
         let words = near.map(|(number, one)| {
             let Meeting {
                 start,

@@ -47,6 +47,7 @@ enum Fate {
     Disagrees,
     SecondRouteRounds,
     Unknowable,
+    Named,
     ExactFails,
     SecondRouteFails,
     Refused,
@@ -55,11 +56,12 @@ enum Fate {
 }
 
 impl Fate {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 10] = [
         Self::Agrees,
         Self::Disagrees,
         Self::SecondRouteRounds,
         Self::Unknowable,
+        Self::Named,
         Self::ExactFails,
         Self::SecondRouteFails,
         Self::Refused,
@@ -73,6 +75,7 @@ impl Fate {
             Verdict::Disagrees(_) => Self::Disagrees,
             Verdict::SecondRouteRounds(_) => Self::SecondRouteRounds,
             Verdict::Unknowable(_) => Self::Unknowable,
+            Verdict::ExactFails(failure) if failure.is_known() => Self::Named,
             Verdict::ExactFails(_) => Self::ExactFails,
             Verdict::SecondRouteFails(_) => Self::SecondRouteFails,
             Verdict::Refused(_) => Self::Refused,
@@ -87,6 +90,7 @@ impl Fate {
             Self::Disagrees => "disagree",
             Self::SecondRouteRounds => "second rounds",
             Self::Unknowable => "ill-conditioned",
+            Self::Named => "named limit",
             Self::ExactFails => "exact fails",
             Self::SecondRouteFails => "second fails",
             Self::Refused => "refused",
@@ -136,7 +140,10 @@ impl Checked {
             Verdict::Agrees => Vec::new(),
             Verdict::Disagrees(all)
             | Verdict::SecondRouteRounds(all)
-            | Verdict::Unknowable(all) => all.iter().map(|one| line(one.to_string())).collect(),
+            | Verdict::Unknowable(all) => {
+                let numbers = all.iter().map(|one| line(one.to_string()));
+                numbers.chain(self.story.iter().cloned()).collect()
+            }
             Verdict::ExactFails(failure)
             | Verdict::SecondRouteFails(failure)
             | Verdict::Refused(failure) => {
