@@ -1,6 +1,6 @@
 /// A parameter of a contact law outside its valid range.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{parameter}: found {found}, allowed {allowed}")]
+#[error("{parameter}: found {}, allowed {allowed}", pounding_text::plain(*found))]
 pub struct ParameterError {
     /// Name of the parameter, as scene files spell it.
     pub parameter: &'static str,

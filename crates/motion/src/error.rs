@@ -1,20 +1,31 @@
 //! What can go wrong with numbers, one variant for each thing the user can put right.
 
+use pounding_text::plain;
+
+use crate::Record;
+
 /// A `RecordError` says why numbers do not make a record.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RecordError {
     /// There are no samples.
     #[error("a record needs at least one sample, none was given")]
     Empty,
-    /// The time step is not a finite number above zero.
-    #[error("the time step is {found} s, and must be finite and above 0 s")]
+    /// The time step is not above zero, or longer than any record.
+    #[error(
+        "the time step is {} s, allowed are more than 0 s and up to {:e} s; correct it",
+        plain(*found),
+        Record::LONGEST_STEP
+    )]
     TimeStep {
         /// Time step given \[s\].
         found: f64,
     },
-    /// A sample is not finite, as given or after multiplication.
+    /// A sample is not finite, or stronger than any ground, as given or after multiplication.
     #[error(
-        "the acceleration of sample {index} (the first is 0) is {found} m/s², and must be finite"
+        "the acceleration of sample {index} (the first is 0) is {} m/s², allowed are up to {:e} m/s² either way; correct its \
+         unit or its factor",
+        plain(*found),
+        Record::STRONGEST
     )]
     Sample {
         /// Index of the sample, from 0.
@@ -24,21 +35,23 @@ pub enum RecordError {
     },
     /// The acceleration of gravity is not a finite number above zero.
     #[error(
-        "the acceleration of gravity is {found} m/s², and must be finite and above 0, such as 9.81"
+        "the acceleration of gravity is {} m/s², and must be finite and above 0, such as 9.81",
+        plain(*found)
     )]
     Gravity {
         /// Acceleration of gravity given \[m/s²\].
         found: f64,
     },
     /// The factor of a record is not finite.
-    #[error("the factor of the record is {found}, and must be finite")]
+    #[error("the factor of the record is {}, and must be finite", plain(*found))]
     Factor {
         /// Factor given.
         found: f64,
     },
     /// A time step asks for more samples than fit in memory.
     #[error(
-        "a time step of {time_step:?} s over {duration} s needs more than {allowed} samples; take a longer step"
+        "a time step of {time_step:?} s over {} s needs more than {allowed} samples; take a longer step",
+        plain(*duration)
     )]
     TooManySamples {
         /// Time step asked for \[s\].
@@ -49,7 +62,7 @@ pub enum RecordError {
         allowed: u32,
     },
     /// A setting of a filter or of a generated motion is out of its range.
-    #[error("{setting} is {found}, allowed is {allowed}")]
+    #[error("{setting} is {}, allowed is {allowed}", plain(*found))]
     Setting {
         /// Name of the setting.
         setting: &'static str,
@@ -60,8 +73,10 @@ pub enum RecordError {
     },
     /// A frequency is too high for the time step of the samples.
     #[error(
-        "{setting} is {found} Hz, allowed is below {nyquist} Hz, the highest frequency that samples of this time step \
-         hold; lower it, or shorten the time step"
+        "{setting} is {} Hz, allowed is below {} Hz, the highest frequency that samples of this time step \
+         hold; lower it, or shorten the time step",
+        plain(*found),
+        plain(*nyquist)
     )]
     Frequency {
         /// Name of the setting.
@@ -73,8 +88,10 @@ pub enum RecordError {
     },
     /// The corners of a band-pass filter leave no band between them.
     #[error(
-        "low_corner is {low} Hz and high_corner is {high} Hz, allowed is a low corner below the high one; exchange or \
-         part them"
+        "low_corner is {} Hz and high_corner is {} Hz, allowed is a low corner below the high one; exchange or \
+         part them",
+        plain(*low),
+        plain(*high)
     )]
     Corners {
         /// Low corner \[Hz\].
@@ -97,7 +114,8 @@ pub enum RecordError {
     },
     /// A record without any acceleration cannot be scaled to one.
     #[error(
-        "every acceleration of the record is 0 m/s², and no factor makes {target} m/s² of that"
+        "every acceleration of the record is 0 m/s², and no factor makes {} m/s² of that",
+        plain(*target)
     )]
     AllZero {
         /// Peak asked for \[m/s²\].

@@ -2,6 +2,8 @@
 
 mod words;
 
+use pounding_text::plain;
+
 use crate::{AccelerationUnit, Format, Place};
 use words::{before, choice, listed, numbered, of_number};
 
@@ -104,8 +106,10 @@ pub enum ReadError {
     },
     /// A time of a CSV is not after the one before.
     #[error(
-        "line {line}: the time is {found} s, allowed are times after the {allowed} s of the line before; \
-         sort the lines by time and keep one of each"
+        "line {line}: the time is {} s, allowed are times after the {} s of the line before; \
+         sort the lines by time and keep one of each",
+        plain(*found),
+        plain(*allowed)
     )]
     TimeOrder {
         /// Line whose time is too early.
@@ -117,8 +121,10 @@ pub enum ReadError {
     },
     /// The times of a CSV do not rise in equal steps.
     #[error(
-        "line {line}: the time changes by {found} s from the line before, allowed is the {allowed} s of the other \
-         lines; resample the record to equal steps or print its times with more decimals"
+        "line {line}: the time changes by {} s from the line before, allowed is the {} s of the other \
+         lines; resample the record to equal steps or print its times with more decimals",
+        plain(*found),
+        plain(*allowed)
     )]
     UnevenTime {
         /// Line whose step stands out most.
@@ -130,8 +136,10 @@ pub enum ReadError {
     },
     /// A CSV starts neither at t = 0 nor one time step later.
     #[error(
-        "line {line}: the first time is {found} s, allowed are 0 s and one time step, {time_step} s; \
-         shift the time column so that the record begins there"
+        "line {line}: the first time is {} s, allowed are 0 s and one time step, {} s; \
+         shift the time column so that the record begins there",
+        plain(*found),
+        plain(*time_step)
     )]
     StartTime {
         /// Line of the first sample.
@@ -143,7 +151,8 @@ pub enum ReadError {
     },
     /// The time step is not a finite number above zero.
     #[error(
-        "{place}: the time step is {found} s, and must be finite and above 0 s; correct it there"
+        "{place}: the time step is {} s, and must be finite and above 0 s; correct it there",
+        plain(*found)
     )]
     TimeStep {
         /// Place that gives the time step; in a CSV the last line.
@@ -200,8 +209,9 @@ pub enum ReadError {
     },
     /// The largest value is not the peak that the header states.
     #[error(
-        "{place} states a peak of {stated:?}, but the largest value read is {found} {}; \
+        "{place} states a peak of {stated:?}, but the largest value read is {} {}; \
          one of them is damaged or in another unit: fetch the file again",
+        plain(*found),
         unit.symbol()
     )]
     Peak {
@@ -332,8 +342,10 @@ pub enum ReadError {
     TimeStepNotStated,
     /// A declared time step is not that of the file.
     #[error(
-        "{place} gives a time step of {found} s, but {declared} s is declared as `time_step`; \
-         leave the declaration away"
+        "{place} gives a time step of {} s, but {} s is declared as `time_step`; \
+         leave the declaration away",
+        plain(*found),
+        plain(*declared)
     )]
     TimeStepContradiction {
         /// Where the file states its time step.
@@ -344,7 +356,10 @@ pub enum ReadError {
         declared: f64,
     },
     /// A declared time step is not a finite number above zero.
-    #[error("the declared `time_step` is {found} s, and must be finite and above 0 s")]
+    #[error(
+        "the declared `time_step` is {} s, and must be finite and above 0 s",
+        plain(*found)
+    )]
     DeclaredTimeStep {
         /// Time step declared \[s\].
         found: f64,
@@ -362,9 +377,10 @@ pub enum ReadError {
     },
     /// A worth of counts is declared for values that have a unit.
     #[error(
-        "{place} says that the values are in {}, but `per_count` is declared as {declared}; \
+        "{place} says that the values are in {}, but `per_count` is declared as {}; \
          leave it away, there are no counts to scale",
-        found.name()
+        found.name(),
+        plain(*declared)
     )]
     NoCounts {
         /// Where the file states its unit.

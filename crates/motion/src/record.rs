@@ -15,7 +15,7 @@ const MAX_SAMPLES: u32 = 10_000_000;
 /// A `Record` is a uniformly sampled ground acceleration \[m/s²\] together with where it came from.
 ///
 /// The first sample is at t = 0; the acceleration is linear between samples and zero before the
-/// first and after the last. There is at least one sample, and all are finite.
+/// first and after the last. There is at least one sample, and all are at most [`Record::STRONGEST`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     time_step: f64,
@@ -24,13 +24,19 @@ pub struct Record {
 }
 
 impl Record {
+    /// Largest acceleration of a sample, either way \[m/s²\]: a hundred million g, which no ground has. Squares of much stronger
+    /// ones, integrated, leave the range of numbers, and a measure that is infinite measures nothing.
+    pub const STRONGEST: f64 = 1e9;
+    /// Longest time between two samples \[s\], eleven days; for the same reason.
+    pub const LONGEST_STEP: f64 = 1e6;
+
     /// Makes a record of accelerations \[m/s²\] that are `time_step` \[s\] apart.
     ///
     /// `source` says where they came from, in any words.
     ///
     /// # Errors
-    /// Refuses an empty list, a sample that is not finite, and a time step that is not finite and
-    /// above zero.
+    /// Refuses an empty list, a sample beyond [`Self::STRONGEST`], and a time step that is not above zero and up to
+    /// [`Self::LONGEST_STEP`].
     pub fn new(
         time_step: f64,
         samples: Vec<f64>,
@@ -40,7 +46,9 @@ impl Record {
         if samples.is_empty() {
             return Err(RecordError::Empty);
         }
-        if let Some(index) = samples.iter().position(|sample| !sample.is_finite()) {
+        // What is not a number is not within bounds either.
+        let is_ground = |sample: &f64| sample.abs() <= Self::STRONGEST;
+        if let Some(index) = samples.iter().position(|sample| !is_ground(sample)) {
             let found = samples[index];
             return Err(RecordError::Sample { index, found });
         }
@@ -200,7 +208,7 @@ pub(crate) fn within(
 }
 
 fn checked_step(time_step: f64) -> Result<(), RecordError> {
-    if time_step.is_finite() && time_step > 0.0 {
+    if time_step > 0.0 && time_step <= Record::LONGEST_STEP {
         Ok(())
     } else {
         Err(RecordError::TimeStep { found: time_step })

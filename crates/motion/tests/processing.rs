@@ -202,8 +202,8 @@ fn extreme_trends_of_one_and_two_samples_and_of_too_much() {
         .detrended(Trend::Linear)
         .unwrap();
     assert_eq!(two.samples(), [0.0, 0.0]);
-    let huge = record(0.5, vec![f64::MAX; 3]).detrended(Trend::Constant);
-    assert!(matches!(huge, Err(RecordError::Sample { .. })), "{huge:?}");
+    let strongest = record(0.5, vec![Record::STRONGEST; 3]).detrended(Trend::Constant);
+    assert!(strongest.is_ok(), "{strongest:?}");
 }
 
 #[test]

@@ -109,6 +109,9 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
             | Method::MoreauJean { .. }
             | Method::Accuracy(_) => "none beyond rounding: the method is exact".into(),
         },
+        Errors::Doubtful => {
+            "not known: the method is exact, but this run has gone wrong (see the warnings)".into()
+        }
         Errors::NotMeasured => "not measured (--no-error)".into(),
         Errors::Unknown(reason) => format!("not known, the exact run fails: {reason}"),
         Errors::Measured(errors, _) => {
@@ -141,7 +144,7 @@ fn work_lines(method: &Method, work: Work, errors: &Errors) -> String {
     };
     match errors {
         Errors::Measured(_, work) => format!("{own};\nexact run: {}", exact(*work)),
-        Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => own,
+        Errors::Exact | Errors::Doubtful | Errors::NotMeasured | Errors::Unknown(_) => own,
     }
 }
 

@@ -1,3 +1,4 @@
+use pounding_text::plain;
 use thiserror::Error;
 
 /// A model or excitation that cannot be run, found before the first step.
@@ -5,10 +6,34 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum ModelError {
     /// A value outside its valid range.
-    #[error("{place}: found {found}, allowed {allowed}")]
+    #[error("{place}: found {}, allowed {allowed}", plain(*found))]
     OutOfRange {
-        /// Where in the model, for example `nodes[1].inverse_mass`.
+        /// Where, for example `excitation.time_step`.
         place: String,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// A value of a node outside its valid range.
+    #[error("nodes[{node}].{field}: found {}, allowed {allowed}", plain(*found))]
+    Node {
+        /// Index of the node.
+        node: usize,
+        /// Its field.
+        field: &'static str,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// A value of a pair outside its valid range.
+    #[error("pairs[{pair}].{field}: found {}, allowed {allowed}", plain(*found))]
+    Pair {
+        /// Index of the pair.
+        pair: usize,
+        /// Its field, or the parameter of its law.
+        field: &'static str,
         /// The value found.
         found: f64,
         /// The values allowed, in words.
@@ -49,8 +74,9 @@ pub enum ModelError {
     },
     /// Structures that already overlap at t = 0.
     #[error(
-        "pairs[{pair}]: the initial displacements overlap by {overlap} m; allowed 0 or less: widen the gap or change \
-         the initial displacements"
+        "pairs[{pair}]: the initial displacements overlap by {} m; allowed 0 or less: widen the gap or change \
+         the initial displacements",
+        plain(*overlap)
     )]
     OverlapsAtStart {
         /// Index of the pair.
@@ -70,7 +96,8 @@ pub enum RunError {
     /// A number stopped being finite in this step.
     #[error(
         "structure {structure} at t = {time:.4} s: the response is no longer a finite number; use a smaller time step \
-         (found {time_step} s)"
+         (found {} s)",
+        plain(*time_step)
     )]
     Diverged {
         /// Index of the structure, from the left.
@@ -126,7 +153,7 @@ pub enum RunError {
         iterations: u32,
     },
     /// A run setting outside its valid range.
-    #[error("{setting}: found {found}, allowed {allowed}")]
+    #[error("{setting}: found {}, allowed {allowed}", plain(*found))]
     Setting {
         /// Name of the setting.
         setting: &'static str,
@@ -139,8 +166,9 @@ pub enum RunError {
     /// for ever, ever the same bounce, however small.
     #[error(
         "structures {left} and {right} at t = {time:.4} s: they bounce without coming to rest (after {impacts} impacts, \
-         e = {restitution}); with e = 1 neighbours that press against each other never do: use a coefficient of \
-         restitution of 0.999 or less, a compliant law or a stepping method"
+         e = {}); with e = 1 neighbours that press against each other never do: use a coefficient of \
+         restitution of 0.999 or less, a compliant law or a stepping method",
+        plain(*restitution)
     )]
     BouncesWithoutEnd {
         /// Index of the left structure.

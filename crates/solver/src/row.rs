@@ -295,12 +295,13 @@ impl<Column> Row<Column> {
 
 fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelError> {
     const NOT_NEGATIVE: &str = "a finite number >= 0";
-    let require = |valid: bool, field: &str, found: f64, allowed: &'static str| {
+    let require = |valid: bool, field: &'static str, found: f64, allowed: &'static str| {
         if valid && found.is_finite() {
             return Ok(());
         }
-        Err(ModelError::OutOfRange {
-            place: format!("nodes[{index}].{field}"),
+        Err(ModelError::Node {
+            node: index,
+            field,
             found,
             allowed,
         })
@@ -330,14 +331,16 @@ fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelErro
 
 fn check_pair(index: usize, pair: &Pair) -> Result<(), ModelError> {
     if !(pair.gap >= 0.0 && pair.gap.is_finite()) {
-        return Err(ModelError::OutOfRange {
-            place: format!("pairs[{index}].gap"),
+        return Err(ModelError::Pair {
+            pair: index,
+            field: "gap",
             found: pair.gap,
             allowed: "a finite number >= 0",
         });
     }
-    pair.law.check().map_err(|error| ModelError::OutOfRange {
-        place: format!("pairs[{index}].{}", error.parameter),
+    pair.law.check().map_err(|error| ModelError::Pair {
+        pair: index,
+        field: error.parameter,
         found: error.found,
         allowed: error.allowed,
     })

@@ -61,8 +61,9 @@ pub(crate) fn floors_above<Column>(
             continue;
         };
         if !(ground_damping >= 0.0 && ground_damping.is_finite()) {
-            return Err(ModelError::OutOfRange {
-                place: format!("nodes[{index}].support.ground_damping"),
+            return Err(ModelError::Node {
+                node: index,
+                field: "support.ground_damping",
                 found: ground_damping,
                 allowed: "a finite number >= 0",
             });

@@ -6,7 +6,8 @@ use std::path::Path;
 use serde::Deserialize;
 
 use crate::StudyError;
-use crate::tables::{Value, digits, to_csv};
+use crate::digits;
+use crate::tables::{Value, to_csv};
 
 /// Largest relative difference of a number that counts as reproduced.
 pub const REPRODUCED: f64 = 1e-3;

@@ -4,6 +4,7 @@ pub(crate) mod record;
 mod structure;
 
 use std::fmt::Display;
+use std::ops::RangeInclusive;
 
 use crate::{Method, Scene, SceneError, Structure};
 
@@ -14,16 +15,21 @@ fn require(
     found: f64,
     allowed: &'static str,
 ) -> Result<(), SceneError> {
-    if valid && found.is_finite() {
-        Ok(())
-    } else {
-        Err(SceneError::OutOfRange {
-            place: place.to_string(),
-            found,
-            allowed,
-        })
+    let usual = found == 0.0 || USUAL.contains(&found.abs());
+    if valid && usual {
+        return Ok(());
     }
+    Err(SceneError::OutOfRange {
+        place: place.to_string(),
+        found,
+        allowed: if valid { IN_USUAL } else { allowed },
+    })
 }
+
+/// Magnitudes of the numbers of a scene that are not 0: products of some of them, such as a mass times the square of a
+/// frequency, remain numbers, and so does what follows from them.
+const USUAL: RangeInclusive<f64> = 1e-100..=1e100;
+const IN_USUAL: &str = "0, or numbers from 1e-100 to 1e100 in magnitude";
 
 const POSITIVE: &str = "a finite number > 0";
 const NOT_NEGATIVE: &str = "a finite number >= 0";

@@ -98,6 +98,8 @@ pub enum Fault {
 pub(crate) const TWO_CHOICES: &str = "two choices ";
 /// A choice in the words of a file.
 const ONE_CHOICE: &str = "the name of one, or a table with one of them and its settings";
+/// What the exponent of a knee may be, where it is no whole number; the check of a scene holds the others to it.
+const EXPONENT: &str = "a whole number from 1 to 20";
 /// The choice that is met most often.
 const ONE_DAMPING: &str = "such as {\"ratio\": 0.05} in JSON, { ratio = 0.05 } in TOML";
 
@@ -161,9 +163,13 @@ impl Fault {
         for begin in ["invalid type: ", "invalid value: ", "invalid length "] {
             let rest = message.strip_prefix(begin);
             if let Some((found, allowed)) = rest.and_then(|rest| rest.split_once(", expected ")) {
+                let allowed = match allowed {
+                    "u32" if place.ends_with("bouc_wen.exponent") => EXPONENT.into(),
+                    allowed => in_words(allowed),
+                };
                 return Self::Type {
                     found: in_words(found),
-                    allowed: in_words(allowed),
+                    allowed,
                 };
             }
         }

@@ -156,7 +156,8 @@ pub enum CollisionError {
     Masses,
     /// A time step out of range.
     #[error(
-        "time step: found {found} s, allowed a finite number > 0 and at most 1e7 steps in the collision"
+        "time step: found {} s, allowed a finite number > 0 and at most 1e7 steps in the collision",
+        crate::plain(*found)
     )]
     TimeStep {
         /// The time step \[s\].

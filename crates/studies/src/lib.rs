@@ -9,6 +9,7 @@
 mod advice;
 mod agreement;
 mod beyond;
+mod cell;
 mod certificate;
 mod check;
 mod claims;
@@ -56,7 +57,6 @@ mod trade;
 mod unneeded;
 pub mod verify;
 mod warning;
-mod words;
 mod work_precision;
 
 pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
@@ -64,6 +64,7 @@ pub use agreement::{
     CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
 pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMotion, Strength};
+pub use cell::{Cell, csv_text, json_text};
 pub use certificate::{Certificate, CertificateError, Wanted};
 pub use claims::{Claim, Finding, Survival, Tallies, Tally, claims, claims_csv};
 pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
@@ -86,6 +87,7 @@ pub use laws::{Atlas, AtlasSettings};
 pub use limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT};
 pub use motion_error::MotionError;
 pub use plot::PlotError;
+pub use pounding_text::{digits, milliseconds, percent, plain, rounded_down, rounded_up, short};
 pub use prepared::{Balance, Outcome, PairOutcome, Prepared};
 pub use report::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
@@ -118,8 +120,7 @@ pub use sweep::{
     Spacing, Spread, StructureQuantity, Sweep, SweepAccuracy, SweepError, SweepFile, Vary,
     compresses, merge,
 };
-pub use tables::{Table, Value, digits};
+pub use tables::{Table, Value};
 pub use trade::{Timed, Trade};
 pub use warning::{Place, Warning};
-pub use words::{milliseconds, percent, rounded_down, rounded_up, short};
 pub use work_precision::{Competitor, WorkPrecision, work_precision_figure};

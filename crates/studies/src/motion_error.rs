@@ -1,6 +1,7 @@
 //! Why a ground motion cannot be made or used as a scene asks, by the fields of the scene.
 
-use pounding_motion::RecordError;
+use pounding_motion::{Record, RecordError};
+use pounding_text::plain;
 use thiserror::Error;
 
 use crate::SpectrumError;
@@ -10,7 +11,7 @@ use crate::SpectrumError;
 #[non_exhaustive]
 pub enum MotionError {
     /// A field outside its valid range.
-    #[error("{place}: found {found}, allowed {allowed}")]
+    #[error("{place}: found {}, allowed {allowed}", plain(*found))]
     OutOfRange {
         /// The field, for example `record.band_pass.order`.
         place: String,
@@ -21,7 +22,9 @@ pub enum MotionError {
     },
     /// A frequency that the samples do not hold.
     #[error(
-        "{place}: found {found} Hz, allowed is below {highest} Hz, half of one over the time step; lower it"
+        "{place}: found {} Hz, allowed is below {} Hz, half of one over the time step; lower it",
+        plain(*found),
+        plain(*highest)
     )]
     Frequency {
         /// The field.
@@ -33,8 +36,10 @@ pub enum MotionError {
     },
     /// Corners of a filter that leave no band between them.
     #[error(
-        "{place}: found {place}.low_hz (below it the motion is taken away) {low} Hz and {place}.high_hz (above it) {high} Hz, \
+        "{place}: found {place}.low_hz (below it the motion is taken away) {} Hz and {place}.high_hz (above it) {} Hz, \
          allowed is the first below the second; {}",
+        plain(*low),
+        plain(*high),
         if low > high { "exchange them" } else { "part them" }
     )]
     Corners {
@@ -62,7 +67,8 @@ pub enum MotionError {
     },
     /// A time step that makes too many samples.
     #[error(
-        "{place}: found {found:?}, which over {duration} s makes more than {most} samples, allowed is a longer step"
+        "{place}: found {found:?}, which over {} s makes more than {most} samples, allowed is a longer step",
+        plain(*duration)
     )]
     TooManySamples {
         /// The field.
@@ -84,8 +90,9 @@ pub enum MotionError {
     },
     /// A target that is too far for a finite factor.
     #[error(
-        "{place}: found a target that takes a factor of {factor}, allowed is a finite one; take a lower target, or a stronger \
-         motion"
+        "{place}: found a target that takes a factor of {}, allowed is a finite one; take a lower target, or a stronger \
+         motion",
+        plain(*factor)
     )]
     Factor {
         /// The target.
@@ -95,8 +102,10 @@ pub enum MotionError {
     },
     /// A sample that is no longer finite.
     #[error(
-        "{place}: makes the acceleration of sample {index} (the first is 0) {found} m/s², allowed are finite ones; take a \
-         smaller number"
+        "{place}: makes the acceleration of sample {index} (the first is 0) {} m/s², allowed are up to {:e} m/s² either way; \
+         correct a unit or take a smaller number",
+        plain(*found),
+        Record::STRONGEST
     )]
     NotFinite {
         /// The field that does it.

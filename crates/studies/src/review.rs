@@ -42,6 +42,8 @@ pub struct Review {
 pub enum Errors {
     /// The method is exact.
     Exact,
+    /// The method is exact, and its ledger says that this run went wrong.
+    Doubtful,
     /// Nobody asked.
     NotMeasured,
     /// The exact run failed.
@@ -55,7 +57,7 @@ impl Review {
     pub fn measured(&self) -> Option<&RunErrors> {
         match &self.errors {
             Errors::Measured(errors, _) => Some(errors),
-            Errors::Exact | Errors::NotMeasured | Errors::Unknown(_) => None,
+            Errors::Exact | Errors::Doubtful | Errors::NotMeasured | Errors::Unknown(_) => None,
         }
     }
 }
@@ -93,20 +95,22 @@ impl Prepared {
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
+        let is_broken = broken.is_some();
         if let Some(broken) = broken {
-            if !self.is_forced() {
-                return Err(broken);
-            }
-            let law = broken.to_string();
-            warnings.push(Warning::Broken { law });
+            warnings.push(self.told(broken)?);
         }
         let errors = if matches!(self.method(), Method::Exact { .. }) {
             warnings.extend(self.warnings_before(&outcome));
-            Errors::Exact
+            if is_broken {
+                Errors::Doubtful
+            } else {
+                Errors::Exact
+            }
         } else if measure {
-            match self.exact().and_then(|exact| exact.run(None)) {
-                Ok(exact) => {
+            match self.reference() {
+                Ok((exact, doubt)) => {
                     let (errors, of_errors) = self.warnings(&outcome, &exact);
+                    warnings.extend(doubt);
                     warnings.extend(of_errors);
                     Errors::Measured(errors, exact.work)
                 }
@@ -126,6 +130,39 @@ impl Prepared {
             errors,
             warnings,
         })
+    }
+
+    /// A broken law as a warning, where the run is forced or the law broken by next to nothing.
+    ///
+    /// # Errors
+    /// The law, where the run is not to be believed.
+    fn told(&self, broken: StudyError) -> Result<Warning, StudyError> {
+        if let Some(energy) = broken.doubt() {
+            let reference = self.method().time_step().is_some();
+            Ok(Warning::Doubtful { reference, energy })
+        } else if self.is_forced() {
+            let law = broken.to_string();
+            Ok(Warning::Broken { law })
+        } else {
+            Err(broken)
+        }
+    }
+
+    /// The exact run of the scene, by which other methods are measured, and what to be warned of with it.
+    ///
+    /// # Errors
+    /// [`StudyError`] where it fails or breaks a law of mechanics; a scene that is forced does not force it.
+    fn reference(&self) -> Result<(Outcome, Option<Warning>), StudyError> {
+        let exact = self.exact()?;
+        let audited = exact.audited(None)?;
+        let doubt = match audited.broken {
+            None => None,
+            Some(broken) => match broken.doubt() {
+                Some(_) => Some(self.told(broken)?),
+                None => return Err(broken),
+            },
+        };
+        Ok((audited.outcome, doubt))
     }
 
     /// Errors of a run of the scene against the exact one, and what it has to be warned of.
@@ -243,5 +280,57 @@ impl RunErrors {
             let error = self.of(number);
             (error > DOUBTFUL).then_some(Warning::Error { number, error })
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pounding_solver::LedgerError;
+
+    use super::*;
+
+    const SCENE: &str = r#"{
+        "name": "two",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+        "duration_s": 1.0,
+        "structures": [
+            {"sdof": {"name": "left", "mass_kg": 1e5, "period_s": 0.8, "damping": {"ratio": 0.05}}},
+            "wall"
+        ],
+        "contacts": [{"gap_m": 0.01, "law": {"linear_spring": {"impact_stiffness_n_per_m": 1e8}}}]
+    }"#;
+
+    fn broken(found: f64) -> StudyError {
+        StudyError::Broken {
+            scene: "two".into(),
+            structures: Vec::new(),
+            source: LedgerError::EnergyUnexplained {
+                found,
+                allowed: 1e-11,
+            },
+        }
+    }
+
+    /// A run that left 4e-5 of its energy unexplained was printed with "none beyond rounding".
+    #[test]
+    fn issue_an_exact_run_is_not_exact_whatever_its_ledger_says() {
+        let scene = serde_json::from_str(SCENE).expect("a scene");
+        let prepare = [
+            Prepared::new(&scene, std::path::Path::new("")),
+            Prepared::forcing(&scene, std::path::Path::new(""), &|_| ()),
+        ];
+        let [usual, forced] = prepare.map(|prepared| prepared.expect("it is sound"));
+        let review = usual.review(true).expect("it runs");
+        assert!(matches!(review.errors, Errors::Exact) && review.warnings.is_empty());
+
+        let doubt = usual.told(broken(2e-10)).expect("it decides nothing");
+        insta::assert_snapshot!(doubt, @"");
+        let wrong = usual.told(broken(4e-5)).expect_err("it is wrong");
+        insta::assert_snapshot!(wrong, @"");
+        let forced = forced.told(broken(4e-5)).expect("it is forced");
+        assert!(matches!(forced, Warning::Broken { .. }), "{forced:?}");
+        for number in Number::ALL {
+            assert!(doubt.concerns(number) && forced.concerns(number));
+        }
     }
 }

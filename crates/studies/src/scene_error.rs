@@ -4,15 +4,15 @@ use pounding_motion::RecordError;
 use pounding_solver::ModelError;
 use thiserror::Error;
 
-use crate::floors::Floors;
-use crate::{MotionError, Scene};
+use crate::floors::{Floor, Floors};
+use crate::{MotionError, Scene, Structure};
 
 /// A scene with a value that cannot be modelled.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SceneError {
     /// A value outside its valid range.
-    #[error("{place}: found {found}, allowed {allowed}")]
+    #[error("{place}: found {}, allowed {allowed}", crate::plain(*found))]
     OutOfRange {
         /// The field, for example `structures[1].sdof.mass_kg`.
         place: String,
@@ -55,8 +55,9 @@ pub enum SceneError {
     },
     /// A time step with which the method is unstable even without contact.
     #[error(
-        "method.{method}.time_step_s: found {time_step}, allowed less than {} (structures[{structure}], \"{name}\", grows \
+        "method.{method}.time_step_s: found {}, allowed less than {} (structures[{structure}], \"{name}\", grows \
          without bound from there on); contact can ask for less",
+        crate::plain(*time_step),
         crate::digits(*limit)
     )]
     Unstable {
@@ -155,8 +156,9 @@ pub enum SceneError {
     NoStructures,
     /// Neighbours that already overlap at t = 0.
     #[error(
-        "contacts[{contact}].gap_m: found {gap}, but the initial displacements of structures[{contact}] and [{}] close \
+        "contacts[{contact}].gap_m: found {}, but the initial displacements of structures[{contact}] and [{}] close \
          that gap and overlap by {} m; allowed is a gap that they leave open, or other initial_displacement_m",
+        crate::plain(*gap),
         contact + 1,
         crate::digits(*overlap)
     )]
@@ -204,8 +206,72 @@ impl SceneError {
             Self::BetweenWalls {
                 contact: contact(pair),
             }
+        } else if let ModelError::Node { node, field, .. } = error {
+            Self::of_node(&floors.all()[node], scene, (field, error))
+        } else if let ModelError::Pair {
+            pair,
+            field,
+            found,
+            allowed,
+        } = error
+        {
+            let index = contact(pair);
+            let law = scene.contacts.iter().flatten().nth(index);
+            let law = law.map_or("", |contact| contact.law.name());
+            let place = match field {
+                "gap" => format!("contacts[{index}].gap_m"),
+                parameter => format!("contacts[{index}].law.{law}.{parameter}"),
+            };
+            Self::OutOfRange {
+                place,
+                found,
+                allowed,
+            }
         } else {
             Self::Model(error)
+        }
+    }
+
+    /// What is wrong with a floor, by the field of the scene that it comes from.
+    fn of_node(floor: &Floor, scene: &Scene, (field, error): (&str, ModelError)) -> Self {
+        let (ModelError::Node { found, .. }, Some(made)) = (&error, floor.made_of) else {
+            return Self::Model(error);
+        };
+        let structure = floor.structure;
+        let of_structure = match &scene.structures[structure] {
+            Structure::Building(_) => format!("structures[{structure}].building"),
+            Structure::Sdof(_) | Structure::Wall => format!("structures[{structure}].sdof"),
+        };
+        let of_floor = match floor.storey {
+            Some(storey) => format!("{of_structure}.storeys[{}]", storey - 1),
+            None => of_structure.clone(),
+        };
+        let (place, found, allowed) = match field {
+            "inverse_mass" => (
+                format!("{of_floor}.mass_kg"),
+                made.mass_kg,
+                "a mass whose inverse is a finite number",
+            ),
+            "initial_displacement" => (
+                format!("{of_floor}.initial_displacement_m"),
+                *found,
+                "a finite number",
+            ),
+            "initial_velocity" => (
+                format!("{of_floor}.initial_velocity_m_per_s"),
+                *found,
+                "a finite number",
+            ),
+            _ => (
+                format!("{of_structure}.damping"),
+                *found,
+                "damping of which the coefficients [N s/m] are finite and not negative",
+            ),
+        };
+        Self::OutOfRange {
+            place,
+            found,
+            allowed,
         }
     }
 }

@@ -40,7 +40,7 @@ pub struct SpectralValues {
 #[non_exhaustive]
 pub enum SpectrumError {
     /// A value outside its valid range.
-    #[error("{place}: found {found:?}, allowed {allowed}")]
+    #[error("{place}: found {}, allowed {allowed}", crate::plain(*found))]
     OutOfRange {
         /// What it is, for example `periods[3]`.
         place: String,
@@ -53,7 +53,7 @@ pub enum SpectrumError {
     #[error("record: {0}")]
     Model(#[from] ModelError),
     /// A run that ended early.
-    #[error("period of {period} s: {source}")]
+    #[error("period of {} s: {source}", crate::plain(*period))]
     Run {
         /// Natural period of the structure \[s\].
         period: f64,

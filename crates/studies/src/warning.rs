@@ -3,6 +3,7 @@
 use std::fmt::{self, Formatter};
 
 use pounding_contact::SLOWEST_APPROACH;
+use pounding_solver::LedgerError;
 
 use crate::limits::STEPS_PER_CONTACT;
 use crate::review::STEPS_PER_PERIOD;
@@ -20,6 +21,13 @@ pub enum Warning {
     Broken {
         /// Which one, in words.
         law: String,
+    },
+    /// An exact run leaves more of its energy unexplained than rounding does, though too little to decide anything.
+    Doubtful {
+        /// Whether it is the run by which this one is measured, and not this one.
+        reference: bool,
+        /// How much.
+        energy: LedgerError,
     },
     /// A structure has too few steps in its period.
     FewStepsPerPeriod {
@@ -101,6 +109,7 @@ impl Warning {
         match self {
             Self::BeyondFreeLimit { .. }
             | Self::Broken { .. }
+            | Self::Doubtful { .. }
             | Self::ErrorUnknown
             | Self::FewStepsPerPeriod { .. } => true,
             Self::BeyondContactLimit { .. }
@@ -129,6 +138,14 @@ impl fmt::Display for Warning {
         match self {
             Self::BeyondFreeLimit { refusal: text } | Self::Broken { law: text } => {
                 write!(to, "forced: {text}")
+            }
+            Self::Doubtful { reference, energy } => {
+                let run = if *reference {
+                    "the exact run, by which errors are measured"
+                } else {
+                    "this run, which should be exact"
+                };
+                write!(to, "{run}: {energy}")
             }
             Self::FewStepsPerPeriod {
                 structure,

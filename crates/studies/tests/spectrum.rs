@@ -245,9 +245,9 @@ fn extreme_spectra_that_cannot_be() {
         response_spectrum(&one, &[0.0, 1e-6, 1.0, 1e6], 1.0).is_ok(),
         "one sample"
     );
-    let huge = Record::new(0.01, vec![0.0, 1e300, 0.0], "").expect("a record");
-    let huge = response_spectrum(&huge, &[1e6], 0.0);
-    assert!(matches!(huge, Err(SpectrumError::Run { .. })), "{huge:?}");
+    let strongest = Record::new(0.01, vec![0.0, Record::STRONGEST, 0.0], "").expect("a record");
+    let strongest = response_spectrum(&strongest, &[1e6], 0.0);
+    assert!(strongest.is_ok(), "{strongest:?}");
 }
 
 #[test]

@@ -42,7 +42,7 @@ fn extreme_header_and_values() {
     assert_snapshot!(refused("Duration Time(s)  0.2", "Duration Time(s)  0.3"), @"the values end at line 20 after 20 of them, but the header declares 30; fetch the file again, or correct the header if the values are complete");
     assert_snapshot!(refused("100Hz", "0Hz"), @"line 11: the time step is inf s, and must be finite and above 0 s; correct it there");
     assert_snapshot!(refused("3920(gal)/6182761", "3920(gal)/0"), @r#"line 14 reads "Scale Factor      3920(gal)/0", but a scale factor such as 3920(gal)/6182761 should stand there; fetch the file again"#);
-    assert_snapshot!(refused("3920(gal)/6182761", "7840(gal)/6182761"), @r#"line 15 states a peak of "Max. Acc. (gal)   30.740", but the largest value read is 61.479426424537515 cm/s²; one of them is damaged or in another unit: fetch the file again"#);
+    assert_snapshot!(refused("3920(gal)/6182761", "7840(gal)/6182761"), @r#"line 15 states a peak of "Max. Acc. (gal)   30.740", but the largest value read is 61.47943 cm/s²; one of them is damaged or in another unit: fetch the file again"#);
     assert_snapshot!(refused("Memo.", "Note."), @r#"no line of the header begins with "Memo"; fetch the file again"#);
     assert_snapshot!(refused("    22052", "    22o52"), @r#"line 18, field 1: "22o52" is not a number; write it like -0.00640 or -.6403182E-02"#);
     let declared = Declared {

@@ -8,12 +8,11 @@ use clap::builder::PossibleValue;
 
 use pounding::studies::{
     Advice, EVALUATIONS_PER_PIECE, Goal, LONGEST_STEP, MOST_STEPS, Method, Prepared, Quantity,
-    Rungs, Scene, StudyError, Trial, advise, digits, is_json,
+    Rungs, Scene, StudyError, Trial, advise, digits, is_json, json_text,
 };
 use serde_json::json;
 
-use super::{json_text, part_of_one};
-
+use super::part_of_one;
 use crate::progress::Progress;
 use crate::text::{NONE, paragraph, percent, short, table};
 

@@ -7,7 +7,7 @@ use pounding::contact::{Calibration, Clamp, LawName};
 use pounding::studies::{Certificate, CertificateError, FreeCollision, StepMethod, Wanted};
 
 use super::positive;
-use printed::{Cell, Fact, Line};
+use printed::{Fact, Line, Said};
 
 const USAGE: &str = "pounding certify <LAW> --restitution <E> --masses <LEFT> <RIGHT>
                         --speed <V0> [OPTIONS]";
@@ -155,13 +155,13 @@ fn facts(wanted: &Wanted, collision: &FreeCollision, certificate: &Certificate) 
         key,
         words,
         unit: "",
-        cell: Cell::Words(text.into()),
+        said: Said::Words(text.into()),
     };
     let number = |(key, words, unit, number)| Fact {
         key,
         words,
         unit,
-        cell: Cell::Number(number),
+        said: Said::Number(number),
     };
     let mut facts = vec![named("law", "law", wanted.law.description().name)];
     let [left, right] = collision.masses.map(Some);

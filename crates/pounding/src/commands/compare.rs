@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use pounding::studies::{
-    Errors, Floor, PairOutcome, Prepared, Quantity, Review, StudyError, Summary, digits,
+    Errors, Floor, PairOutcome, Prepared, Quantity, Review, StudyError, Summary, digits, json_text,
 };
 
 use crate::progress::Waiting;
@@ -157,8 +157,7 @@ fn json_of(runs: &[Run]) -> String {
             .collect(),
         runs: runs.iter().map(summary).collect(),
     };
-    let text = serde_json::to_string_pretty(&all).expect("plain data");
-    format!("{text}\n")
+    json_text(&all)
 }
 
 /// A name and a cell for every scene.
@@ -190,7 +189,7 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
         row("  largest error", runs, |run| match &run.review.errors {
             Errors::Exact => "exact".into(),
             Errors::NotMeasured => "not measured".into(),
-            Errors::Unknown(_) => "not known".into(),
+            Errors::Doubtful | Errors::Unknown(_) => "not known".into(),
             Errors::Measured(errors, _) => percent(errors.largest(Quantity::All).0),
         }),
         row("  warnings", runs, |run| {

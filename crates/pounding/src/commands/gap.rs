@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use pounding::studies::{
-    Contact, Method, Prepared, Rule, Scene, Separation, Structure, StudyError, digits, rounded_up,
+    Cell, Contact, Method, Prepared, Rule, Scene, Separation, Structure, StudyError, csv_text,
+    digits, json_text, rounded_up,
 };
 use serde_json::json;
 
-use super::{csv_text, json_text, suite};
+use super::suite;
 use crate::text::{paragraph, short, table};
 
 const EXAMPLES: &str = "\
@@ -266,26 +267,30 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
     let names_of_numbers = found.into_iter().flat_map(numbers).map(|(name, _)| name);
     let header = ["record", "reversed", "left", "right", "level"].into_iter();
     let header = header.chain(names_of_numbers).chain(["refused"]);
-    let header: Vec<String> = header.map(String::from).collect();
+    let header: Vec<&str> = header.collect();
     let row = |line: &Line, one: &Separation| {
         let [left, right] = names(scene, one.left);
-        let (reversed, level) = (line.reversed.to_string(), one.at_level.to_string());
-        let row = [&line.motion, &reversed, left, right, &level];
-        let mut row = row.map(String::from).to_vec();
-        row.extend(numbers(one).map(|(_, number)| number.to_string()));
-        row.push(String::new());
+        let mut row: Vec<Cell> = vec![
+            line.motion.as_str().into(),
+            line.reversed.into(),
+            left.into(),
+            right.into(),
+            one.at_level.into(),
+        ];
+        row.extend(numbers(one).map(|(_, number)| Cell::exact(number)));
+        row.push(Cell::default());
         row
     };
     let rows = lines.iter().flat_map(|line| match &line.found {
         Ok(found) => found.iter().map(|one| row(line, one)).collect(),
         Err(reason) => {
-            let mut row = vec![line.motion.clone(), line.reversed.to_string()];
-            row.resize(header.len() - 1, String::new());
-            row.push(reason.clone());
+            let mut row = vec![line.motion.as_str().into(), line.reversed.into()];
+            row.resize(header.len() - 1, Cell::default());
+            row.push(reason.as_str().into());
             vec![row]
         }
     });
-    csv_text(std::iter::once(header.clone()).chain(rows))
+    csv_text(&header, rows)
 }
 
 fn json_of(scene: &Scene, lines: &[Line]) -> String {

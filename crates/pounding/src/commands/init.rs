@@ -6,9 +6,9 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-use super::json_text;
 use crate::new_file;
 use crate::text::paragraph;
+use pounding::studies::json_text;
 use record::Named;
 
 const EXAMPLES: &str = "\

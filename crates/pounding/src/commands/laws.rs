@@ -3,8 +3,8 @@
 use pounding::contact::LawName;
 use serde_json::json;
 
-use super::json_text;
 use crate::text::paragraph;
+use pounding::studies::json_text;
 
 const EXAMPLES: &str = "\
 Examples:

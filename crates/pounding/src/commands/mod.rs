@@ -21,7 +21,6 @@ use std::path::Path;
 
 use clap::{Parser, Subcommand};
 use pounding::studies::{Prepared, Scene, StudyError};
-use serde_json::Value;
 
 use crate::progress::Progress;
 
@@ -149,21 +148,6 @@ fn part_of_one(text: &str) -> Result<f64, String> {
         Ok(value) if value >= 0.0 && value.is_finite() => Ok(value / divisor),
         _ => Err("allowed is a finite number >= 0, such as 0.05 or 5%".into()),
     }
-}
-
-/// JSON as the program prints it: with a line break at its end.
-fn json_text(value: &Value) -> String {
-    format!("{value:#}\n")
-}
-
-/// A table as CSV.
-fn csv_text<Row: IntoIterator<Item: AsRef<[u8]>>>(rows: impl IntoIterator<Item = Row>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).expect("memory takes all");
-    }
-    let bytes = writer.into_inner().expect("memory takes all");
-    String::from_utf8(bytes).expect("text goes in")
 }
 
 /// A finite number > 0.

@@ -5,6 +5,7 @@ mod effects;
 
 use std::path::{Path, PathBuf};
 
+use pounding::solver::LedgerError;
 use pounding::studies::{Effects, Prepared, Report, Review, SceneError, StudyError, Summary};
 
 use crate::progress::Waiting;
@@ -195,8 +196,17 @@ fn hint(error: StudyError, path: &Path) -> String {
                 ..
             }
     );
+    let is_exact = matches!(
+        &error,
+        StudyError::Broken {
+            source: LedgerError::EnergyUnexplained { .. },
+            ..
+        }
+    );
     let message = error.in_file(path).to_string();
-    if refused {
+    if is_exact {
+        format!("{message}; --force prints its numbers with this as a warning")
+    } else if refused {
         format!(
             "{message}; `pounding check` says what its time step can follow, --force runs it while its numbers are finite"
         )

@@ -5,6 +5,7 @@ mod buildings;
 mod certificates;
 mod errors;
 mod exports;
+mod finite;
 mod folders;
 mod helps;
 mod init;

@@ -32,10 +32,20 @@ pub(super) struct Hit {
 }
 
 impl Hit {
-    /// Whether two walls are in the chain, whose grounds may close in on what is between them.
-    pub(super) fn is_between_walls(&self, members: &[Member]) -> bool {
-        let nodes = &members[self.left..self.left + self.before.len()];
-        nodes.iter().filter(|member| member.is_wall()).count() > 1
+    /// The pair at the second of two walls of the chain whose grounds move towards each other: there is no room for what
+    /// touches both.
+    pub(super) fn closed_in(&self, members: &[Member]) -> Option<usize> {
+        let mut before: Option<f64> = None;
+        for (index, carried) in self.carried.iter().enumerate() {
+            if !members[self.left + index].is_wall() {
+                continue;
+            }
+            if before.is_some_and(|before| before > *carried) {
+                return Some(self.first + index - 1);
+            }
+            before = Some(*carried);
+        }
+        None
     }
 
     /// Whether a pair goes on resting: both sides keep their velocities to the last bit, and what is known of them, such as

@@ -60,18 +60,13 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Impacts of chains of touching pairs, then rest or parting.
     fn collide(&mut self, mut hits: Vec<Hit>, time: f64) -> Result<(), RunError> {
+        let closed_in = |hit: &Hit| hit.closed_in(&self.members);
+        if let Some(pair) = hits.iter().find_map(closed_in) {
+            return Err(self.closed_in(pair, time));
+        }
         loop {
             for hit in &mut hits {
                 self.give_impulses(hit);
-                let approaches = |pair: &usize| {
-                    let rate = self.contacts[*pair].rate;
-                    rate > 0.0 || rate.is_nan()
-                };
-                if hit.is_between_walls(&self.members)
-                    && let Some(pair) = (hit.first..=hit.last).find(approaches)
-                {
-                    return Err(self.closed_in(pair, time));
-                }
             }
             self.unload(&hits);
             self.rest_or_part(&hits, time)?;

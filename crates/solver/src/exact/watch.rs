@@ -251,18 +251,16 @@ pub(super) fn reach(
     if !matches!(contact.link, Link::Touching(_)) {
         return Some(length);
     }
+    // Just after a touch the force is nothing beside what moves, but has to have a sign.
+    let approaches = contact.link == Link::Touching(Phase::Approach);
     let mut x = length;
     loop {
-        let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
-        for (n, rate) in contact.rates[..len].iter().enumerate() {
-            let term = weight * rate.abs();
-            sum += term;
-            if n + len / 4 >= len {
-                tail += term;
-            }
-            weight *= x;
-        }
-        if tail <= tolerance * sum {
+        let (sum, tail) = last_quarter(&contact.rates[..len], x);
+        let pushes = || {
+            let (sum, tail) = last_quarter(&contact.force[..len], x);
+            tail <= LOST * sum
+        };
+        if tail <= tolerance * sum && (!approaches || pushes()) {
             return Some(x);
         }
         // What still grows there is no series of this motion.
@@ -271,4 +269,18 @@ pub(super) fn reach(
         }
         x *= 0.85;
     }
+}
+
+/// Magnitudes of the terms of a series at x, all of them and those of its last quarter.
+fn last_quarter(series: &[f64], x: f64) -> (f64, f64) {
+    let (mut sum, mut tail, mut weight) = (0.0, 0.0, 1.0);
+    for (n, coefficient) in series.iter().enumerate() {
+        let term = weight * coefficient.abs();
+        sum += term;
+        if n + series.len() / 4 >= series.len() {
+            tail += term;
+        }
+        weight *= x;
+    }
+    (sum, tail)
 }

@@ -174,7 +174,12 @@ fn check_yielding(columns: &Columns, place: Place) -> Result<(), SceneError> {
     if let Some(smooth) = columns.bouc_wen {
         let valid = (1..=20).contains(&smooth.exponent);
         let found = f64::from(smooth.exponent);
-        require(valid, place.field("bouc_wen.exponent"), found, "1 to 20")?;
+        require(
+            valid,
+            place.field("bouc_wen.exponent"),
+            found,
+            "a whole number from 1 to 20",
+        )?;
         let valid = (0.0..=1.0).contains(&smooth.beta);
         require(valid, place.field("bouc_wen.beta"), smooth.beta, "0 to 1")?;
     }

@@ -3,8 +3,9 @@
 use super::quantities::{Quantities, find};
 use super::{Converged, LEVELS, TIME_STEPS};
 use crate::StudyError;
+use crate::digits;
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
-use crate::tables::{Value, digits};
+use crate::tables::Value;
 
 /// Which of the levels of noise is drawn: 1 %, as the bands of the smaller ones are narrower than the marks.
 const LEVEL: usize = 4;

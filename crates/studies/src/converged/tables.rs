@@ -2,7 +2,8 @@
 
 use super::quantities::{MEETINGS, Quantities, find};
 use super::{Converged, LEVELS, TIME_STEPS};
-use crate::tables::{Value, digits, to_csv};
+use crate::digits;
+use crate::tables::{Value, to_csv};
 
 /// Share of the noisy runs below the lower end of a band, and above the upper one.
 const TAIL: f64 = 0.05;

@@ -1,8 +1,7 @@
 //! `effects.csv`: what pounding does to every storey, a line for each direction.
 
 use super::{Effect, Effects, FloorEffects, Known};
-use crate::Floors;
-use crate::tables::to_csv;
+use crate::{Cell, Floors, csv_text};
 
 /// Columns of the place of a line.
 const PLACE: [&str; 4] = ["structure", "storey", "name", "direction"];
@@ -25,7 +24,7 @@ impl Effects {
                 rows.push(row(place, direction, &all[floor]));
             }
         }
-        to_csv(&header(), &rows)
+        csv_text(&header(), rows)
     }
 }
 
@@ -48,9 +47,9 @@ fn known_columns(name: &str) -> [String; 5] {
     ["", "_error", "_low", "_high", "_robust"].map(|end| format!("{name}{end}"))
 }
 
-fn row(place: [usize; 2], direction: &str, effects: &FloorEffects) -> Vec<String> {
-    let mut row = place.map(|number| number.to_string()).to_vec();
-    row.extend([effects.name.clone(), direction.into()]);
+fn row(place: [usize; 2], direction: &str, effects: &FloorEffects) -> Vec<Cell> {
+    let mut row = place.map(Cell::from).to_vec();
+    row.extend([effects.name.clone().into(), direction.into()]);
     for known in [
         effects.collisions,
         effects.impulse_n_s,
@@ -59,24 +58,24 @@ fn row(place: [usize; 2], direction: &str, effects: &FloorEffects) -> Vec<String
         row.extend(known_cells(&known));
     }
     for effect in effects.responses() {
-        row.extend(effect.map_or_else(|| vec![String::new(); 7], |effect| cells(&effect)));
+        row.extend(effect.map_or_else(|| vec![Cell::default(); 7], |effect| cells(&effect)));
     }
     row
 }
 
-fn cells(effect: &Effect) -> Vec<String> {
-    let mut cells = vec![effect.alone.to_string(), effect.beside.to_string()];
+fn cells(effect: &Effect) -> Vec<Cell> {
+    let mut cells = vec![Cell::exact(effect.alone), Cell::exact(effect.beside)];
     let ratio = effect.amplification.as_ref();
     cells.extend(ratio.map_or_else(Default::default, known_cells));
     cells
 }
 
-fn known_cells(known: &Known) -> [String; 5] {
+fn known_cells(known: &Known) -> [Cell; 5] {
     [
-        known.value.to_string(),
-        format!("{:.1e}", known.error),
-        known.low.to_string(),
-        known.high.to_string(),
-        known.is_robust().to_string(),
+        Cell::exact(known.value),
+        Cell::number(known.error, |error| format!("{error:.1e}")),
+        Cell::exact(known.low),
+        Cell::exact(known.high),
+        known.is_robust().into(),
     ]
 }

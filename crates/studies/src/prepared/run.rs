@@ -79,7 +79,8 @@ impl Prepared {
     /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.
     ///
     /// # Errors
-    /// [`StudyError::Run`] when the run ends early, [`StudyError::Broken`] when it breaks a law of mechanics.
+    /// [`StudyError::Run`] when the run ends early, [`StudyError::Broken`] when it breaks a law of mechanics: nobody reads a
+    /// warning here.
     pub fn run(&self, interval: Option<f64>) -> Result<Outcome, StudyError> {
         let Audited {
             outcome, broken, ..

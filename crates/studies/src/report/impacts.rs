@@ -2,8 +2,7 @@
 
 use pounding_solver::Collision;
 
-use crate::tables::to_csv;
-use crate::{Floors, Outcome};
+use crate::{Cell, Floors, Outcome, csv_text};
 
 const HEADER: [&str; 11] = [
     "pair",
@@ -21,32 +20,29 @@ const HEADER: [&str; 11] = [
 
 /// The file.
 pub(super) fn csv(floors: &Floors, outcome: &Outcome) -> String {
-    let header = HEADER.map(String::from);
     let collisions = outcome.collisions.all().iter();
-    let rows: Vec<Vec<String>> = collisions.map(|one| row(floors, one).into()).collect();
-    to_csv(&header, &rows)
+    csv_text(&HEADER, collisions.map(|one| row(floors, one)))
 }
 
-fn row(floors: &Floors, one: &Collision) -> [String; 11] {
+fn row(floors: &Floors, one: &Collision) -> [Cell; 11] {
     let [left, right] = floors.names(one.pair);
-    let known = |value: Option<f64>| value.map_or_else(String::new, exact);
     [
-        one.pair.to_string(),
-        left,
-        right,
+        one.pair.into(),
+        left.into(),
+        right.into(),
         exact(one.start),
         exact(one.end),
         exact(one.end - one.start),
-        known(one.approach_speed),
+        exact(one.approach_speed),
         exact(one.impulse),
-        known(one.peak_force),
-        known(one.peak_force_time),
-        known(one.uncertainty),
+        exact(one.peak_force),
+        exact(one.peak_force_time),
+        exact(one.uncertainty),
     ]
 }
 
 /// The shortest digits that give the same number back: instants of bounces lie closer than any fixed number of them tells.
-fn exact(value: f64) -> String {
+fn exact(value: impl Into<Option<f64>>) -> Cell {
     // A negative zero loses its sign.
-    format!("{:?}", value + 0.0)
+    Cell::number(value, |value| format!("{:?}", value + 0.0))
 }

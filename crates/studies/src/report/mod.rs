@@ -127,8 +127,6 @@ impl Summary {
     /// # Panics
     /// Never: a summary is made of text and numbers.
     pub fn to_json(&self) -> String {
-        let mut text = serde_json::to_string_pretty(self).expect("a summary is JSON");
-        text.push('\n');
-        text
+        crate::json_text(self)
     }
 }

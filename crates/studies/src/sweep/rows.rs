@@ -20,9 +20,10 @@ impl Rows {
         self.0.push(b',');
     }
 
-    /// A number in the shortest digits that read back to the same bits; nothing for NaN. No digits need quotes.
+    /// A number in the shortest digits that read back to the same bits; nothing where it is not finite, as in a
+    /// [`Cell`](crate::Cell). No digits need quotes.
     fn number(&mut self, number: f64) {
-        if !number.is_nan() {
+        if number.is_finite() {
             let mut digits = zmij::Buffer::new();
             let digits = digits.format(number);
             let digits = digits.strip_suffix(".0").unwrap_or(digits);

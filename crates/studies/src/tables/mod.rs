@@ -4,6 +4,7 @@ mod pounding_forces;
 mod structures;
 mod summaries;
 
+pub(crate) use crate::cell::to_csv;
 use crate::{Completed, Output, StudyError};
 
 /// One computed number with the keys that published numbers carry.
@@ -79,69 +80,6 @@ impl Table {
             | Output::FirstCollisionFigure
             | Output::LayoutFigure
             | Output::ShearForceFigure { .. } => Ok(None),
-        }
-    }
-}
-
-/// CSV text of a header and rows.
-pub(crate) fn to_csv(header: &[String], rows: &[Vec<String>]) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for record in std::iter::once(header).chain(rows.iter().map(Vec::as_slice)) {
-        writer
-            .write_record(record)
-            .expect("rows are as long as the header, and memory takes them");
-    }
-    let bytes = writer.into_inner().expect("memory takes all");
-    String::from_utf8(bytes).expect("cells are text")
-}
-
-/// A number with seven significant digits in plain notation, without trailing zeros.
-pub fn digits(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        // A negative zero loses its sign.
-        return format!("{}", value + 0.0);
-    }
-    let scientific = format!("{value:.6e}");
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, exponent)| exponent.parse().ok());
-    match exponent {
-        Some(exponent @ -6..=15) => {
-            let rounded: f64 = scientific.parse().unwrap_or(value);
-            let decimals = usize::try_from(6_i32 - exponent).unwrap_or(0);
-            let plain = format!("{rounded:.decimals$}");
-            if plain.contains('.') {
-                plain
-                    .trim_end_matches('0')
-                    .trim_end_matches('.')
-                    .to_string()
-            } else {
-                plain
-            }
-        }
-        _ => scientific,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::digits;
-
-    #[test]
-    fn reference_seven_significant_digits() {
-        for (value, wanted) in [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (3_607.138_612, "3607.139"),
-            (-0.030_000_000_1, "-0.03"),
-            (1.97, "1.97"),
-            (0.999_999_99, "1"),
-            (3_000_000.0, "3000000"),
-            (123_456_789.0, "123456800"),
-            (1.5e-9, "1.500000e-9"),
-            (f64::NAN, "NaN"),
-        ] {
-            assert_eq!(digits(value), wanted);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Time and pounding force of every impact, or of every step in contact (the paper's Tables 2 and 4).
 
-use super::{Table, Value, digits};
+use super::{Table, Value};
+use crate::digits;
 use crate::{Completed, Outcome, Scene, StudyError};
 use pounding_solver::{Collision, Histories};
 

@@ -1,6 +1,7 @@
 //! Dynamic characteristics of structures (the paper's Table 1).
 
-use super::{Table, digits};
+use super::Table;
+use crate::digits;
 use crate::{Completed, Structure};
 
 pub(super) fn table(completed: &Completed) -> Table {

@@ -1,6 +1,7 @@
 //! Sums and peaks of runs (the paper's Tables 5, 6 and 7 and the numbers of its text).
 
-use super::{Table, Value, digits};
+use super::{Table, Value};
+use crate::digits;
 use crate::{Completed, StudyError};
 
 /// Impulse of the first collision of every scene.

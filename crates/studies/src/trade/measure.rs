@@ -1,6 +1,6 @@
 //! The runs.
 
-use pounding_solver::{Ledger, Recorder, RunError, Work};
+use pounding_solver::{Integrator, Laws, Ledger, Recorder, RunError, Work};
 use rayon::prelude::*;
 
 use super::condition::Knowledge;
@@ -9,7 +9,7 @@ use crate::contenders::{Contender, REFERENCE, is_compliant};
 use crate::ladder::{Ladder, cost, entries};
 use crate::prepared::{Asked, Recorders};
 use crate::second_route::Fineness;
-use crate::{Completed, Prepared, Scene, StudyError};
+use crate::{Completed, Method, Prepared, Scene, StudyError};
 
 /// All runs of one scene.
 #[derive(Debug)]
@@ -212,10 +212,16 @@ impl<'a> Run<'a> {
 
     /// What the run leaves in its recorders, and what it cost; fails with the reason where it ends early.
     ///
-    /// The verdict of the ledger is a column of the table: it is held to all laws, the published rule too.
+    /// The verdict of the ledger is a column of the table: it is held to all laws, the published rule too, and the exact
+    /// method to the energy.
     pub(super) fn recorded(&self) -> Result<(Recorders<Ledger<'a>>, Work), String> {
         let prepared = self.prepared;
-        let mut recorders = prepared.all_recorders(Asked::default(), prepared.ledger());
+        let laws = match self.integrator().laws() {
+            laws @ Laws::Energy { .. } => laws,
+            Laws::All | Laws::ImpactsMayCreateEnergy => Laws::All,
+        };
+        let ledger = prepared.ledger().held_to(laws);
+        let mut recorders = prepared.all_recorders(Asked::default(), ledger);
         let work = self
             .run(&mut recorders)
             .map_err(|error| error.to_string())?;
@@ -223,9 +229,16 @@ impl<'a> Run<'a> {
     }
 
     pub(super) fn run<R: Recorder>(&self, recorder: &mut R) -> Result<Work, RunError> {
-        let method = (self.contender.method)(self.setting);
-        let clock = method.clock(self.scene.duration());
-        self.prepared.run_by(&method.integrator(), clock, recorder)
+        let clock = self.method().clock(self.scene.duration());
+        self.prepared.run_by(&self.integrator(), clock, recorder)
+    }
+
+    fn method(&self) -> Method {
+        (self.contender.method)(self.setting)
+    }
+
+    fn integrator(&self) -> Integrator {
+        self.method().integrator()
     }
 }
 
@@ -240,7 +253,10 @@ impl Race {
             .iter()
             .rfind(|((contender, _), _)| contender.key == REFERENCE);
         let truth = match reference {
-            Some((_, Ok((truth, ledger, _)))) => (truth.clone(), ledger.clone()),
+            Some((_, Ok((truth, ledger, _)))) => {
+                ledger.verdict().map_err(|broken| broken.to_string())?;
+                (truth.clone(), ledger.clone())
+            }
             Some((_, Err(reason))) => return Err(reason.clone()),
             None => unreachable!("the reference is among the contenders"),
         };

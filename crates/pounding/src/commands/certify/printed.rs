@@ -1,10 +1,9 @@
 //! A certificate as text, CSV or JSON.
 
 use pounding::contact::Calibration;
-use pounding::studies::{Delivered, StepMethod, digits};
+use pounding::studies::{Cell, Delivered, StepMethod, csv_text, digits, json_text};
 use serde_json::{Map, Value, json};
 
-use crate::commands::{csv_text, json_text};
 use crate::text::{NONE, paragraph, short, table};
 
 /// One line of a certificate.
@@ -14,11 +13,11 @@ pub(super) struct Fact {
     /// Name in text.
     pub(super) words: &'static str,
     pub(super) unit: &'static str,
-    pub(super) cell: Cell,
+    pub(super) said: Said,
 }
 
 /// What the line says.
-pub(super) enum Cell {
+pub(super) enum Said {
     Number(Option<f64>),
     Words(String),
 }
@@ -39,9 +38,9 @@ pub(super) fn text(calibration: Calibration, facts: &[Fact], methods: &[Line]) -
     };
     let mut text = format!("Certificate of a free impact, {calibration}\n\n");
     for fact in facts {
-        let value = match &fact.cell {
-            Cell::Number(number) => number.map_or(NONE.into(), digits),
-            Cell::Words(words) => words.clone(),
+        let value = match &fact.said {
+            Said::Number(number) => number.map_or(NONE.into(), digits),
+            Said::Words(words) => words.clone(),
         };
         text.push_str(format!("{:32}{value} {}", fact.words, fact.unit).trim_end());
         text.push('\n');
@@ -100,36 +99,36 @@ impl Line {
 
 /// For a table: a row for each number.
 pub(super) fn csv(facts: &[Fact], methods: &[Line]) -> String {
-    let number = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
-    let mut rows = vec![["method", "quantity", "value", "unit"].map(String::from)];
+    let header = ["method", "quantity", "value", "unit"];
+    let mut rows = Vec::new();
     for fact in facts {
-        let value = match &fact.cell {
-            Cell::Number(value) => number(*value),
-            Cell::Words(words) => words.clone(),
+        let value = match &fact.said {
+            Said::Number(value) => Cell::exact(*value),
+            Said::Words(words) => words.as_str().into(),
         };
-        rows.push([String::new(), fact.key.into(), value, fact.unit.into()]);
+        rows.push([Cell::default(), fact.key.into(), value, fact.unit.into()]);
     }
     for line in methods {
-        let row = |key: &str, value: String, unit: &str| {
+        let row = |key: &str, value: Cell, unit: &str| {
             [line.method.name().into(), key.into(), value, unit.into()]
         };
-        rows.push(row("time_step_s", line.step.to_string(), "s"));
+        rows.push(row("time_step_s", Cell::exact(line.step), "s"));
         for (key, value) in line.numbers().into_iter().flatten() {
-            rows.push(row(key, number(value), ""));
+            rows.push(row(key, Cell::exact(value), ""));
         }
         if let Err(reason) = &line.delivered {
-            rows.push(row("failed", reason.clone(), ""));
+            rows.push(row("failed", reason.as_str().into(), ""));
         }
     }
-    csv_text(rows)
+    csv_text(&header, rows)
 }
 
 /// For a program.
 pub(super) fn json(facts: &[Fact], methods: &[Line]) -> String {
     let fact = |fact: &Fact| {
-        let value = match &fact.cell {
-            Cell::Number(number) => json!(number),
-            Cell::Words(words) => json!(words),
+        let value = match &fact.said {
+            Said::Number(number) => json!(number),
+            Said::Words(words) => json!(words),
         };
         (fact.key.to_string(), value)
     };

@@ -5,7 +5,7 @@ use pounding::studies::{ContactLimit, Doubt, Facing, RecordSummary, Structure};
 use serde_json::{Value, json};
 
 use super::Plan;
-use crate::commands::json_text;
+use pounding::studies::json_text;
 
 /// What is not known, or does not apply, is null; what follows from an exact run that fails is null as a whole.
 pub(super) fn of(plan: &Plan<'_>) -> String {

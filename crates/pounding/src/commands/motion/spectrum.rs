@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use pounding::studies::{
-    Shown, SpectralValues, Spectrum, response_spectrum_watched, spectra_figure,
+    Cell, Shown, SpectralValues, Spectrum, csv_text, json_text, response_spectrum_watched,
+    spectra_figure,
 };
 use serde_json::{Value, json};
 
 use super::source::{Declared, Opened};
-use crate::commands::{json_text, part_of_one, positive};
+use crate::commands::{part_of_one, positive};
 use crate::new_file;
 use crate::progress::Progress;
 use crate::text::{paragraph, percent, short, table};
@@ -264,16 +265,18 @@ fn numbers(values: &SpectralValues) -> [(&'static str, f64); 5] {
 
 /// One row per damping ratio and period.
 fn csv_of(spectra: &[Spectrum]) -> String {
-    let line = |damping: &str, cells: [String; 5]| format!("{damping},{}\n", cells.join(","));
     let rows = spectra.iter().flat_map(|spectrum| {
-        let damping = spectrum.damping_ratio.to_string();
         let values = spectrum.values.iter().map(numbers);
-        values.map(move |numbers| line(&damping, numbers.map(|(_, value)| value.to_string())))
+        values.map(|numbers| {
+            let numbers = numbers.map(|(_, value)| Cell::exact(value));
+            std::iter::once(Cell::exact(spectrum.damping_ratio)).chain(numbers)
+        })
     });
-    let values = spectra.iter().flat_map(|spectrum| &spectrum.values);
-    let names = values.take(1).map(numbers);
-    let header = names.map(|numbers| line("damping_ratio", numbers.map(|(name, _)| name.into())));
-    header.chain(rows).collect()
+    let mut values = spectra.iter().flat_map(|spectrum| &spectrum.values);
+    let names = values.next().map(numbers).into_iter().flatten();
+    let names = names.map(|(name, _)| name);
+    let header: Vec<&str> = std::iter::once("damping_ratio").chain(names).collect();
+    csv_text(&header, rows)
 }
 
 fn json_of(asked: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {

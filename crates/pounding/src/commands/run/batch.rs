@@ -42,7 +42,7 @@ impl Found {
         let (error, why) = match &review.errors {
             Errors::Measured(errors, _) => (Some(errors.largest(Quantity::All).0), ""),
             Errors::Exact => (None, "exact"),
-            Errors::NotMeasured | Errors::Unknown(_) => (None, NONE),
+            Errors::Doubtful | Errors::NotMeasured | Errors::Unknown(_) => (None, NONE),
         };
         Self {
             pga: prepared.record().peak().1.abs(),

@@ -29,6 +29,8 @@ pub(super) struct Account {
     restoring_work: f64,
     /// Sums over time of what acted.
     impulses: Acting,
+    /// Magnitudes of all that was booked, span by span and impact by impact \[J\]: each leaves its rounding.
+    pub(super) booked: f64,
 }
 
 /// Works \[J\] or impulses \[N·s\] on a floor, of everything that acts on it.
@@ -69,6 +71,10 @@ impl Acting {
         ]
     }
 
+    fn magnitude(&self) -> f64 {
+        self.all().iter().map(|part| part.abs()).sum()
+    }
+
     fn add(&mut self, other: &Self) {
         self.restoring += other.restoring;
         self.damping += other.damping;
@@ -106,6 +112,7 @@ impl Account {
             momentum: 0.0,
             restoring_work: 0.0,
             impulses: Acting::default(),
+            booked: 0.0,
         }
     }
 
@@ -124,6 +131,7 @@ impl Account {
         };
         self.impulses.add(&impulses);
         self.restoring_work += works.restoring;
+        self.booked += works.magnitude();
         let (flow, kinetic) = (self.columns.flow(span, drifts), self.kinetic(&span.end));
         let strain = self.strain(&span.end, drifts[1]);
         let terms = &mut self.terms;
@@ -132,6 +140,7 @@ impl Account {
         terms.contact -= works.from_left + works.from_right;
         terms.hysteretic += flow;
         (terms.kinetic, terms.strain) = (kinetic, strain);
+        self.booked += kinetic + strain.abs() + flow.abs();
         self.momentum = self.mass * span.end.velocity;
         works
     }
@@ -145,6 +154,7 @@ impl Account {
             self.impulses.impacts += impulse;
             self.terms.impact -= 0.5 * impulse * (before + after);
             self.terms.kinetic = 0.5 * self.mass * (after * after);
+            self.booked += self.terms.kinetic + 0.5 * (impulse * (before + after)).abs();
             self.momentum = self.mass * after;
         }
     }

@@ -92,4 +92,15 @@ pub enum LedgerError {
         /// What the right structure got \[N·s\].
         right: f64,
     },
+    /// A motion that should be exact, and whose energies do not add up.
+    #[error(
+        "energy: found {found:.1e} of it unexplained, allowed {allowed:.1e}, which rounding leaves of a right run; some number \
+         of this run is wrong, which is a fault of the method: use another one, and report it"
+    )]
+    EnergyUnexplained {
+        /// [`Ledger::residual`](crate::Ledger::residual) \[–\].
+        found: f64,
+        /// [`Ledger::bound`](crate::Ledger::bound) \[–\].
+        allowed: f64,
+    },
 }

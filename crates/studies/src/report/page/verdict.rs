@@ -171,6 +171,11 @@ fn certainty(review: &Review) -> String {
              not part of that."
                 .into()
         }
+        Errors::Doubtful => {
+            "The method is exact, but this run has gone wrong by what its energies tell (see the warnings): how far its numbers \
+             are off is not known."
+                .into()
+        }
         Errors::NotMeasured => {
             "How far the numbers are from an exact run of the same scene was not measured.".into()
         }

@@ -54,7 +54,7 @@ pub struct MethodSummary {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chosen_for_error: Option<f64>,
     /// How errors are known: `exact` (there are none beyond rounding and the tolerance), `measured` (against the exact
-    /// run), `not_measured` (not asked for) or `unknown` (the exact run fails).
+    /// run), `not_measured` (not asked for) or `unknown` (the exact run fails, or breaks a law of mechanics).
     pub errors: String,
     /// Largest relative error of all that were measured \[–\]; `null` where a number of one run has none in the other.
     #[serde(default, skip_serializing_if = "Option::is_none")]

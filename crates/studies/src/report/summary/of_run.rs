@@ -92,7 +92,7 @@ fn method(prepared: &Prepared, errors: &Errors) -> MethodSummary {
     let (known, largest) = match errors {
         Errors::Exact => ("exact", None),
         Errors::NotMeasured => ("not_measured", None),
-        Errors::Unknown(_) => ("unknown", None),
+        Errors::Doubtful | Errors::Unknown(_) => ("unknown", None),
         Errors::Measured(errors, _) => ("measured", finite(errors.largest(Quantity::All).0)),
     };
     MethodSummary {

@@ -6,7 +6,7 @@ use pounding::studies::Origin;
 use serde_json::{Value, json};
 
 use super::{Arguments, Motion, To};
-use crate::commands::json_text;
+use pounding::studies::json_text;
 
 /// File, component, digits by which the file is known, and every step, as JSON.
 pub(super) fn json_of(asked: &Arguments, motion: &Motion) -> String {

@@ -1,11 +1,10 @@
 //! What record files hold, as text, CSV and JSON.
 
 use pounding::motion::{Interval, Reading};
-use pounding::studies::digits;
+use pounding::studies::{Cell, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
 use super::{Found, Line};
-use crate::commands::{csv_text, json_text};
 use crate::text::{NONE, cut, paragraph, percent, short, table};
 
 /// Paragraphs of one motion, a table of several.
@@ -235,29 +234,28 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
     let names = found.map(numbers).into_iter().flatten();
     let names: Vec<&str> = names.map(|(name, _)| name).collect();
     let header = words.iter().chain(&names).chain(&["refused"]);
-    let header: Vec<String> = header.map(ToString::to_string).collect();
+    let header: Vec<&str> = header.copied().collect();
     let row = |line: &Line| {
-        let mut row = vec![
-            line.file.path.display().to_string(),
-            line.component.clone().unwrap_or_default(),
+        let mut row: Vec<Cell> = vec![
+            line.file.path.display().to_string().into(),
+            line.component.clone().unwrap_or_default().into(),
         ];
         match &line.found {
             Ok(found) => {
                 row.push(found.opened.file.format().name().into());
                 row.push(found.opened.file.unit().name().into());
-                row.push(gravity.to_string());
-                let value = |value: Option<f64>| value.map_or(String::new(), |one| one.to_string());
-                row.extend(numbers(found).map(|(_, one)| value(one)));
-                row.push(String::new());
+                row.push(Cell::exact(gravity));
+                row.extend(numbers(found).map(|(_, one)| Cell::exact(one)));
+                row.push(Cell::default());
             }
             Err(reason) => {
-                row.resize(words.len() + names.len(), String::new());
-                row.push(reason.clone());
+                row.resize(words.len() + names.len(), Cell::default());
+                row.push(reason.as_str().into());
             }
         }
         row
     };
-    csv_text(std::iter::once(header).chain(lines.iter().map(row)))
+    csv_text(&header, lines.iter().map(row))
 }
 
 /// Every motion with what was read from which line.

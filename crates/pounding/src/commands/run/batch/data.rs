@@ -1,10 +1,9 @@
 //! The lines of a folder of records for programs: CSV and JSON, SI units.
 
-use pounding::studies::{PairSummary, Scene, StructureSummary};
+use pounding::studies::{Cell, PairSummary, Scene, StructureSummary, csv_text, json_text};
 use serde_json::json;
 
 use super::Line;
-use crate::commands::{csv_text, json_text};
 
 /// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
 fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
@@ -61,22 +60,20 @@ pub(super) fn csv(lines: &[Line]) -> String {
     let header = ["record", "reversed", "of", "quantity", "value", "refused"];
     let rows = lines.iter().flat_map(|line| {
         let row = |of: &str, quantity: &str, value: Option<f64>| {
-            let value = value.map_or(String::new(), |value| value.to_string());
-            let row = [
-                &line.motion,
-                &line.reversed.to_string(),
-                of,
-                quantity,
-                &value,
-                "",
-            ];
-            row.map(String::from)
+            [
+                line.motion.as_str().into(),
+                line.reversed.into(),
+                of.into(),
+                quantity.into(),
+                Cell::exact(value),
+                Cell::default(),
+            ]
         };
         let found = match &line.found {
             Ok(found) => found,
             Err(reason) => {
                 let mut row = row("", "", None);
-                row[5].clone_from(reason);
+                row[5] = reason.as_str().into();
                 return vec![row];
             }
         };
@@ -98,7 +95,7 @@ pub(super) fn csv(lines: &[Line]) -> String {
         }
         rows
     });
-    csv_text(std::iter::once(header.map(String::from)).chain(rows))
+    csv_text(&header, rows)
 }
 
 /// The same with everything that a summary has of structures and pairs.

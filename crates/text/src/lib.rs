@@ -1,4 +1,27 @@
 //! Numbers as people read them, with as many digits as help.
+//!
+//! Every message, table and figure of the other crates writes its numbers with these. Units are the caller's.
+
+/// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
+/// 309 digits of 1.7e308.
+pub fn plain(value: f64) -> String {
+    // A negative zero loses its sign.
+    let whole = (value + 0.0).to_string();
+    if whole.len() <= LONGEST {
+        return whole;
+    }
+    let seven = digits(value);
+    match seven.split_once('e') {
+        None => seven,
+        Some((digits, exponent)) => {
+            let digits = digits.trim_end_matches('0').trim_end_matches('.');
+            format!("{digits}e{exponent}")
+        }
+    }
+}
+
+/// Letters of a number that a message repeats whole.
+const LONGEST: usize = 12;
 
 /// A number with four significant digits.
 pub fn short(value: f64) -> String {
@@ -12,6 +35,34 @@ pub fn short(value: f64) -> String {
         Some(exponent @ -4..=5_i32) => {
             let decimals = usize::try_from(3 - exponent).unwrap_or(0);
             format!("{value:.decimals$}")
+        }
+        _ => scientific,
+    }
+}
+
+/// A number with seven significant digits in plain notation, without trailing zeros.
+pub fn digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        // A negative zero loses its sign.
+        return format!("{}", value + 0.0);
+    }
+    let scientific = format!("{value:.6e}");
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse().ok());
+    match exponent {
+        Some(exponent @ -6..=15) => {
+            let rounded: f64 = scientific.parse().unwrap_or(value);
+            let decimals = usize::try_from(6_i32 - exponent).unwrap_or(0);
+            let plain = format!("{rounded:.decimals$}");
+            if plain.contains('.') {
+                plain
+                    .trim_end_matches('0')
+                    .trim_end_matches('.')
+                    .to_string()
+            } else {
+                plain
+            }
         }
         _ => scientific,
     }
@@ -74,7 +125,44 @@ fn rounded(value: f64, decimals: usize, wrong: impl Fn(f64) -> bool, shift: f64)
 
 #[cfg(test)]
 mod tests {
-    use super::{rounded_down, rounded_up};
+    use super::{digits, plain, rounded_down, rounded_up};
+
+    #[test]
+    fn issue_messages_had_numbers_of_three_hundred_digits() {
+        for (value, wanted) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (-75e3, "-75000"),
+            (0.012_345_678, "0.012345678"),
+            (1.0 / 3.0, "0.3333333"),
+            (f64::MAX, "1.797693e308"),
+            (1.7e308, "1.7e308"),
+            (-1e300, "-1e300"),
+            (5e-324, "5e-324"),
+            (f64::INFINITY, "inf"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(plain(value), wanted);
+        }
+    }
+
+    #[test]
+    fn reference_seven_significant_digits() {
+        for (value, wanted) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (3_607.138_612, "3607.139"),
+            (-0.030_000_000_1, "-0.03"),
+            (1.97, "1.97"),
+            (0.999_999_99, "1"),
+            (3_000_000.0, "3000000"),
+            (123_456_789.0, "123456800"),
+            (1.5e-9, "1.500000e-9"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(digits(value), wanted);
+        }
+    }
 
     #[test]
     fn reference_numbers_that_promise() {

@@ -1,0 +1,112 @@
+//! No table and no JSON of the program holds a number that is infinite or none, and no message one of three hundred digits.
+
+use std::fs;
+use std::path::Path;
+
+use insta::assert_snapshot;
+use serde_json::{Value, json};
+
+use crate::runs::printed;
+use crate::suites::{TOWERS, suite};
+use crate::sweeps::{scene, sweep, with_sweep};
+use crate::{folder, pounding, refusal};
+
+/// Cells of a table that readers take for numbers without being finite.
+fn infinite(table: &str) -> Vec<&str> {
+    let is_none = |cell: &&str| cell.parse().is_ok_and(|number: f64| !number.is_finite());
+    let cells = table.lines().flat_map(|line| line.split(','));
+    cells.filter(is_none).collect()
+}
+
+/// `largest_error,inf` stood in the table where the numbers of collisions differ.
+#[test]
+fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
+    let folder = suite("finite_errors");
+    let coarse = "\n[method.central_difference]\ntime_step_s = 0.04\nstart = \"consistent\"\n";
+    fs::write(folder.join("coarse.toml"), format!("{TOWERS}{coarse}")).expect("a file");
+    let run = ["run", "coarse.toml", "--records", "records"];
+    let csv = pounding(&folder, &[&run[..], &["--csv"]].concat());
+    assert_eq!(infinite(printed(&csv)), Vec::<&str>::new());
+    let errors = printed(&csv)
+        .lines()
+        .filter(|line| line.contains(",largest_error,"));
+    let errors: Vec<&str> = errors.collect();
+    assert!(
+        errors.iter().any(|line| line.ends_with(",largest_error,,")),
+        "{errors:?}"
+    );
+    let json = pounding(&folder, &[&run[..], &["--json"]].concat());
+    let json: Value = serde_json::from_str(printed(&json)).expect("JSON");
+    let motions = json["motions"].as_array().expect("a list");
+    assert!(
+        motions.iter().any(|one| one["largest_error"].is_null()),
+        "{json:#}"
+    );
+}
+
+fn with_record(test: &str, samples: &str) -> std::path::PathBuf {
+    let folder = folder(test);
+    let record = format!("time_s,acceleration_m_per_s2\n{samples}");
+    fs::write(folder.join("record.csv"), record).expect("a file");
+    let mut scene = scene();
+    scene["record"] = json!({"file": "record.csv"});
+    write(&folder, &scene);
+    folder
+}
+
+fn write(folder: &Path, scene: &Value) {
+    fs::write(folder.join("scene.json"), scene.to_string()).expect("a file");
+}
+
+/// An Arias intensity of `inf`.
+#[test]
+fn issue_a_record_beyond_all_grounds_is_refused() {
+    let folder = with_record("finite_record", "0,0\n0.01,1e300\n0.02,0\n");
+    assert_snapshot!(refusal(&pounding(&folder, &["motion", "info", "record.csv", "--csv"])), @"");
+    assert_snapshot!(refusal(&pounding(&folder, &["motion", "spectrum", "record.csv", "--csv"])), @"");
+    assert_snapshot!(refusal(&pounding(&folder, &["run", "scene.json"])), @"");
+    let folder = with_record("finite_record_of_inf", "0,0\n0.01,inf\n0.02,0\n");
+    assert_snapshot!(refusal(&pounding(&folder, &["run", "scene.json"])), @"");
+    let folder = with_record("finite_step", "0,0\n1e300,1\n2e300,0\n");
+    assert_snapshot!(refusal(&pounding(&folder, &["motion", "info", "record.csv", "--csv"])), @"");
+}
+
+/// A sampled input of `inf` stood in the table.
+#[test]
+fn issue_a_sampled_number_beyond_all_numbers_is_an_empty_cell_with_its_reason() {
+    let mut words = sweep(8);
+    let wide = json!({"median": 1e5, "log_standard_deviation": 800.0});
+    words["vary"] = json!([{"field": "structures[0].sdof.mass_kg", "log_normal": wide}]);
+    let folder = with_sweep("finite_sweep", &words);
+    pounding(&folder, &["sweep", "sweep.json"]);
+    let table = fs::read_to_string(folder.join("sweep.csv")).expect("a table");
+    assert_eq!(infinite(&table), Vec::<&str>::new());
+    let refused = table.lines().find(|line| line.contains("found inf"));
+    assert_snapshot!(refused.expect("one is beyond all numbers"), @"");
+}
+
+/// A period of `inf`, from a mass and a stiffness that are numbers; and masses whose runs did not end.
+#[test]
+fn issue_numbers_of_a_scene_beyond_all_buildings_are_refused_in_its_words() {
+    let folder = folder("finite_scenes");
+    let refused = |field: &str, value: Value| {
+        let mut scene = scene();
+        let sdof = &mut scene["structures"][0]["sdof"];
+        if field == "stiffness_n_per_m" {
+            sdof.as_object_mut().expect("a table").remove("period_s");
+        }
+        sdof[field] = value;
+        write(&folder, &scene);
+        refusal(&pounding(&folder, &["check", "scene.json", "--json"]))
+    };
+    assert_snapshot!(refused("mass_kg", json!(1.7e308)), @"");
+    assert_snapshot!(refused("mass_kg", json!(5e-324)), @"");
+    assert_snapshot!(refused("stiffness_n_per_m", json!(1e-310)), @"");
+    assert_snapshot!(refused("period_s", json!(1e300)), @"");
+    assert_snapshot!(refused("damping", json!({"ratio": 1e300})), @"");
+    assert_snapshot!(refused("initial_velocity_m_per_s", json!(-1e307)), @"");
+    let bent = |exponent: Value| json!({"exponent": exponent, "beta": 0.5});
+    assert_snapshot!(refused("bouc_wen", bent(json!(2.5))), @"");
+    assert_snapshot!(refused("bouc_wen", bent(json!(-1))), @"");
+    assert_snapshot!(refused("bouc_wen", bent(json!(21))), @"");
+}
