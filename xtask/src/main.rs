@@ -1,4 +1,4 @@
-//! Tasks of the project: `cargo xtask reproduce`, `beyond`, `studies`, `check`, `bench` and `fuzz`.
+//! Tasks of the project: `cargo xtask reproduce`, `beyond`, `studies`, `verify`, `check`, `bench` and `fuzz`.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -13,6 +13,7 @@ mod reproduce;
 mod results;
 mod schedulers;
 mod studies;
+mod verify;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -58,6 +59,9 @@ enum Task {
         /// Names of surveys, such as required-gap; all without one.
         names: Vec<String>,
     },
+    /// Run random scenes by the exact method and by the second route, which share nothing but the scene, and say what disagrees, fails
+    /// or does not end; no part of `check`, but for some scenes among the tests.
+    Verify(verify::Asked),
     /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
@@ -104,6 +108,7 @@ fn main() -> ExitCode {
             as_recorded,
         } => beyond::run(&root(), records.as_deref(), out, !as_recorded),
         Task::Studies { names } => studies::run(&root(), &names),
+        Task::Verify(asked) => verify::run(&root(), &asked),
         Task::Check => check::run(&root()),
         Task::Bench { savings: true, .. } => bench::savings(&root()),
         Task::Bench { storeys: true, .. } => bench::storeys(&root()),

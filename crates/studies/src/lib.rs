@@ -55,6 +55,7 @@ mod sweep;
 mod tables;
 mod trade;
 mod unneeded;
+pub mod verify;
 mod warning;
 mod work_precision;
 

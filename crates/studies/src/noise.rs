@@ -53,7 +53,7 @@ fn two_normals(random: &mut Pcg64) -> [f64; 2] {
 }
 
 /// A uniform number in [0, 1), a multiple of 2⁻⁵³.
-fn uniform(random: &mut Pcg64) -> f64 {
+pub(crate) fn uniform(random: &mut Pcg64) -> f64 {
     (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 
 use super::measure::Run;
 use super::quantities::{Quantities, Quantity};
-use crate::Prepared;
 use crate::comparison::relative;
 use crate::noise::Noise;
 use crate::second_route::Response;
+use crate::{Prepared, StudyError};
 
 /// Relative change of the records, small enough that what a result does is proportional to it.
 const CHANGE: f64 = 1e-9;
@@ -19,19 +19,23 @@ const ROUNDING: f64 = 1e-15;
 
 /// A result of two routes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Known {
+pub(crate) struct Known {
     /// Condition number: the largest relative change of the result per relative change of the record.
     ///
     /// Infinite where a collision is missing under some of the records.
-    pub(super) condition: f64,
+    pub(crate) condition: f64,
     /// Relative distance of the two routes; infinite where a collision is missing on one of them.
-    pub(super) distance: f64,
+    pub(crate) distance: f64,
 }
 
 impl Known {
     /// The distance that is allowed \[–\]: what the element's tolerance leaves, or rounding of the record.
     pub(super) fn allowed(self, compliant: bool) -> f64 {
-        let floor = if compliant { 1e-9 } else { 1e-12 };
+        self.allowed_from(if compliant { 1e-9 } else { 1e-12 })
+    }
+
+    /// The distance that is allowed \[–\], at least `floor`: rounding of the record.
+    pub(crate) fn allowed_from(self, floor: f64) -> f64 {
         (self.condition * ROUNDING).max(floor)
     }
 
@@ -68,7 +72,7 @@ impl Knowledge {
     pub(super) fn measure(run: &Run<'_>, second: Option<&Response>) -> Result<Self, String> {
         let truth = Results::of(run)?;
         let near = (0..=N_RECORDS).into_par_iter().map(|index| {
-            let prepared = under(run.prepared, index)?;
+            let prepared = under(run.prepared, CHANGE, index).map_err(|error| error.to_string())?;
             let run = Run {
                 prepared: &prepared,
                 ..*run
@@ -120,13 +124,19 @@ impl Knowledge {
     }
 }
 
-/// The scene under a record near its own: all samples changed alike, or each by a random part.
-fn under(prepared: &Prepared, index: usize) -> Result<Prepared, String> {
-    let changed = prepared.under(|record| match index {
-        0 => record.scaled(1.0 + CHANGE),
-        _ => Noise::new(CHANGE, 0, index - 1).on(record),
-    });
-    changed.map_err(|error| error.to_string())
+/// The scene under a record near its own, number 0 to [`N_RECORDS`]: all samples changed by the same part, or each by a random one.
+///
+/// # Errors
+/// [`StudyError::Scene`] where a changed sample is not finite.
+pub(crate) fn under(
+    prepared: &Prepared,
+    change: f64,
+    index: usize,
+) -> Result<Prepared, StudyError> {
+    prepared.under(|record| match index {
+        0 => record.scaled(1.0 + change),
+        _ => Noise::new(change, 0, index - 1).on(record),
+    })
 }
 
 /// What is compared of one run: its quantities, and time and impulse of every collision of every pair.

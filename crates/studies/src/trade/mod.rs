@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
 use crate::ladder::{Ladder, entries};
 use crate::{Completed, StudyError};
 
+pub(crate) use condition::{Known, under};
 use measure::Race;
 pub(crate) use quantities::{Quantities, Quantity};
 pub use timing::Timed;

@@ -1,0 +1,408 @@
+//! One scene by both routes.
+
+use std::path::Path;
+
+use pounding_motion::Record;
+use pounding_solver::Pair;
+
+use super::class::{Class, rests};
+use super::numbers::{Compared, Numbers, Place, Two};
+use crate::prepared::{Asked, Audited};
+use crate::second_route::Fineness;
+use crate::trade::{Known, under};
+use crate::{Prepared, Scene, StudyError};
+
+/// Distance of the routes that is always allowed: relative \[–\], of instants \[s\].
+pub const ALLOWED: f64 = 1e-12;
+/// Residual of the energy of an exact run that is always allowed \[–\].
+pub const RESIDUAL: f64 = 1e-11;
+
+/// Relative changes of the record by which a condition is measured: the second one where the first makes touches come or go.
+const CHANGES: [f64; 2] = [1e-9, 1e-12];
+/// Records with other samples under which it is measured; more of them find a larger one, and allow more. One more has its samples
+/// further apart, as if all structures were faster.
+const N_NEAR: usize = 8;
+/// Other settings of the second route, under which its own rounding is another one.
+const OTHERWISE: [Fineness; 2] = [
+    Fineness {
+        tolerance: 1e-14,
+        steps_per_sample: 7,
+    },
+    Fineness {
+        tolerance: 1e-13,
+        steps_per_sample: 5,
+    },
+];
+/// A distance up to so many times what the second route differs from itself is its own rounding.
+const OWN: f64 = 3.0;
+
+/// What becomes of a scene.
+#[derive(Debug, Clone)]
+pub enum Verdict {
+    /// All numbers are as close as is allowed.
+    Agrees,
+    /// Some are not: of every kind the one that is furthest off, the worst kind first.
+    Disagrees(Vec<Disagreement>),
+    /// Some are not, but the second route differs from itself by as much where it takes other steps: the exact run may be right.
+    SecondRouteRounds(Vec<Disagreement>),
+    /// They are not, but the scene is so ill-conditioned that their touches come and go with the last digits of its record.
+    Unknowable(Vec<Disagreement>),
+    /// The exact run fails.
+    ExactFails(Failure),
+    /// The second route fails on a scene that the exact method runs.
+    SecondRouteFails(Failure),
+    /// The scene cannot be prepared.
+    Refused(Failure),
+    /// It does not end in time; in which part of the work.
+    Hangs(Stage),
+    /// A fault of the program stopped it.
+    Panics(Stage),
+}
+
+/// A part of the work on a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// The exact run.
+    Exact,
+    /// The second route.
+    SecondRoute,
+    /// Exact runs under records near the scene's.
+    Condition,
+}
+
+impl Stage {
+    /// Its name in text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Exact => "the exact run",
+            Self::SecondRoute => "the second route",
+            Self::Condition => "the exact runs for the condition",
+        }
+    }
+}
+
+/// Why a run failed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Failure {
+    /// Name of the kind of error, as the library calls it.
+    pub kind: String,
+    /// The error in words.
+    pub message: String,
+}
+
+/// A number that is further off than allowed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disagreement {
+    /// The number by the exact method and by the second route.
+    pub two: Two,
+    /// How far it moves per relative change of the record: relative \[–\], of instants \[s\].
+    pub condition: f64,
+    /// The distance allowed.
+    pub allowed: f64,
+    /// How far the second route is from itself where it takes other steps: relative \[–\], of instants \[s\].
+    pub own: f64,
+}
+
+/// A scene by both routes.
+#[derive(Debug, Clone)]
+pub struct Checked {
+    /// Its number in the campaign.
+    pub index: usize,
+    /// What is in it.
+    pub classes: Vec<Class>,
+    /// What becomes of it.
+    pub verdict: Verdict,
+    /// Residual of the energy of the exact run \[–\], where it ended.
+    pub residual: Option<f64>,
+    /// Largest distance of every kind of number, in the order of [`Compared::ALL`], where both runs ended and agree.
+    pub largest: [f64; Compared::ALL.len()],
+    /// Touches that one of the routes has and the other has not, which rounding decides.
+    pub grazes: usize,
+    /// Touches of the exact run.
+    pub touches: usize,
+    /// Where touches of the routes first differ, and the touches of that pair about then by each, a line for each.
+    pub story: Vec<String>,
+}
+
+impl Checked {
+    /// Of a scene of which nothing is known but its classes.
+    pub(super) fn new(index: usize, scene: &Scene, verdict: Verdict) -> Self {
+        Self {
+            index,
+            classes: Class::of(scene),
+            verdict,
+            residual: None,
+            largest: [0.0; Compared::ALL.len()],
+            grazes: 0,
+            touches: 0,
+            story: Vec::new(),
+        }
+    }
+
+    /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins.
+    pub(super) fn run((index, scene): (usize, &Scene), base: &Path, begin: &dyn Fn(Stage)) -> Self {
+        let ended = |verdict| Self::new(index, scene, verdict);
+        begin(Stage::Exact);
+        let prepared = match Prepared::new(scene, base) {
+            Ok(prepared) => prepared,
+            Err(error) => return ended(Verdict::Refused(Failure::of(&error))),
+        };
+        let Audited {
+            outcome,
+            broken,
+            balance,
+        } = match prepared.audited(None) {
+            Ok(audited) => audited,
+            Err(error) => return ended(Verdict::ExactFails(Failure::of(&error))),
+        };
+        let mut checked = Self {
+            residual: Some(balance.residual),
+            touches: outcome.collisions.all().len(),
+            ..ended(Verdict::Agrees)
+        };
+        if rests(&prepared, &outcome) {
+            checked.classes.push(Class::Rests);
+        }
+        begin(Stage::SecondRoute);
+        let second = prepared.second_route(Fineness::FINE);
+        let residual = residual(balance.residual);
+        checked.verdict = match (broken, second) {
+            (Some(error), _) => Verdict::ExactFails(Failure::of(&error)),
+            (None, Err(_)) if residual.is_some() => {
+                Verdict::Disagrees(residual.into_iter().collect())
+            }
+            (None, Err(error)) => Verdict::SecondRouteFails(Failure {
+                kind: variant(&error),
+                message: error.to_string(),
+            }),
+            (None, Ok(second)) => {
+                let exact = Numbers::of_exact(&prepared, &outcome);
+                let second = Numbers::of_second_route(&prepared, &second);
+                checked.compare(&prepared, (exact, second, residual), begin)
+            }
+        };
+        checked
+    }
+
+    fn compare(
+        &mut self,
+        prepared: &Prepared,
+        (mut exact, mut second, residual): (Numbers, Numbers, Option<Disagreement>),
+        begin: &dyn Fn(Stage),
+    ) -> Verdict {
+        self.grazes = exact.without_grazes(&mut second);
+        let all = exact.beside(&second);
+        let close = |two: &Two| two.distance <= ALLOWED;
+        let conditions = if all.iter().all(close) {
+            vec![0.0; all.len()]
+        } else {
+            begin(Stage::Condition);
+            condition(prepared, &exact, begin)
+        };
+        let judged = all.iter().zip(conditions).map(|(two, condition)| {
+            let known = Known {
+                condition,
+                distance: two.distance,
+            };
+            Disagreement {
+                two: *two,
+                condition,
+                allowed: known.allowed_from(ALLOWED),
+                own: 0.0,
+            }
+        });
+        let mut judged: Vec<_> = judged.collect();
+        if judged.iter().any(Disagreement::is_wrong) {
+            begin(Stage::SecondRoute);
+            own_rounding(prepared, &exact, &mut judged);
+        }
+        self.story = story(prepared, (&exact, &second), &judged);
+        judged.extend(residual);
+        for (largest, what) in self.largest.iter_mut().zip(Compared::ALL) {
+            let own = judged.iter().filter(|one| one.two.what == what);
+            let held = own.filter(|one| !one.is_wrong() && one.two.distance.is_finite());
+            *largest = held.map(|one| one.two.distance).fold(0.0, f64::max);
+        }
+        let wrong: Vec<_> = judged.iter().filter(|one| one.is_wrong()).collect();
+        let wrong = worst(&wrong);
+        let firm = wrong.iter().any(|one| one.two.distance > OWN * one.own);
+        let unknown = judged
+            .iter()
+            .filter(|one| one.two.distance > ALLOWED && one.allowed.is_infinite());
+        let unknown = worst(&unknown.collect::<Vec<_>>());
+        if firm {
+            Verdict::Disagrees(wrong)
+        } else if !wrong.is_empty() {
+            Verdict::SecondRouteRounds(wrong)
+        } else if unknown.is_empty() {
+            Verdict::Agrees
+        } else {
+            Verdict::Unknowable(unknown)
+        }
+    }
+}
+
+impl Disagreement {
+    fn is_wrong(&self) -> bool {
+        self.two.distance > self.allowed
+    }
+}
+
+/// Where touches first differ, and what each route says of them.
+fn story(
+    prepared: &Prepared,
+    (exact, second): (&Numbers, &Numbers),
+    judged: &[Disagreement],
+) -> Vec<String> {
+    // A number that one route does not have says more than one that is a little off.
+    let lacks = judged.iter().any(|one| one.two.distance.is_infinite());
+    let wrong = judged
+        .iter()
+        .filter(|one| one.is_wrong() && one.two.distance.is_infinite() == lacks);
+    let wrong = wrong.filter_map(|one| match one.two.place {
+        Place::Touch { pair, touch } => Some((pair, touch)),
+        Place::Floor(_) | Place::Pair(_) | Place::Run => None,
+    });
+    let Some((pair, time)) = exact.first_of(wrong, second) else {
+        return Vec::new();
+    };
+    let Pair { gap, law, .. } = &prepared.pairs()[pair];
+    let [left, right] = prepared.floors().names(pair);
+    let first = format!(
+        "first at {time:.9} s, pair {pair}: {left} and {right}, {}, gap {gap} m",
+        law.name()
+    );
+    let of = |name: &str, numbers: &Numbers| {
+        let near = numbers.near((pair, time)).into_iter();
+        let near = near.map(|words| format!("  {name} {words}"));
+        near.collect::<Vec<_>>()
+    };
+    let lines = [vec![first], of("exact ", exact), of("second", second)];
+    lines.concat()
+}
+
+/// Asks the second route again with other steps.
+fn own_rounding(prepared: &Prepared, exact: &Numbers, judged: &mut [Disagreement]) {
+    for fineness in OTHERWISE {
+        let Ok(response) = prepared.second_route(fineness) else {
+            continue;
+        };
+        let again = exact.beside(&Numbers::of_second_route(prepared, &response));
+        for (one, again) in judged.iter_mut().zip(again) {
+            let apart = (one.two.second - again.second).abs();
+            let off = (one.two.second - one.two.first).abs();
+            // Both relative to the same scale.
+            let own = if off.is_finite() && off > 0.0 && apart.is_finite() {
+                one.two.distance * (apart / off)
+            } else if one.two.distance.is_finite() == again.distance.is_finite() {
+                0.0
+            } else {
+                f64::INFINITY
+            };
+            one.own = one.own.max(own);
+        }
+    }
+}
+
+/// A residual of the energy above the allowed one.
+fn residual(residual: f64) -> Option<Disagreement> {
+    let large = residual.is_nan() || residual > RESIDUAL;
+    large.then_some(Disagreement {
+        two: Two {
+            what: Compared::Residual,
+            place: Place::Run,
+            first: residual,
+            second: 0.0,
+            distance: residual,
+        },
+        condition: 0.0,
+        allowed: RESIDUAL,
+        own: 0.0,
+    })
+}
+
+/// Of every kind the number that is furthest off, the worst kind first.
+fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
+    let off = |one: &Disagreement| one.two.distance / one.allowed;
+    let of = |what: Compared| {
+        let own = all.iter().filter(|one| one.two.what == what);
+        own.map(|one| **one).reduce(|worst, next| {
+            if off(&next) > off(&worst) {
+                next
+            } else {
+                worst
+            }
+        })
+    };
+    let mut found: Vec<_> = Compared::ALL.into_iter().filter_map(of).collect();
+    found.sort_by(|one, other| off(other).total_cmp(&off(one)));
+    found
+}
+
+/// How far every number of an exact run moves per relative change of the record; infinite where touches come and go.
+fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec<f64> {
+    let mut found = vec![f64::INFINITY; truth.beside(truth).len()];
+    for change in CHANGES {
+        let mut largest = vec![0.0_f64; found.len()];
+        for index in 0..=N_NEAR + 1 {
+            begin(Stage::Condition);
+            let near = if index > N_NEAR {
+                stretched(prepared, change)
+            } else {
+                under(prepared, change, index)
+            };
+            let near = near.and_then(|near| {
+                let (outcome, _) = near.run_unjudged(Asked::default())?;
+                Ok(Numbers::of_exact(&near, &outcome))
+            });
+            match near {
+                Ok(near) => {
+                    let all = truth.beside(&near);
+                    for (largest, two) in largest.iter_mut().zip(&all) {
+                        *largest = largest.max(two.distance);
+                    }
+                }
+                Err(_) => largest.fill(f64::INFINITY),
+            }
+        }
+        for (found, largest) in found.iter_mut().zip(largest) {
+            if found.is_infinite() {
+                *found = largest / change;
+            }
+        }
+        if found.iter().all(|one| one.is_finite()) {
+            break;
+        }
+    }
+    found
+}
+
+/// The scene under its record with samples further apart.
+fn stretched(prepared: &Prepared, change: f64) -> Result<Prepared, StudyError> {
+    prepared.under(|record| {
+        let step = record.time_step() * (1.0 + change);
+        Record::new(step, record.samples().to_vec(), record.source())
+    })
+}
+
+impl Failure {
+    fn of(error: &StudyError) -> Self {
+        let kind = match error {
+            StudyError::Run { source, .. } => variant(source),
+            StudyError::Broken { source, .. } => variant(source),
+            StudyError::Scene { source, .. } => variant(source),
+            other => variant(other),
+        };
+        Self {
+            kind,
+            message: error.to_string(),
+        }
+    }
+}
+
+/// Name of the variant of an error: new ones are counted apart without being listed here.
+fn variant(error: &impl std::fmt::Debug) -> String {
+    let text = format!("{error:?}");
+    let end = text.find(|one: char| !one.is_alphanumeric());
+    text[..end.unwrap_or(text.len())].into()
+}

@@ -1,0 +1,425 @@
+//! What both routes say of a scene, number by number, and how far apart they are.
+
+use pounding_contact::{Clamp, ContactLaw};
+use pounding_solver::Pair;
+
+use crate::comparison::{ZERO, relative_to};
+use crate::second_route::Response;
+use crate::{Outcome, Prepared};
+
+/// A kind of number that is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Compared {
+    /// Peak displacement of a floor, relative to it.
+    Displacement,
+    /// Peak drift of a storey, relative to it.
+    Drift,
+    /// Peak restoring force of a storey, relative to it.
+    RestoringForce,
+    /// Displacement of a floor at the end, relative to its peak.
+    LastDisplacement,
+    /// Transferred momentum of a floor, relative to it.
+    Momentum,
+    /// Instant at which a touch begins \[s\].
+    Start,
+    /// Instant at which it ends \[s\]; not of laws that let go before neighbours part.
+    End,
+    /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself.
+    Impulse,
+    /// Peak force of a touch, by the same rule.
+    PoundingForce,
+    /// How many touches a pair has; the distance of unlike numbers is infinite.
+    Touches,
+    /// What the ledger of the exact run leaves unexplained \[–\].
+    Residual,
+}
+
+impl Compared {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::Displacement,
+        Self::Drift,
+        Self::RestoringForce,
+        Self::LastDisplacement,
+        Self::Momentum,
+        Self::Start,
+        Self::End,
+        Self::Impulse,
+        Self::PoundingForce,
+        Self::Touches,
+        Self::Residual,
+    ];
+
+    /// Its name in text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Displacement => "peak displacement",
+            Self::Drift => "peak drift",
+            Self::RestoringForce => "peak restoring force",
+            Self::LastDisplacement => "last displacement",
+            Self::Momentum => "transferred momentum",
+            Self::Start => "start of a touch (s)",
+            Self::End => "end of a touch (s)",
+            Self::Impulse => "impulse",
+            Self::PoundingForce => "pounding force",
+            Self::Touches => "number of touches",
+            Self::Residual => "residual of the energy",
+        }
+    }
+}
+
+/// Where a number is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// A floor, by its place in the row.
+    Floor(usize),
+    /// A touch of a pair, by its number from 0.
+    Touch {
+        /// Index of the pair.
+        pair: usize,
+        /// Number of the touch.
+        touch: usize,
+    },
+    /// A pair.
+    Pair(usize),
+    /// The run.
+    Run,
+}
+
+/// A number of two runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Two {
+    /// What it is.
+    pub what: Compared,
+    /// Where.
+    pub place: Place,
+    /// Its value in the first run, SI.
+    pub first: f64,
+    /// Its value in the second one.
+    pub second: f64,
+    /// How far apart they are: relative \[–\], of instants absolute \[s\]; infinite where only one run has the number.
+    pub distance: f64,
+}
+
+/// What a run says of a floor.
+#[derive(Debug, Clone, Copy, Default)]
+struct OfFloor {
+    displacement: f64,
+    drift: f64,
+    restoring_force: f64,
+    last_displacement: f64,
+    momentum: f64,
+}
+
+/// What a run says of a touch.
+#[derive(Debug, Clone, Copy)]
+struct Meeting {
+    /// First instant \[s\].
+    start: f64,
+    /// Last instant \[s\]; nothing of laws that let go before.
+    end: Option<f64>,
+    /// Impulse \[N·s\].
+    impulse: f64,
+    /// Peak force \[N\]; nothing of an impact.
+    peak_force: Option<f64>,
+    /// How long it lasts \[s\].
+    lasts: f64,
+    /// What rounding leaves open of the start, where the run says \[s\].
+    uncertainty: Option<f64>,
+}
+
+/// Everything that is compared of a run.
+#[derive(Debug, Clone)]
+pub(super) struct Numbers {
+    floors: Vec<OfFloor>,
+    /// The touches of every pair in their order.
+    pairs: Vec<Vec<Meeting>>,
+}
+
+impl Numbers {
+    pub(super) fn of_exact(prepared: &Prepared, outcome: &Outcome) -> Self {
+        let floor = |index| {
+            let peaks = outcome.peaks.of(index);
+            OfFloor {
+                displacement: peaks.displacement.value.abs(),
+                drift: peaks.drift().value.abs(),
+                restoring_force: peaks.restoring_force.value.abs(),
+                last_displacement: outcome.last.of(index),
+                momentum: outcome.momentum.of(index),
+            }
+        };
+        let touches = |(index, pair): (usize, &Pair)| {
+            let all = outcome.collisions_of(index).map(|one| Meeting {
+                start: one.start,
+                end: parts(&pair.law).then_some(one.end),
+                impulse: one.impulse,
+                lasts: one.end - one.start,
+                peak_force: one.peak_force,
+                uncertainty: one.uncertainty,
+            });
+            in_order(all.collect())
+        };
+        let pairs = prepared.pairs().iter().enumerate();
+        Self {
+            floors: (0..prepared.floors().all().len()).map(floor).collect(),
+            pairs: pairs.map(touches).collect(),
+        }
+    }
+
+    pub(super) fn of_second_route(prepared: &Prepared, response: &Response) -> Self {
+        let floors = response.structures.iter().map(|one| OfFloor {
+            displacement: one.displacement.value.abs(),
+            drift: one.drift.value.abs(),
+            restoring_force: one.restoring_force.value.abs(),
+            last_displacement: one.end_displacement,
+            momentum: one.transferred_momentum,
+        });
+        let pairs = prepared.pairs().iter().zip(&response.collisions);
+        let touches = pairs.map(|(pair, all)| {
+            let all = all.iter().map(|one| Meeting {
+                start: one.start,
+                end: parts(&pair.law).then_some(one.end),
+                impulse: one.impulse,
+                lasts: one.end - one.start,
+                peak_force: one.peak_force,
+                uncertainty: None,
+            });
+            in_order(all.collect())
+        });
+        Self {
+            floors: floors.collect(),
+            pairs: touches.collect(),
+        }
+    }
+
+    /// Every number of this run beside that of another one of the same scene.
+    pub(super) fn beside(&self, other: &Self) -> Vec<Two> {
+        let mut all = Vec::new();
+        let momenta = self.floors.iter().map(|floor| floor.momentum);
+        let largest = momenta.fold(0.0, f64::max);
+        for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
+            all.extend(first.beside(second, (Place::Floor(index), largest)));
+        }
+        for (pair, (first, second)) in self.pairs.iter().zip(&other.pairs).enumerate() {
+            let largest = Largest::of(first);
+            for (touch, (one, same)) in first.iter().zip(matched(first, second)).enumerate() {
+                // Later touches may be bounces that come to rest, differences of far larger velocities.
+                let scale = if touch == 0 {
+                    Largest::of(&first[..1])
+                } else {
+                    largest
+                };
+                let place = Place::Touch { pair, touch };
+                all.extend(one.beside(same.map(|same| &second[same]), (place, scale)));
+            }
+            let (n_first, n_second) = (first.len() as f64, second.len() as f64);
+            all.push(Two {
+                what: Compared::Touches,
+                place: Place::Pair(pair),
+                first: n_first,
+                second: n_second,
+                distance: if first.len() == second.len() {
+                    0.0
+                } else {
+                    f64::INFINITY
+                },
+            });
+        }
+        all
+    }
+
+    /// Of the touches given by pair and number, and of those that only the other run has, the one that begins first: its pair and
+    /// instant \[s\].
+    pub(super) fn first_of(
+        &self,
+        wrong: impl Iterator<Item = (usize, usize)>,
+        other: &Self,
+    ) -> Option<(usize, f64)> {
+        let own = wrong.map(|(pair, touch)| (pair, self.pairs[pair][touch].start));
+        let pairs = self.pairs.iter().zip(&other.pairs).enumerate();
+        let lone = pairs.flat_map(|(pair, (first, second))| {
+            let same = matched(second, first).into_iter();
+            let lone = second.iter().zip(same).filter(|(_, same)| same.is_none());
+            lone.map(move |(one, _)| (pair, one.start))
+        });
+        own.chain(lone)
+            .min_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The touches of a pair from the last before an instant to the third after it, in words.
+    pub(super) fn near(&self, (pair, time): (usize, f64)) -> Vec<String> {
+        let touches = &self.pairs[pair];
+        let from = touches.iter().rposition(|one| one.start < time);
+        let near = touches
+            .iter()
+            .enumerate()
+            .skip(from.unwrap_or(0).saturating_sub(1))
+            .take(7);
+        let words = near.map(|(number, one)| {
+            let Meeting {
+                start,
+                lasts,
+                impulse,
+                peak_force,
+                ..
+            } = one;
+            let force = peak_force.map_or("an impact".into(), |force| format!("{force:e} N"));
+            format!("{number}: {start:.15} s for {lasts:e} s, {impulse:e} N·s, {force}")
+        });
+        words.collect()
+    }
+
+    /// Takes the touches away that another run does not have, and that are within rounding; how many there were.
+    pub(super) fn without_grazes(&mut self, other: &mut Self) -> usize {
+        let mut grazes = 0;
+        for (first, second) in self.pairs.iter_mut().zip(&mut other.pairs) {
+            let [one, other] = [&*first, &*second].map(|touches| Largest::of(touches).impulse);
+            let largest = one.max(other);
+            let (of_first, of_second) = (matched(first, second), matched(second, first));
+            for (touches, same) in [(first, of_first), (second, of_second)] {
+                let before = touches.len();
+                let mut same = same.into_iter();
+                touches.retain(|one| same.next().flatten().is_some() || !one.is_graze(largest));
+                grazes += before - touches.len();
+            }
+        }
+        grazes
+    }
+}
+
+/// The touches in the order of their starts; of an impact and the rest that it begins, the impact first.
+fn in_order(mut touches: Vec<Meeting>) -> Vec<Meeting> {
+    let rests = |one: &Meeting| one.peak_force.is_some();
+    touches.sort_by(|one, other| {
+        let starts = one.start.total_cmp(&other.start);
+        starts.then(rests(one).cmp(&rests(other)))
+    });
+    touches
+}
+
+/// The largest of some touches.
+#[derive(Debug, Clone, Copy, Default)]
+struct Largest {
+    /// Impulse \[N·s\].
+    impulse: f64,
+    /// Force \[N\].
+    force: f64,
+}
+
+impl Largest {
+    fn of(touches: &[Meeting]) -> Self {
+        let forces = touches.iter().filter_map(|one| one.peak_force);
+        Self {
+            impulse: touches.iter().map(|one| one.impulse).fold(0.0, f64::max),
+            force: forces.fold(0.0, f64::max),
+        }
+    }
+}
+
+/// Whether neighbours part when their law's force ends.
+fn parts(law: &ContactLaw) -> bool {
+    law.clamp() == Clamp::Never
+}
+
+impl OfFloor {
+    fn beside(&self, other: &Self, (place, largest): (Place, f64)) -> [Two; 5] {
+        let two = |what, first: f64, second: f64, scale: f64| Two {
+            what,
+            place,
+            first,
+            second,
+            distance: relative_to(second, first, scale),
+        };
+        let own = |what, first: f64, second: f64| two(what, first, second, first);
+        [
+            own(
+                Compared::Displacement,
+                self.displacement,
+                other.displacement,
+            ),
+            own(Compared::Drift, self.drift, other.drift),
+            own(
+                Compared::RestoringForce,
+                self.restoring_force,
+                other.restoring_force,
+            ),
+            two(
+                Compared::LastDisplacement,
+                self.last_displacement,
+                other.last_displacement,
+                self.displacement,
+            ),
+            two(
+                Compared::Momentum,
+                self.momentum,
+                other.momentum,
+                self.momentum.max(ZERO * largest),
+            ),
+        ]
+    }
+}
+
+/// Part of the largest impulse of a pair that is rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Meeting {
+    /// Whether rounding decides that neighbours touch at all.
+    fn is_graze(&self, largest: f64) -> bool {
+        let brief = |uncertainty: f64| self.lasts > 0.0 && self.lasts <= 2.0 * uncertainty;
+        self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
+    }
+
+    fn beside(&self, other: Option<&Self>, (place, largest): (Place, Largest)) -> Vec<Two> {
+        let two = |what, value: fn(&Self) -> Option<f64>, scale: f64| {
+            let (first, second) = (value(self), other.and_then(value));
+            if first.is_none() && second.is_none() {
+                return None;
+            }
+            let both = first.zip(second);
+            Some(Two {
+                what,
+                place,
+                first: first.unwrap_or(f64::NAN),
+                second: second.unwrap_or(f64::NAN),
+                distance: both.map_or(f64::INFINITY, |(first, second)| {
+                    relative_to(second, first, scale)
+                }),
+            })
+        };
+        let all = [
+            two(Compared::Start, |one| Some(one.start), 1.0),
+            two(Compared::End, |one| one.end, 1.0),
+            two(Compared::Impulse, |one| Some(one.impulse), largest.impulse),
+            two(Compared::PoundingForce, |one| one.peak_force, largest.force),
+        ];
+        all.into_iter().flatten().collect()
+    }
+}
+
+/// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\].
+const SAME: f64 = 1e-7;
+
+/// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the next one
+/// that begins at the same time.
+fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize>> {
+    if first.len() == second.len() {
+        return (0..first.len()).map(Some).collect();
+    }
+    let mut next = 0;
+    let mut all = Vec::with_capacity(first.len());
+    for one in first {
+        let reach = SAME + one.uncertainty.unwrap_or(0.0).min(SAME);
+        while second
+            .get(next)
+            .is_some_and(|other| other.start < one.start - reach)
+        {
+            next += 1;
+        }
+        let same = second
+            .get(next)
+            .is_some_and(|other| other.start <= one.start + reach);
+        all.push(same.then_some(next));
+        next += usize::from(same);
+    }
+    all
+}
