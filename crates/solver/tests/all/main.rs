@@ -28,6 +28,7 @@ mod opensees_loops;
 mod order;
 mod random_rows;
 mod refusals;
+mod rests;
 mod slow_touches;
 mod storeys;
 mod storeys_books;
