@@ -36,6 +36,7 @@ mod noise;
 mod plot;
 mod position;
 mod prepared;
+mod price;
 mod processed;
 mod report;
 mod reproduce;
@@ -65,7 +66,9 @@ pub use agreement::{
 pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMotion, Strength};
 pub use certificate::{Certificate, CertificateError, Wanted};
 pub use claims::{Claim, Finding, Survival, Tallies, Tally, claims, claims_csv};
-pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
+pub use comparison::{
+    LEAST_PART, MEASURE, Number, PairErrors, Quantity, RunErrors, StructureErrors,
+};
 pub use completed::Completed;
 pub use contenders::StepMethod;
 pub use doubt::Doubt;
