@@ -37,6 +37,7 @@ mod noise;
 mod plot;
 mod position;
 mod prepared;
+mod price;
 mod processed;
 mod report;
 mod reproduce;
@@ -67,7 +68,9 @@ pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMot
 pub use cell::{Cell, csv_text, json_text};
 pub use certificate::{Certificate, CertificateError, Wanted};
 pub use claims::{Claim, Finding, Survival, Tallies, Tally, claims, claims_csv};
-pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
+pub use comparison::{
+    LEAST_PART, MEASURE, Number, PairErrors, Quantity, RunErrors, StructureErrors,
+};
 pub use completed::Completed;
 pub use contenders::StepMethod;
 pub use doubt::Doubt;

@@ -164,8 +164,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     } = &accuracy.rows;
     if accuracy.method == Method::EXACT {
         return Ok(format!(
-            "{}: no step that was tried keeps {} of a sample of the runs within it. Errors are measured by the exact method and here are \
-             none. All columns: {}",
+            "{}: for so many runs nothing that keeps {} of a sample of them within it costs less. It has no errors but those of \
+             rounding; none were measured. All columns: {}",
             chosen(accuracy),
             percent(SweepAccuracy::SHARE),
             path.display()

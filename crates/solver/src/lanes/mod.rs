@@ -34,6 +34,7 @@ use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use tallies::{PairTally, Tallies};
 
+use crate::recorders::is_plastic;
 use crate::{
     Budget, CentralDifference, Clock, Excitation, Integrator, RestoringForce, Row, RunError,
     Support, Verlet,
@@ -159,6 +160,14 @@ impl SideBySide {
             Stepping::Verlet(settings) => {
                 let method = self.with(settings);
                 dispatch!(self.level, simd => verlet::run(simd, &method, task, tallies));
+            }
+        }
+        // Impacts of a rest are one collision, which only a run of the scene alone can tell.
+        for (scene, row) in rows.iter().enumerate() {
+            let several = |pair: usize| tallies.pair(scene, pair).collisions > 1.0;
+            let mut pairs = row.pairs().iter().enumerate();
+            if pairs.any(|(pair, of)| is_plastic(of) && several(pair)) {
+                tallies.told[scene] = false;
             }
         }
         true

@@ -29,6 +29,7 @@ mod opensees_loops;
 mod order;
 mod random_rows;
 mod refusals;
+mod rests;
 mod silent_faults;
 mod slow_touches;
 mod storeys;

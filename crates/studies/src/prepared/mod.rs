@@ -18,6 +18,7 @@ use crate::floors::{Floor, Floors};
 use crate::ground_motion::SharedMotion;
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
+pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Asked, Audited, Recorders};
 pub use run::{Balance, Outcome};
@@ -357,6 +358,11 @@ impl Prepared {
     /// Of every floor, whether it is a wall.
     pub fn walls(&self) -> Vec<bool> {
         self.floors.all().iter().map(Floor::is_wall).collect()
+    }
+
+    /// Whether some columns yield smoothly.
+    pub(crate) fn yields_smoothly(&self) -> bool {
+        matches!(self.model, Model::Mixed(_))
     }
 
     /// The record as the scene uses it: in m/s², scaled, reversed.

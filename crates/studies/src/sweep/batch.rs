@@ -8,7 +8,7 @@ use super::Sweep;
 use super::quantity::Ran;
 use super::sampling::Point;
 use crate::prepared::Asked;
-use crate::{Prepared, StudyError};
+use crate::{LEAST_PART, Prepared, StudyError};
 
 /// What came out of a range of runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +21,10 @@ pub struct Batch {
     pub failed: Vec<Option<String>>,
     /// How many runs went side by side.
     pub beside: usize,
+    /// What those that did not have cost, in force evaluations that take as long.
+    pub(super) price: f64,
+    /// Of the last of them what each number counts as at least where its error is relative to it; 0 for its own size.
+    pub(super) least: Vec<f64>,
 }
 
 impl Batch {
@@ -31,6 +35,8 @@ impl Batch {
             columns: vec![vec![f64::NAN; n]; n_columns],
             failed: vec![None; n],
             beside: 0,
+            price: 0.0,
+            least: Vec::with_capacity(n_columns),
         }
     }
 
@@ -156,30 +162,38 @@ impl Sweep {
             // A fault of the program in one run is no reason to lose the others.
             let ran = if told {
                 batch.beside += 1;
-                Ok(())
+                Ok(0.0)
             } else {
-                caught(|| self.run_alone(prepared, &mut numbers))
+                caught(|| self.run_alone(prepared, (&mut numbers, &mut batch.least)))
             };
             match ran {
-                Ok(()) => batch.take(*place, &numbers),
+                Ok(price) => {
+                    batch.take(*place, &numbers);
+                    batch.price += price;
+                }
                 Err(reason) => batch.failed[*place] = Some(reason),
             }
         }
     }
 
-    /// One run; its numbers in the order of the columns.
-    fn run_alone(&self, prepared: &Prepared, numbers: &mut Vec<f64>) -> Result<(), String> {
+    /// One run; its numbers in the order of the columns, what they count as at least, and its price.
+    fn run_alone(
+        &self,
+        prepared: &Prepared,
+        (numbers, least): (&mut Vec<f64>, &mut Vec<f64>),
+    ) -> Result<f64, String> {
         let reason = |error: StudyError| error.reason();
         numbers.clear();
+        least.clear();
         let asked = Asked {
             interval: None,
             closings: self.closings,
         };
-        let (outcome, closings) = if self.verdict {
-            let (audited, closings) = prepared.audited_with(asked).map_err(reason)?;
+        let outcome = if self.verdict {
+            let audited = prepared.audited_with(asked).map_err(reason)?;
             match audited.broken {
                 Some(broken) => return Err(broken.reason()),
-                None => (audited.outcome, closings),
+                None => audited.outcome,
             }
         } else {
             prepared.run_unjudged(asked).map_err(reason)?
@@ -187,19 +201,28 @@ impl Sweep {
         let ran = Ran {
             prepared,
             outcome: &outcome,
-            closings: closings.as_ref(),
         };
         let none = f64::NAN;
+        let part = |node: usize| LEAST_PART * outcome.peaks.of(node).displacement.value.abs();
+        let unless = |left_over: bool, part: f64| if left_over { part } else { 0.0 };
         for floor in 0..self.row.floors.len() {
             let asked = self.outputs.structures.iter();
+            least.extend(
+                asked
+                    .clone()
+                    .map(|one| unless(one.is_left_over(), part(floor))),
+            );
             numbers.extend(asked.map(|one| one.of(&ran, floor).unwrap_or(none)));
         }
         for pair in 0..self.row.pairs.len() {
             let found = outcome.of_pair(pair);
             let asked = self.outputs.pairs.iter();
+            let own = &prepared.pairs()[pair];
+            let larger = part(own.left).max(part(own.right));
+            least.extend(asked.clone().map(|one| unless(one.is_left_over(), larger)));
             numbers.extend(asked.map(|one| one.of(&ran, (pair, &found)).unwrap_or(none)));
         }
-        Ok(())
+        Ok(prepared.price(outcome.work))
     }
 }
 

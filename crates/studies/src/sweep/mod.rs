@@ -18,6 +18,7 @@ mod parts;
 mod permutation;
 mod place;
 mod plan;
+mod prices;
 mod quantile;
 mod quantity;
 mod renumbered;

@@ -352,7 +352,7 @@ fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec
                 under(prepared, change, index)
             };
             let near = near.and_then(|near| {
-                let (outcome, _) = near.run_unjudged(Asked::default())?;
+                let outcome = near.run_unjudged(Asked::default())?;
                 Ok(Numbers::of_exact(&near, &outcome))
             });
             match near {
