@@ -15,7 +15,8 @@ pub struct Response {
     pub steps: u64,
 }
 
-/// One touching of a pair, from touch to parting; of an impulsive law, one impact, or the time for which it presses at rest.
+/// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it at once, or
+/// the time for which a pair presses that comes to it without an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// First touch, or the instant of the impact \[s\].
@@ -24,7 +25,7 @@ pub struct Collision {
     pub end: f64,
     /// Impulse ∫F dt \[N·s\], ≥ 0.
     pub impulse: f64,
-    /// Peak pounding force \[N\]; nothing for an impact, while a pair at rest has one.
+    /// Peak pounding force \[N\]; nothing for an impact, with rest or without.
     pub peak_force: Option<f64>,
 }
 
@@ -130,8 +131,15 @@ impl Record {
 
     /// A pair begins to press, with a force that may jump there.
     pub(super) fn touch(&mut self, pair: usize, time: f64, force: f64) {
-        self.open[pair] = Some(self.response.collisions[pair].len());
-        self.response.collisions[pair].push(Collision {
+        let collisions = &mut self.response.collisions[pair];
+        let struck = |last: &Collision| last.peak_force.is_none() && last.end.total_cmp(&time).is_eq();
+        if collisions.last().is_some_and(struck) {
+            // The rest after an impact belongs to it.
+            self.open[pair] = Some(collisions.len() - 1);
+            return;
+        }
+        self.open[pair] = Some(collisions.len());
+        collisions.push(Collision {
             start: time,
             end: time,
             impulse: 0.0,
@@ -148,8 +156,8 @@ impl Record {
         let collisions = &mut self.response.collisions[pair];
         if impulse > least {
             collisions[last].end = time;
-            collisions[last].impulse = impulse;
-        } else {
+            collisions[last].impulse += impulse;
+        } else if collisions[last].peak_force.is_some() {
             collisions.remove(last);
         }
     }

@@ -8,7 +8,7 @@ use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, ground};
 use super::{FREE, close, moving, pairs, run, stereomechanical};
 
 /// A ball of unit mass that falls towards a floor 1 m below.
-fn ball(restitution: f64) -> Row<pounding_solver::Elastic> {
+fn ball(restitution: f64) -> Row<Elastic> {
     let nodes = vec![moving(1.0, 0.0, FREE), Node::wall(FREE)];
     Row::new(nodes, pairs(2, 1.0, stereomechanical(restitution))).expect("a valid row")
 }
