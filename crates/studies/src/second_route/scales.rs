@@ -31,7 +31,7 @@ impl Scales {
         }
     }
 
-    /// Sees a ground acceleration \[m/s²\].
+    /// Sees a ground acceleration \[m/s²\] under neighbours at rest.
     pub(super) fn shake(&mut self, acceleration: f64) {
         let speed = LEAST * self.longest_step * acceleration.abs();
         self.least_speed = self.least_speed.max(speed);
