@@ -164,7 +164,7 @@ fn agree_at_rest<Column: Hysteretic>(row: &Row<Column>, n_resting: usize, what: 
 
 #[test]
 fn reference_two_structures_stick_together() {
-    for (gap, restitution) in [(0.01, 0.0), (0.0, 0.0), (0.0, 0.3)] {
+    for (gap, restitution) in [(0.01, 0.0), (0.0, 0.0)] {
         let row = Row::new(chain()[..2].to_vec(), contacts(&[(gap, restitution)]));
         let what = format!("{gap} m, {restitution}");
         agree_at_rest(&row.expect("a valid row"), 1, &what);
