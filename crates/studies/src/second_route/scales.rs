@@ -31,7 +31,7 @@ impl Scales {
         }
     }
 
-    /// Sees a ground acceleration \[m/s²\].
+    /// Sees a ground acceleration \[m/s²\] under neighbours at rest.
     pub(super) fn shake(&mut self, acceleration: f64) {
         let speed = LEAST * self.longest_step * acceleration.abs();
         self.least_speed = self.least_speed.max(speed);
@@ -80,10 +80,10 @@ impl Scales {
             *size = size.max(moved);
         }
         self.share(model, displacement);
-        for (index, pair) in model.pairs.iter().enumerate() {
-            let apart = |structure: usize| self.sizes[displacement(structure)];
-            self.sizes[pair.deformation] = apart(pair.left) + apart(pair.right);
-            self.sizes[pair.deformation + 1] = self.speed(model, index).max(self.least_speed);
+        // Errors of deformations are those of the displacements and velocities that they are differences of.
+        for pair in &model.pairs {
+            self.sizes[pair.deformation] = f64::INFINITY;
+            self.sizes[pair.deformation + 1] = f64::INFINITY;
         }
         for (index, smooth) in model.smooth() {
             let moved = self.sizes[velocity(index)] * self.longest_step;

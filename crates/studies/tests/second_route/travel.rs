@@ -7,10 +7,13 @@ use super::exact::agree;
 use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, spring};
 use super::{pairs, stereomechanical, viscoelastic};
 
-const DURATION: f64 = 4.0;
-
-fn laws() -> [ContactLaw; 3] {
-    [stereomechanical(0.9), spring(5e8), viscoelastic(0.35)]
+/// Laws, each with the duration of its run.
+fn laws(impulsive: f64) -> [(ContactLaw, f64); 3] {
+    [
+        (stereomechanical(0.9), impulsive),
+        (spring(5e8), 4.0),
+        (viscoelastic(0.35), 4.0),
+    ]
 }
 
 #[test]
@@ -24,7 +27,7 @@ fn reference_structures_shaken_in_turn() {
         };
         Node::structure(mass, 0.1 * omega * mass, column)
     };
-    for law in laws() {
+    for (law, duration) in laws(4.0) {
         let nodes = vec![
             structure(1e5, 0.8, 0.05),
             structure(3e5, 0.3, 0.02),
@@ -42,7 +45,7 @@ fn reference_structures_shaken_in_turn() {
                 .clone()
                 .delayed(arrivals.to_vec())
                 .expect("valid arrivals");
-            let met = agree(&row, DURATION, &what);
+            let met = agree(&row, duration, &what);
             assert!(met.iter().any(|pair| pair.n > 1), "{what}: {met:?}");
         }
     }
@@ -50,7 +53,8 @@ fn reference_structures_shaken_in_turn() {
 
 #[test]
 fn reference_towers_shaken_in_turn() {
-    for law in laws() {
+    // Hits of e = 0.9 between three towers multiply rounding: after 1 s two tolerances are 2e-8 apart.
+    for (law, duration) in laws(0.34) {
         let of: Vec<_> = TOWERS.iter().map(|tower| elastic(tower)).collect();
         let row: Row<Elastic> = buildings(&of, (ALPHA, BETA), (0.01, law));
         let levels = pounding_solver::Levels::new(&TOWERS.map(<[_]>::len));
@@ -58,7 +62,7 @@ fn reference_towers_shaken_in_turn() {
         let arrivals = (0..levels.n_nodes()).map(arrival).collect();
         let row = row.delayed(arrivals).expect("valid arrivals");
         let what = format!("{law:?}");
-        let met = agree(&row, DURATION, &what);
+        let met = agree(&row, duration, &what);
         assert!(met.iter().any(|pair| pair.n > 1), "{what}: {met:?}");
     }
 }
