@@ -128,15 +128,18 @@ impl Sweep {
 
     /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
     pub(super) fn choose(&mut self, asked: f64) {
-        let (chooses, measures) = self.sampled();
-        let method = self.cheapest((&chooses, &measures), asked);
-        let errors = if method == Method::EXACT {
-            Vec::new()
-        } else {
-            self.set_method(&Method::EXACT);
-            let truth = self.numbers(&measures).numbers;
-            self.set_method(&method);
-            errors(&truth, &self.numbers(&measures).numbers)
+        let sampled = self.sampled();
+        let method = sampled.as_ref().map_or(Method::EXACT, |sampled| {
+            self.cheapest((&sampled.chooses, &sampled.measures), asked)
+        });
+        let errors = match sampled {
+            Some(Sample { measures, .. }) if method != Method::EXACT => {
+                self.set_method(&Method::EXACT);
+                let truth = self.numbers(&measures).numbers;
+                self.set_method(&method);
+                errors(&truth, &self.numbers(&measures).numbers)
+            }
+            _ => Vec::new(),
         };
         self.set_method(&method);
         let names = self.columns();
@@ -222,6 +225,8 @@ impl Sweep {
         STEPPING.map(|method| {
             self.set_method(&method(LONGEST / f64::from(1 << (HALVED / 2))));
             let beside = self.numbers(&runs[..1]).beside > 0.0;
+            // Which no step refuses.
+            self.set_method(&Method::EXACT);
             let mut scene = self.scene.clone();
             let price = |run: &u64| {
                 let (mut point, mut settings) = (Point::default(), Vec::new());
@@ -260,19 +265,19 @@ impl Sweep {
         None
     }
 
-    /// Runs that choose and runs that measure: others, where there are enough.
-    fn sampled(&self) -> (Vec<u64>, Vec<u64>) {
+    /// Runs that choose and others that measure; nothing where there are not as many: exact runs of all then cost least.
+    fn sampled(&self) -> Option<Sample> {
         let n_runs = self.n_runs();
         let order = Permutation::new(n_runs, &mut Pcg64::new(17, 23));
         let all: Vec<_> = (0..n_runs)
             .take(CHOOSING + MEASURING)
             .map(|index| order.at(index))
             .collect();
-        if all.len() < CHOOSING + MEASURING {
-            return (all.clone(), all);
-        }
-        let (chooses, measures) = all.split_at(CHOOSING);
-        (chooses.to_vec(), measures.to_vec())
+        let (chooses, measures) = all.split_at_checked(CHOOSING)?;
+        (measures.len() == MEASURING).then(|| Sample {
+            chooses: chooses.to_vec(),
+            measures: measures.to_vec(),
+        })
     }
 
     /// Some runs: their numbers, of peaks the magnitudes, and what they cost.
@@ -305,6 +310,12 @@ impl Sweep {
             numbers,
         }
     }
+}
+
+/// Runs by their numbers.
+struct Sample {
+    chooses: Vec<u64>,
+    measures: Vec<u64>,
 }
 
 /// The numbers of a run, and what each counts as at least; nothing where it failed.
