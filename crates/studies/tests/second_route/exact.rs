@@ -18,18 +18,23 @@ pub(super) struct Met {
     pub(super) n: usize,
     /// Total impulse \[N·s\].
     impulse: f64,
-    /// Largest pounding force, at rest of an impulsive law \[N\].
+    /// Largest pounding force, of an impulsive law that of a rest without an impact \[N\].
     pub(super) force: f64,
+    /// Time of touching, at rest of an impulsive law \[s\].
+    pub(super) touching: f64,
 }
 
+/// Impulse, peak force and time of a collision.
+type One = (f64, Option<f64>, f64);
+
 impl Met {
-    /// Of collisions, each with its impulse and, where it has one, its peak force.
-    fn of(collisions: impl Iterator<Item = (f64, Option<f64>)>, impulsive: bool) -> Self {
+    fn of(collisions: impl Iterator<Item = One>, impulsive: bool) -> Self {
         let mut met = Self::default();
-        for (impulse, force) in collisions {
+        for (impulse, force, touching) in collisions {
             met.n += usize::from(force.is_none() || !impulsive);
             met.impulse += impulse;
             met.force = met.force.max(force.unwrap_or(0.0));
+            met.touching += touching;
         }
         met
     }
@@ -68,12 +73,18 @@ pub(super) fn agree<Column: Hysteretic>(row: &Row<Column>, duration: f64, what: 
         let what = format!("{what}, pair {pair}");
         let impulsive = !row.pairs()[pair].law.is_compliant();
         let found = collisions.all().iter().filter(|one| one.pair == pair);
-        let found = Met::of(found.map(|one| (one.impulse, one.peak_force)), impulsive);
-        let wanted = wanted.iter().map(|one| (one.impulse, one.peak_force));
+        let found = Met::of(
+            found.map(|one| (one.impulse, one.peak_force, one.end - one.start)),
+            impulsive,
+        );
+        let wanted = wanted
+            .iter()
+            .map(|one| (one.impulse, one.peak_force, one.end - one.start));
         let wanted = Met::of(wanted, impulsive);
         assert_eq!(found.n, wanted.n, "{what}");
         close(found.impulse, wanted.impulse, TOLERANCE, &what);
         close(found.force, wanted.force, TOLERANCE, &what);
+        close(found.touching, wanted.touching, TOLERANCE, &what);
         wanted
     };
     other.collisions.iter().enumerate().map(of_pair).collect()
