@@ -188,12 +188,15 @@ impl StudyError {
     /// What an exact run leaves unexplained of its energy, where that is so little that whoever reads the warnings of the run may
     /// have its numbers.
     pub(crate) fn doubt(&self) -> Option<LedgerError> {
-        match self {
-            Self::Broken {
-                source: energy @ LedgerError::EnergyUnexplained { found, .. },
-                ..
-            } if *found <= DECIDES_NOTHING => Some(*energy),
-            _ => None,
+        if let Self::Broken {
+            source: energy @ LedgerError::EnergyUnexplained { found, .. },
+            ..
+        } = self
+            && *found <= DECIDES_NOTHING
+        {
+            Some(*energy)
+        } else {
+            None
         }
     }
 

@@ -195,6 +195,9 @@ fn quoted(text: &str) -> Vec<String> {
         .collect()
 }
 
+/// Digits of a number that is repeated as it stands.
+const MOST_DIGITS: usize = 20;
+
 /// Types of Rust in the words of a file.
 fn in_words(text: &str) -> String {
     for (rust, words) in [
@@ -204,7 +207,14 @@ fn in_words(text: &str) -> String {
         ("string ", "the text "),
     ] {
         if let Some(value) = text.strip_prefix(rust) {
-            return format!("{words}{}", value.trim_matches('`'));
+            let value = value.trim_matches('`');
+            return match value.parse() {
+                // Some hundred digits tell no more than a few.
+                Ok(number) if value.len() > MOST_DIGITS => {
+                    format!("{words}{}", crate::plain(number))
+                }
+                _ => format!("{words}{value}"),
+            };
         }
     }
     match text {

@@ -319,9 +319,9 @@ mod tests {
         assert!(matches!(review.errors, Errors::Exact) && review.warnings.is_empty());
 
         let doubt = usual.told(broken(2e-10)).expect("it decides nothing");
-        insta::assert_snapshot!(doubt, @"");
+        insta::assert_snapshot!(doubt, @"this run, which should be exact: energy: found 2.0e-10 of it unexplained, allowed 1.0e-11, which rounding leaves of a right run; some number of this run is wrong, which is a fault of the method: use another one, and report it");
         let wrong = usual.told(broken(4e-5)).expect_err("it is wrong");
-        insta::assert_snapshot!(wrong, @"");
+        insta::assert_snapshot!(wrong, @r#"scene "two": energy: found 4.0e-5 of it unexplained, allowed 1.0e-11, which rounding leaves of a right run; some number of this run is wrong, which is a fault of the method: use another one, and report it"#);
         let forced = forced.told(broken(4e-5)).expect("it is forced");
         assert!(matches!(forced, Warning::Broken { .. }), "{forced:?}");
         for number in Number::ALL {

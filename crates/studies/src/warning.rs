@@ -142,14 +142,7 @@ impl fmt::Display for Warning {
             Self::BeyondFreeLimit { refusal: text } | Self::Broken { law: text } => {
                 write!(to, "forced: {text}")
             }
-            Self::Doubtful { reference, energy } => {
-                let run = if *reference {
-                    "the exact run, by which errors are measured"
-                } else {
-                    "this run, which should be exact"
-                };
-                write!(to, "{run}: {energy}")
-            }
+            Self::Doubtful { reference, energy } => doubtful(*reference, energy, to),
             Self::FewStepsPerPeriod {
                 structure,
                 name,
@@ -206,6 +199,16 @@ impl fmt::Display for Warning {
             Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
         }
     }
+}
+
+/// An exact run that is not quite exact.
+fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fmt::Result {
+    let run = if reference {
+        "the exact run, by which errors are measured"
+    } else {
+        "this run, which should be exact"
+    };
+    write!(to, "{run}: {energy}")
 }
 
 /// Too few steps in a collision, and what is delivered with them.

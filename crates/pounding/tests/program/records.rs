@@ -114,5 +114,5 @@ fn extreme_record_scaled_out_of_range() {
     let mut scene = good_scene();
     scene["record"]["scale"] = json!(1e308);
     let record = quiet(10).replace("0.04,0", "0.04,100");
-    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record.scale: makes the acceleration of sample 4 (the first is 0) inf m/s², allowed are finite ones; take a smaller number"#);
+    assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record.scale: makes the acceleration of sample 4 (the first is 0) inf m/s², allowed are up to 1e9 m/s² either way; correct a unit or take a smaller number"#);
 }

@@ -151,7 +151,6 @@ fn limit_a_looser_tolerance_leaves_no_more_than_its_bound() {
                 .watch(&row, excitation, clock(0.001, 5.0), &mut ledger)
                 .expect("the run ends");
             let (found, bound) = (ledger.residual(), ledger.bound().expect("it is exact"));
-            eprintln!("TOL {tolerance:e} {found:e} {bound:e}");
             assert!(
                 found <= bound,
                 "{law:?}, {tolerance:e}: {found:e} {bound:e}"

@@ -281,7 +281,7 @@ impl Prepared {
             | LedgerError::Imbalance { pair, .. } => {
                 self.pairs()[pair].left..self.pairs()[pair].right + 1
             }
-            _ => 0..0,
+            LedgerError::EnergyUnexplained { .. } | _ => 0..0,
         };
         StudyError::Broken {
             scene: self.scene.name.clone(),

@@ -120,7 +120,7 @@ enum WordsError {
         "storeys: found masses and stiffnesses so unlike that their modes cannot be told; give like ones"
     )]
     NoPeriod,
-    #[error("{field}: found {found}, allowed a finite number > 0")]
+    #[error("{field}: found {}, allowed a finite number > 0", crate::plain(*found))]
     OutOfRange { field: String, found: f64 },
     #[error("storeys[{storey}]: {source}")]
     Columns {

@@ -74,7 +74,7 @@ pub(crate) enum ColumnWordsError {
          delete it"
     )]
     NeverYields(&'static str),
-    #[error("{field}: found {found}, allowed a finite number > 0")]
+    #[error("{field}: found {}, allowed a finite number > 0", crate::plain(*found))]
     OutOfRange { field: &'static str, found: f64 },
 }
 

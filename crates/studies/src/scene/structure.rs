@@ -200,6 +200,12 @@ pub(crate) enum WordsError {
         "found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other"
     )]
     TwoStiffnesses,
+    #[error(
+        "period_s: found {}, with which the stiffness is {} N/m, allowed is a period whose stiffness is a finite number > 0",
+        crate::plain(*period),
+        crate::plain(*stiffness)
+    )]
+    FarPeriod { period: f64, stiffness: f64 },
     #[error(transparent)]
     Columns(#[from] ColumnWordsError),
 }
@@ -257,7 +263,12 @@ impl Words {
             (Some(stiffness), None) => Ok(stiffness),
             (None, Some(period)) => {
                 let omega = 2.0 * PI / positive("period_s", period)?;
-                Ok(positive("mass_kg", self.mass_kg)? * omega * omega)
+                let stiffness = positive("mass_kg", self.mass_kg)? * omega * omega;
+                if stiffness > 0.0 && stiffness.is_finite() {
+                    Ok(stiffness)
+                } else {
+                    Err(WordsError::FarPeriod { period, stiffness })
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SecondRouteError {
     /// A setting out of range.
-    #[error("second route: {setting}: found {found}, allowed {allowed}")]
+    #[error("second route: {setting}: found {}, allowed {allowed}", crate::plain(*found))]
     Setting {
         /// Name of the setting.
         setting: &'static str,

@@ -189,7 +189,7 @@ pub enum RefusedScene {
         fault: Box<Fault>,
     },
     /// A number of the run that is none.
-    #[error("{field}: found {number}, allowed are finite numbers; its spread reaches beyond them")]
+    #[error("{field}: found {}, allowed are finite numbers; its spread reaches beyond them", crate::plain(*number))]
     NotFinite {
         /// The field.
         field: String,

@@ -92,7 +92,7 @@ struct BetweenWords {
 
 /// A number out of its range.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{field}: found {found}, allowed {allowed}")]
+#[error("{field}: found {}, allowed {allowed}", crate::plain(*found))]
 pub(super) struct RangeError {
     field: &'static str,
     found: f64,
