@@ -6,7 +6,7 @@
 
 use super::columns::is_mark;
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
-use crate::{Place, ReadError};
+use crate::{Direction, Place, ReadError};
 
 /// Bytes of the header, and of what version 7 adds behind the values.
 const HEADER: usize = 632;
@@ -16,6 +16,8 @@ const FOOTER: usize = 176;
 const STEP: usize = 0;
 const SMALLEST: usize = 4;
 const LARGEST: usize = 8;
+/// Degrees from upright, word 58.
+const INCLINATION: usize = 232;
 const VERSION: usize = 304;
 const COUNT: usize = 316;
 const KIND: usize = 340;
@@ -97,16 +99,24 @@ fn sac<'t>(file: &File<'t>) -> Result<Sac<'t>, ReadError> {
     Sac::new(file.bytes).ok_or(ReadError::Empty)
 }
 
+/// The channel; `UP` where that does not tell a direction and the header says that the sensor stands upright.
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
-    let component = |name| Component {
-        name,
-        place: byte(CHANNEL),
+    let sac = sac(file)?;
+    let channel = sac.name(CHANNEL);
+    let tells = channel
+        .as_deref()
+        .and_then(Direction::of_component)
+        .is_some();
+    let from_upright = f64::from(sac.single(INCLINATION));
+    let upright = [0.0, 180.0].iter().any(|up| is_mark(from_upright, *up));
+    let name = if upright && !tells {
+        let channel = channel.map_or_else(String::new, |channel| channel + " ");
+        Some((channel + "UP", byte(INCLINATION)))
+    } else {
+        channel.map(|channel| (channel, byte(CHANNEL)))
     };
-    Ok(sac(file)?
-        .name(CHANNEL)
-        .map(component)
-        .into_iter()
-        .collect())
+    let component = name.map(|(name, place)| Component { name, place });
+    Ok(component.into_iter().collect())
 }
 
 /// Network and station, where they are set.

@@ -167,6 +167,14 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     } else {
         let (times, of_pairs) = pairs(data, columns, &count)?;
         values = of_pairs;
+        if !times.rise() {
+            let line = header.real_lines[0];
+            return Err(ReadError::Header {
+                place: Place::Line(line.number),
+                found: line.excerpt(),
+                allowed: "a number of samples in a second, or below the header pairs of time and value,",
+            });
+        }
         let (spacing, rest) = times.into_step_from_anywhere(&mut values)?;
         remark = rest;
         count.value = values.len();

@@ -38,6 +38,11 @@ impl TimeColumn {
         Ok(())
     }
 
+    /// Whether each time is after the one before.
+    pub(super) fn rise(&self) -> bool {
+        self.times.is_sorted_by(|before, after| before < after)
+    }
+
     /// The time step, of times that begin at 0 or one step later; in the latter case values get the state of rest at t = 0.
     pub(super) fn into_step(
         self,

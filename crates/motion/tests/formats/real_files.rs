@@ -123,6 +123,13 @@ fn issue_smc_of_uneven_pairs() {
     );
 }
 
+/// Values alone are no pairs, whatever the header lacks.
+#[test]
+fn extreme_smc_without_a_rate() {
+    let text = with("usgs.smc", "0.1000000E+03", "0.1700000E+39");
+    assert_snapshot!(refusal(text, &NOTHING), @r#"line 18 reads "0.1700000E+39  0.1700000E+39  0.1700000E+39  0.1700000E+39  …", but a number of samples in a second, or below the header pairs of time and value, should stand there; fetch the file again"#);
+}
+
 /// No step was too short or too long, and no peak too large.
 #[test]
 fn issue_steps_and_peaks_that_no_record_has() {

@@ -129,6 +129,21 @@ fn limit_peak_and_quantity_may_be_unset() {
     assert_eq!(accelerogram(sac.bytes(), &IN_SI).values().len(), 4);
 }
 
+/// Of a file without the name of its channel nothing told the direction, though the header has the angle of the sensor.
+#[test]
+fn issue_upright_by_the_angle_of_the_sensor() {
+    let names = |channel: &[u8; 8], angle: f32| {
+        let mut bytes = Sac::new(&VALUES).set(58, angle.to_bits()).bytes();
+        bytes[600..608].copy_from_slice(channel);
+        components(&bytes).unwrap()
+    };
+    let unset = b"-12345  ";
+    assert_eq!(names(unset, 0.0), ["UP"]);
+    assert!(names(unset, 90.0).is_empty());
+    assert_eq!(names(b"chan    ", 180.0), ["chan UP"]);
+    assert_eq!(names(b"HNE     ", 0.0), ["HNE"]);
+}
+
 /// Channels of seismometers were taken for accelerations once their unit was declared.
 #[test]
 fn issue_velocities_by_the_code_of_the_channel() {

@@ -23,7 +23,8 @@ contact).
 
 Vertical components are left out: by the name that a file gives its component,
 such as UP, UD, V, Z or DWN (of an AT2 file the direction in its title), and
-where it gives none by the end of the file's name, such as -UP, _V or .UD.";
+where it gives none by the end of the file's name, such as -UP, _V or .UD. Where
+nothing tells, the motion counts as horizontal and is listed under Direction.";
 
 /// What is asked of `gap`.
 #[derive(Debug, clap::Args)]

@@ -34,7 +34,8 @@ relative to its folder.
 Of a folder of records vertical components are left out: by the name that a
 file gives its component, such as UP, UD, V, Z or DWN (of an AT2 file the
 direction in its title), and where it gives none by the end of the file's name,
-such as -UP, _V or .UD.";
+such as -UP, _V or .UD. Where
+nothing tells, the motion counts as horizontal and is listed under Direction.";
 
 /// What is asked of `run`.
 #[derive(Debug, clap::Args)]

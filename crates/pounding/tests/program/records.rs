@@ -76,7 +76,7 @@ fn extreme_record_with_time_standing_still() {
 #[test]
 fn extreme_record_with_a_hole() {
     let record = quiet(10).replace("0.04,0\n", "");
-    assert_snapshot!(refused("record_hole", &record), @"error: record.csv: line 6: the time changes by 0.02 s from the line before, allowed is the 0.01 s of the other lines; resample the record to equal steps or print its times with more decimals");
+    assert_snapshot!(refused("record_hole", &record), @"error: record.csv: the times rise in uneven steps, from 0.01 to 0.02 s: at line 6 by 0.02 s, where 0.01 s are the median; declare the step to which they are to be resampled, linear between them, as `record.time_step_s`, or print them with more decimals");
 }
 
 #[test]
@@ -115,4 +115,87 @@ fn extreme_record_scaled_out_of_range() {
     scene["record"]["scale"] = json!(1e308);
     let record = quiet(10).replace("0.04,0", "0.04,100");
     assert_snapshot!(refusal(&run("record_scale", &scene.to_string(), Some(&record))), @r#"error: scene.json: scene "two structures": record.scale: makes the acceleration of sample 4 (the first is 0) inf m/s², allowed are up to 1e9 m/s² either way; correct a unit or take a smaller number"#);
+}
+
+/// A number was refused, "allowed is a text", though a component is its name or its number.
+#[test]
+fn issue_a_component_may_be_a_number() {
+    let columns = "time,NS(gal),EW(gal),UD(gal)\n0.00,10,20,30\n0.01,-10,-20,-30\n0.02,10,20,30\n";
+    let mut scene = good_scene();
+    let checked = |scene: &serde_json::Value| {
+        let folder = crate::folder("component_number");
+        fs::write(folder.join("scene.json"), scene.to_string()).expect("a file");
+        fs::write(folder.join("record.csv"), columns).expect("a file");
+        let ended = crate::pounding(&folder, &["check", "scene.json", "--json"]);
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        serde_json::from_str::<serde_json::Value>(&ended.stdout).expect("JSON")
+    };
+    scene["record"] = json!({"file": "record.csv", "component": "UD"});
+    let by_name = checked(&scene);
+    scene["record"] = json!({"file": "record.csv", "component": 3});
+    let by_number = checked(&scene);
+    assert_eq!(by_number["record"], by_name["record"]);
+    assert!(by_number["record"]["peak_m_per_s2"].is_number());
+    // A row moves sideways: whoever names a vertical component is told.
+    let unusual = by_number["unusual"].as_array().expect("a list");
+    let said = unusual.iter().find(|one| {
+        one["found"]
+            .as_str()
+            .is_some_and(|found| found.contains("vertical"))
+    });
+    assert_eq!(said.expect("a doubt")["place"], "record");
+}
+
+/// Peaks and steps that no record has passed without a word, and the channel of a seismometer as an acceleration.
+#[test]
+fn issue_what_looks_wrong_in_a_file_is_said() {
+    let folder = crate::folder("unusual_file");
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
+    let pounding = |arguments: &[&str]| crate::pounding(&folder, arguments);
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    write(
+        "fast.csv",
+        "time_s,acceleration_g\n0.0,0.1\n0.5,-60\n1.0,0.2\n",
+    );
+    let said = words(&pounding(&["motion", "info", "fast.csv"]).stdout);
+    let [step, peak] = [
+        "a time step of 0.5 s in the file",
+        "a peak of 60.0 g in the file",
+    ];
+    assert!(said.contains(step) && said.contains(peak), "{said}");
+    let mut scene = good_scene();
+    scene["record"] = json!({"file": "fast.csv"});
+    write("scene.json", &scene.to_string());
+    let check = pounding(&["check", "scene.json", "--json"]).stdout;
+    let check: serde_json::Value = serde_json::from_str(&check).expect("JSON");
+    let unusual = check["unusual"].as_array().expect("a list").iter();
+    let found: Vec<_> = unusual.filter_map(|one| one["found"].as_str()).collect();
+    assert!(found.contains(&step) && found.contains(&peak), "{found:?}");
+
+    let velocity =
+        "# time (s) N-S (cm/s) E-W (cm/s) U-D (cm/s)\n0.0 1 2 3\n0.01 -1 -2 -3\n0.02 1 2 3\n";
+    write("velocity.bbp", velocity);
+    let asked = [
+        "motion",
+        "info",
+        "velocity.bbp",
+        "--component",
+        "1",
+        "--unit",
+        "cm_per_s2",
+    ];
+    let refused = refusal(&pounding(&asked));
+    assert!(refused.contains("declare --acceleration if"), "{refused}");
+    let turned = words(&pounding(&[&asked[..], &["--acceleration"]].concat()).stdout);
+    assert!(turned.contains("declared to be accelerations"), "{turned}");
+    scene["record"] = json!({"file": "velocity.bbp", "component": 1, "unit": "cm_per_s2"});
+    write("scene.json", &scene.to_string());
+    let refused = refusal(&pounding(&["check", "scene.json"]));
+    assert!(
+        refused.contains("declare `record.acceleration` as true if"),
+        "{refused}"
+    );
+    scene["record"]["acceleration"] = json!(true);
+    write("scene.json", &scene.to_string());
+    assert_eq!(pounding(&["check", "scene.json"]).code, 0);
 }

@@ -30,7 +30,7 @@ pub(super) struct Declared {
     /// What one count of a digitiser is worth, in --unit.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     per_count: Option<f64>,
-    /// The values are accelerations, though the file speaks for velocities.
+    /// Accelerations, though the file speaks for velocities.
     #[arg(long)]
     acceleration: bool,
     /// What one g is worth [m/s²].
