@@ -12,9 +12,7 @@ use crate::{folder, good_scene, pounding, quiet, refusal};
 
 /// Two structures under a pulse that drives them together, in contact by this law.
 fn scene(law: &Value) -> Value {
-    let structure = |name: &str, period: f64| {
-        json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}})
-    };
+    let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
     json!({
         "name": "two",
         "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
@@ -52,7 +50,11 @@ fn interrupted(folder: &Path, arguments: &[&str], ready: impl Fn() -> bool) -> O
     let since = Instant::now();
     let output = child.wait_with_output().expect("it ends");
     // A second, on a machine that does ten things at once.
-    assert!(since.elapsed() < Duration::from_secs(10), "{:?}", since.elapsed());
+    assert!(
+        since.elapsed() < Duration::from_secs(10),
+        "{:?}",
+        since.elapsed()
+    );
     output
 }
 
@@ -75,7 +77,10 @@ fn issue_a_sweep_ends_though_a_run_of_it_does_not() {
     let said = String::from_utf8_lossy(&ended.stderr);
     assert_eq!(ended.status.code(), Some(1), "{said}");
     assert!(said.starts_with("error: stopped by Ctrl-C: "), "{said}");
-    assert!(!parts.join("part-000000000.csv").exists(), "it was not finished");
+    assert!(
+        !parts.join("part-000000000.csv").exists(),
+        "it was not finished"
+    );
 }
 
 /// So did the runs of a folder of records; one run alone ends with its process.
@@ -88,8 +93,14 @@ fn issue_runs_end_though_one_of_them_does_not() {
     write(&folder, "scene.json", &endless);
     let records = folder.join("records");
     fs::create_dir_all(&records).expect("a disk");
-    let pulse: String = (0..40).map(|index| format!("{},{}\n", index as f64 / 100.0, 4 * (index % 20))).collect();
-    fs::write(records.join("one.csv"), format!("time_s,acceleration_m_per_s2\n{pulse}")).expect("a disk");
+    let pulse: String = (0..40)
+        .map(|index| format!("{},{}\n", index as f64 / 100.0, 4 * (index % 20)))
+        .collect();
+    fs::write(
+        records.join("one.csv"),
+        format!("time_s,acceleration_m_per_s2\n{pulse}"),
+    )
+    .expect("a disk");
     for arguments in [
         &["run", "scene.json", "--records", "records"][..],
         &["run", "scene.json"],
@@ -117,7 +128,10 @@ fn issue_a_row_over_its_budget_fails_and_the_others_go_on() {
     let ended = pounding(&folder, &["sweep", "sweep.json"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let table = fs::read_to_string(folder.join("sweep.csv")).expect("a table");
-    let failed = table.lines().skip(1).map(|row| row.rsplit(',').next().unwrap_or_default());
+    let failed = table
+        .lines()
+        .skip(1)
+        .map(|row| row.rsplit(',').next().unwrap_or_default());
     let failed: Vec<_> = failed.map(|reason| !reason.is_empty()).collect();
     assert_eq!(failed, [false, true, true, false], "{table}");
     assert!(table.contains("`budget.pieces`"), "{table}");
@@ -184,7 +198,9 @@ fn extreme_budgets_of_nothing_are_refused() {
 #[test]
 fn issue_what_is_no_file_is_refused_at_once() {
     let folder = folder("budgets_files");
-    let made = Command::new("mkfifo").arg(folder.join("pipe.json")).status();
+    let made = Command::new("mkfifo")
+        .arg(folder.join("pipe.json"))
+        .status();
     assert!(made.expect("mkfifo is there").success());
     let mut messages = Vec::new();
     for file in ["pipe.json", "/dev/zero"] {
@@ -192,5 +208,10 @@ fn issue_what_is_no_file_is_refused_at_once() {
             messages.push(refusal(&pounding(&folder, &[command, file])));
         }
     }
-    assert!(messages.iter().all(|message| message.contains("it is a pipe or a device")), "{messages:?}");
+    assert!(
+        messages
+            .iter()
+            .all(|message| message.contains("it is a pipe or a device")),
+        "{messages:?}"
+    );
 }
