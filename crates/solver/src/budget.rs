@@ -10,7 +10,7 @@ use crate::{Clock, RunError};
 /// It never changes a run that ends within it: the run has the same bits as without one.
 #[derive(Debug, Clone, Copy)]
 pub struct Budget {
-    /// Most pieces of the motion of floors by the exact method \[–\], ≥ 0.
+    /// Most pieces of the motion of floors by the exact method \[–\], ≥ 0, with those that are tried to tell who rests.
     pub pieces: f64,
     /// Longest time that the run takes \[s\], ≥ 0; `None` for no limit. Unlike all else it depends on the machine.
     pub seconds: Option<f64>,

@@ -185,7 +185,7 @@ pub enum RunError {
     /// A structure so stiff, or so strongly damped, that its motion is too many pieces for the exact method.
     #[error(
         "structure {structure}: so stiff, or so strongly damped, that the exact method would need {pieces:.1e} pieces of \
-         its motion, allowed {allowed:e} (`budget.pieces`): make that more, its period longer, the run shorter, or use a stepping method"
+         its motion, allowed {allowed:e}: make its period longer, the run shorter, the `budget.pieces` of a scene more, or use a stepping method"
     )]
     TooStiff {
         /// Index of the structure.

@@ -5,7 +5,6 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use insta::assert_snapshot;
 use serde_json::{Value, json};
 
 use crate::{folder, good_scene, pounding, quiet, refusal};
@@ -147,7 +146,14 @@ fn issue_sub_steps_count_among_the_steps() {
     }});
     write(&folder, "scene.json", &scene);
     let refused = refusal(&pounding(&folder, &["run", "scene.json"]));
-    assert_snapshot!(refused);
+    let wanted = [
+        "with 1000 sub-steps in contact",
+        "allowed 1e8 (`budget.steps`)",
+    ];
+    assert!(
+        wanted.iter().all(|words| refused.contains(words)),
+        "{refused}"
+    );
     scene["method"]["central_difference"]["time_step_s"] = json!(1e-3);
     scene["budget"] = json!({"steps": 1e8});
     write(&folder, "scene.json", &scene);
@@ -174,23 +180,19 @@ fn issue_masses_near_the_largest_number_end() {
 #[test]
 fn extreme_budgets_of_nothing_are_refused() {
     let folder = folder("budgets_nothing");
-    let mut messages = Vec::new();
-    for budget in [
-        json!({"pieces": 0}),
-        json!({"steps": 1e10}),
-        json!({"seconds": -1}),
-        json!({"events": 3}),
+    for (budget, wanted) in [
+        (json!({"pieces": 0}), "budget.pieces: found 0"),
+        (json!({"steps": 1e10}), "budget.steps: found 10000000000"),
+        (json!({"seconds": -1}), "budget.seconds: found -1"),
+        (json!({"events": 3}), "budget"),
+        (json!({"seconds": 1e-9}), "`budget.seconds`"),
     ] {
-        let mut scene = scene(&kelvin_voigt(0.1));
+        let mut scene = scene(&kelvin_voigt(1e3));
         scene["budget"] = budget;
         write(&folder, "scene.json", &scene);
-        messages.push(refusal(&pounding(&folder, &["run", "scene.json"])));
+        let refused = refusal(&pounding(&folder, &["run", "scene.json"]));
+        assert!(refused.contains(wanted), "{refused}");
     }
-    let mut hurried = scene(&kelvin_voigt(1e3));
-    hurried["budget"] = json!({"seconds": 1e-9});
-    write(&folder, "scene.json", &hurried);
-    messages.push(refusal(&pounding(&folder, &["run", "scene.json"])));
-    assert_snapshot!(messages.join("\n"));
 }
 
 /// A pipe that nobody fills, and a device without an end, as a scene or sweep.

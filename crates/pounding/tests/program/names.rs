@@ -91,9 +91,9 @@ fn issue_a_duration_too_long_is_named() {
         refusal(&pounding(&folder, &["run", "scene.toml"]))
     };
     let long = TOWERS.replace("duration_s = 3.0", "duration_s = 1e9");
-    assert_snapshot!(refused(&long), @r#"error: scene.toml, line 4, column 1: scene "towers": duration_s: found 1000000000, allowed up to about 121117 by the exact method, which would need 8.3e9 pieces of the motion of structures[0], "left", of 1e6 at most: use a shorter duration_s, or leave it out for that of the record and two periods"#);
+    assert_snapshot!(refused(&long), @r#"error: scene.toml, line 4, column 1: scene "towers": duration_s: found 1000000000, allowed up to about 1.211e6 by the exact method, which would need 8.3e9 pieces of the motion of structures[0], "left", of 1e7 at most (`budget.pieces`): use a shorter duration_s, or leave it out for that of the record and two periods"#);
     let stepping = format!("method.rk4.time_step_s = 0.01\n{long}");
-    assert_snapshot!(refused(&stepping), @r#"error: scene.toml, line 5, column 1: scene "towers": duration_s: found 1000000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
+    assert_snapshot!(refused(&stepping), @r#"error: scene.toml, line 5, column 1: scene "towers": duration_s: found 1000000000, of which the run would take 2.0e11 time steps times floors, allowed 1e8 (`budget.steps`): shorten it, take a longer time_step_s, or make the budget more"#);
 }
 
 /// Advice on a scene in TOML was to be pasted as JSON.

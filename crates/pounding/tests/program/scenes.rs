@@ -262,7 +262,7 @@ fn extreme_duration_between_two_steps() {
     let message = refused("duration", |scene| scene["duration_s"] = json!(10.002));
     assert_snapshot!(message, @r#"error: scene.json, line 13, column 3: scene "two structures": duration_s: found 10.002, allowed a whole number of the method's time_step_s, at least 1"#);
     let message = refused("long", |scene| scene["duration_s"] = json!(1e6));
-    assert_snapshot!(message, @r#"error: scene.json, line 13, column 3: scene "two structures": duration_s: found 1000000, allowed a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s"#);
+    assert_snapshot!(message, @r#"error: scene.json, line 13, column 3: scene "two structures": duration_s: found 1000000, of which the run would take 4.0e8 time steps times floors, allowed 1e8 (`budget.steps`): shorten it, take a longer time_step_s, or make the budget more"#);
 }
 
 #[test]

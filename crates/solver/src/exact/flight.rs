@@ -252,7 +252,7 @@ impl<R: Recorder> Run<'_, R> {
     pub(super) fn fly(&mut self, time: f64) -> f64 {
         let mut now = time;
         if self.flights.whole && self.flies() {
-            while !self.guard.is_over(self.work.segments)
+            while !self.guard.is_over(self.spent())
                 && let Some(interval) = self.interval_from(now)
                 && self.leap(&interval)
             {

@@ -111,6 +111,8 @@ struct Run<'a, R> {
     landed: Vec<bool>,
     chain: Chain,
     guard: Guard,
+    /// Pieces that were tried to tell who rests.
+    tried: u64,
     work: Work,
     recorder: &'a mut R,
 }
@@ -168,6 +170,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         landed: vec![true; n],
         chain: Chain::default(),
         guard: clock.within(budget).begin(n),
+        tried: 0,
         work: Work::default(),
         recorder,
     };
@@ -201,7 +204,7 @@ impl<R: Recorder> Run<'_, R> {
                 return Ok(());
             }
             at_once = if time > now { 0 } else { at_once + 1 };
-            self.guard.look(time, self.work.segments)?;
+            self.guard.look(time, self.spent())?;
             if at_once > most_at_once {
                 let events = self.work.events;
                 return Err(RunError::NoProgress { time, events });
@@ -265,6 +268,11 @@ impl<R: Recorder> Run<'_, R> {
             .map(|(_, body)| body.end);
         let touches = self.contacts.iter().map(|contact| contact.meets);
         ends.chain(touches).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Pieces that count towards the budget.
+    fn spent(&self) -> u64 {
+        self.work.segments + self.tried
     }
 
     fn bodies_at_end(&self) -> bool {

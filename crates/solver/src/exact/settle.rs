@@ -268,7 +268,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         loop {
             self.regroup();
-            self.expand_landed(time);
+            self.expand_landed(time)?;
             let order = |pair: usize| match self.press(pair) {
                 Some((order, true)) => Some(order),
                 Some((_, false)) | None => None,
@@ -397,15 +397,18 @@ impl<R: Recorder> Run<'_, R> {
             .map(|(n, [left, right])| (4 * n / p, left > right))
     }
 
-    /// Expands the bodies that have landed.
-    fn expand_landed(&mut self, time: f64) {
+    /// Expands the bodies that have landed; in a long row that comes to rest this is most of what it costs.
+    fn expand_landed(&mut self, time: f64) -> Result<(), RunError> {
+        self.guard.look(time, self.spent())?;
         for first in 0..self.bodies.len() {
             if self.groups.body_of[first] == first && self.landed[first] {
                 let (power, _) = self.expand(first, time);
                 self.bodies[first].power = power;
                 self.clean(first, time, power);
+                self.tried += self.groups.nodes_of(first).len() as u64;
             }
         }
+        Ok(())
     }
 
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.

@@ -95,7 +95,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
 ) {
     let first = method.settings.start.first_node();
     let published = method.settings.impacts == ImpactRule::AsPublished;
-    let between = BETWEEN.div_ceil(rows[0].nodes().len());
+    let between = BETWEEN.div_ceil(rows[0].nodes().len().max(1));
     let mut step = first;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
         if method.budget.is_stopped() {

@@ -109,7 +109,8 @@ fn is_of_values(error: &RefusedScene) -> bool {
         StudyError::Scene {
             source: SceneError::Unstable { .. }
                 | SceneError::OverlapsAtStart { .. }
-                | SceneError::TooLong { .. },
+                | SceneError::TooLong { .. }
+                | SceneError::TooManySteps { .. },
             ..
         }
     )
