@@ -1,6 +1,8 @@
 //! Any bytes as a scene file.
 #![no_main]
 
+#[path = "../src/quick.rs"]
+mod quick;
 #[path = "../src/scene.rs"]
 mod scene;
 

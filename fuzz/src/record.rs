@@ -7,7 +7,7 @@ pub(crate) fn check(bytes: &[u8]) {
     for name in components(bytes).unwrap_or_default() {
         let _ = Direction::of_component(&name);
     }
-    let _ = Direction::upright_end(&String::from_utf8_lossy(bytes));
+    let _ = Direction::of_file_name(&String::from_utf8_lossy(bytes));
     read(bytes, &Declared::default());
     let first = Declared {
         component: Some("1".to_owned()),
@@ -30,6 +30,11 @@ pub(crate) fn check(bytes: &[u8]) {
         ..step
     };
     read(bytes, &counts);
+    let turned = Declared {
+        acceleration: true,
+        ..counts
+    };
+    read(bytes, &turned);
 }
 
 fn read(bytes: &[u8], declared: &Declared) {

@@ -88,7 +88,7 @@ enum Task {
     /// Run the same sweep by SLURM on this machine and compare it with one without; needs root and Debian's packages slurm-wlm and munge,
     /// no part of `check`.
     Slurm,
-    /// Feed random bytes to every reader and to scene files; needs cargo-fuzz, no part of `check`.
+    /// Feed random bytes to every reader, to scene and to sweep files; needs cargo-fuzz, no part of `check`.
     Fuzz {
         /// How long each target runs, in seconds.
         #[arg(long, default_value_t = 60)]

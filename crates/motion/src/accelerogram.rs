@@ -1,6 +1,6 @@
 //! What a file holds, before the caller says what one g is worth.
 
-use crate::{AccelerationUnit, Format, Reading, Record, RecordError};
+use crate::{AccelerationUnit, Direction, Format, Reading, Record, RecordError, Unusual};
 
 /// An `Accelerogram` is what a file holds: a time step and values in the unit of the file.
 ///
@@ -14,6 +14,7 @@ pub struct Accelerogram {
     pub(crate) unit: AccelerationUnit,
     pub(crate) provenance: String,
     pub(crate) readings: Vec<Reading>,
+    pub(crate) unusual: Vec<Unusual>,
 }
 
 impl Accelerogram {
@@ -47,6 +48,22 @@ impl Accelerogram {
     /// unit, the peak that the header states, and whatever else bears on the values.
     pub fn readings(&self) -> &[Reading] {
         &self.readings
+    }
+
+    /// Returns the name of the component that was read; `None` if the file names none.
+    pub fn component(&self) -> Option<&str> {
+        let component = self.readings.iter().find(|one| one.what == "component")?;
+        Some(&component.found)
+    }
+
+    /// Returns how the component lies; `None` if its name does not tell.
+    pub fn direction(&self) -> Option<Direction> {
+        Direction::of_component(self.component()?)
+    }
+
+    /// Returns what looks wrong and can yet be right: an unusual time step, a large peak, a seismometer's channel.
+    pub fn unusual(&self) -> &[Unusual] {
+        &self.unusual
     }
 
     /// Turns the values into m/s², with one g worth `gravity` \[m/s²\].

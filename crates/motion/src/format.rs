@@ -3,16 +3,20 @@
 mod afad;
 mod at2;
 mod bbp;
+mod bhrc;
 mod columns;
 mod component;
 mod cosmos;
 mod csmip_v1;
 mod csmip_v2;
 mod csmip_v3;
+mod csmnc;
 mod csv;
 mod cwb;
 mod damage;
 mod draft;
+mod dyna;
+mod emod3d;
 mod eqsig;
 mod esm;
 mod foreign;
@@ -23,16 +27,20 @@ mod plain;
 mod renadic;
 mod sac;
 mod smc;
+mod spacing;
 mod table;
 mod time_column;
 mod title;
 mod unam;
 mod usc;
+mod usgs_text;
+mod values;
 
 use crate::line::{Line, lines};
 use crate::{Accelerogram, Declared, ReadError};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
+use spacing::Spacing;
 
 /// A `Format` is a layout of record files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,15 +79,25 @@ pub enum Format {
     Unam,
     /// SCEC Broadband Platform.
     Bbp,
+    /// Volume 1 of BHRC, Iran.
+    Bhrc,
+    /// CSMNC, China.
+    Csmnc,
+    /// DYNA of the Italian networks.
+    Dyna,
+    /// EMOD3D, New Zealand.
+    Emod3d,
+    /// Text of the US Geological Survey of the 1980s.
+    UsgsText,
     /// A title, a line with number and step, then values.
     Eqsig,
-    /// One or two columns of numbers.
+    /// Numbers in columns or line after line.
     Plain,
 }
 
 impl Format {
     /// All formats that are read.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 24] = [
         Self::Csv,
         Self::PeerAt2,
         Self::CsmipV1,
@@ -95,6 +113,11 @@ impl Format {
         Self::Afad,
         Self::Unam,
         Self::Bbp,
+        Self::Bhrc,
+        Self::Csmnc,
+        Self::Dyna,
+        Self::Emod3d,
+        Self::UsgsText,
         Self::Sac,
         Self::MiniSeed,
         Self::Eqsig,
@@ -121,6 +144,11 @@ impl Format {
             Self::Afad => "AFAD",
             Self::Unam => "UNAM",
             Self::Bbp => "SCEC BBP",
+            Self::Bhrc => "BHRC",
+            Self::Csmnc => "CSMNC",
+            Self::Dyna => "DYNA",
+            Self::Emod3d => "EMOD3D",
+            Self::UsgsText => "USGS text",
             Self::Eqsig => "eqsig",
             Self::Plain => "plain text",
         }
@@ -152,7 +180,7 @@ struct Reader {
 /// The readers; the first that recognises a file reads it.
 ///
 /// CSV comes first: its header cannot be mistaken, and its comments may hold the header of any other format.
-const READERS: [Reader; 20] = [
+const READERS: [Reader; 25] = [
     csv::READER,
     sac::READER,
     miniseed::READER,
@@ -170,7 +198,12 @@ const READERS: [Reader; 20] = [
     afad::READER,
     unam::READER,
     bbp::READER,
+    bhrc::READER,
+    csmnc::READER,
+    dyna::READER,
+    usgs_text::READER,
     at2::READER,
+    emod3d::READER,
     eqsig::READER,
     plain::READER,
 ];
@@ -198,11 +231,9 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
     let reader = reader(&file)?;
     let components = (reader.components)(&file)?;
     let index = chosen(&components, declared.component.as_deref())?;
-    let component = components
-        .get(index)
-        .map(|component| reading("component", Some(component.place), &component.name));
     let draft = (reader.read)(&file, index);
-    let settled = draft.and_then(|draft| draft.settle(reader.format, component, declared));
+    let settled =
+        draft.and_then(|draft| draft.settle(reader.format, components.get(index), declared));
     settled.map_err(|error| damage::located(error, &file))
 }
 

@@ -42,6 +42,7 @@ mod reading;
 mod record;
 mod stochastic;
 mod unit;
+mod unusual;
 
 pub use accelerogram::Accelerogram;
 pub use band_pass::{BandPass, Passes};
@@ -62,3 +63,4 @@ pub use reading::{Place, Reading};
 pub use record::Record;
 pub use stochastic::StochasticMotion;
 pub use unit::AccelerationUnit;
+pub use unusual::Unusual;

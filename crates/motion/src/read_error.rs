@@ -5,7 +5,7 @@ mod words;
 use pounding_text::plain;
 
 use crate::{AccelerationUnit, Format, Place};
-use words::{before, choice, listed, numbered, of_number};
+use words::{before, choice, columns, listed, numbered, of_number};
 
 /// A `ReadError` says why a text was not read as a ground motion.
 ///
@@ -119,10 +119,13 @@ pub enum ReadError {
         /// Time of the line before \[s\].
         allowed: f64,
     },
-    /// The times of a CSV do not rise in equal steps.
+    /// Times do not rise in equal steps.
     #[error(
-        "line {line}: the time changes by {} s from the line before, allowed is the {} s of the other \
-         lines; resample the record to equal steps or print its times with more decimals",
+        "the times rise in uneven steps, from {} to {} s: at line {line} by {} s, where {} s are the \
+         median; declare the step to which they are to be resampled, linear between them, as `time_step`, \
+         or print them with more decimals",
+        plain(range[0]),
+        plain(range[1]),
         plain(*found),
         plain(*allowed)
     )]
@@ -132,6 +135,19 @@ pub enum ReadError {
         /// Step from the line before \[s\].
         found: f64,
         /// Median step of the file \[s\].
+        allowed: f64,
+        /// Shortest and longest step of the file \[s\].
+        range: [f64; 2],
+    },
+    /// Uneven times are to be resampled to many more values than there are.
+    #[error(
+        "the declared `time_step` of {declared} s resamples the uneven times of the file to more than 8 values for each \
+         there is; allowed is {allowed} s and more"
+    )]
+    FineResampling {
+        /// Time step declared \[s\].
+        declared: f64,
+        /// Shortest time step allowed \[s\].
         allowed: f64,
     },
     /// A CSV starts neither at t = 0 nor one time step later.
@@ -156,6 +172,17 @@ pub enum ReadError {
     )]
     TimeStep {
         /// Place that gives the time step; in a CSV the last line.
+        place: Place,
+        /// Time step found \[s\].
+        found: f64,
+    },
+    /// The time step is one that no record has.
+    #[error(
+        "{place} gives a time step of {found:?} s, allowed are 1e-6 to 10 s: the header lacks it, or is damaged; \
+         if it is right, declare the same as `time_step`"
+    )]
+    ImpossibleStep {
+        /// Place that gives the time step.
         place: Place,
         /// Time step found \[s\].
         found: f64,
@@ -226,9 +253,8 @@ pub enum ReadError {
     },
     /// A line of plain text has more or fewer columns than can be read.
     #[error(
-        "line {line} has {found} column(s), allowed are {}; write time and acceleration alone, \
-         or one acceleration to a line",
-        allowed.map_or("1 or 2".to_owned(), |allowed| format!("{allowed} as in the first line of numbers"))
+        "line {line} has {found} column(s), allowed are {}",
+        columns(*allowed)
     )]
     PlainColumns {
         /// Line of the numbers.
@@ -304,6 +330,18 @@ pub enum ReadError {
         found: String,
         /// What to take instead.
         instead: &'static str,
+    },
+    /// A file speaks for velocities: by the code of a seismometer's channel, or by a unit in its header.
+    #[error(
+        "{place} reads {found:?}, which speaks for velocities, and only histories of acceleration are read; take the \
+         record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into \
+         accelerations"
+    )]
+    Velocity {
+        /// Where the file says so.
+        place: Place,
+        /// What it says.
+        found: String,
     },
     /// A file names a unit that is none of an acceleration that is known.
     #[error(

@@ -138,11 +138,11 @@ fn extreme_fields() {
 
 #[test]
 fn extreme_times() {
-    assert_snapshot!(refusal(&with_times(&["0.00", "0.01", "0.02", "0.04", "0.05"])),  @"line 5: the time changes by 0.02 s from the line before, allowed is the 0.01 s of the other lines; resample the record to equal steps or print its times with more decimals");
+    assert_snapshot!(refusal(&with_times(&["0.00", "0.01", "0.02", "0.04", "0.05"])),  @"the times rise in uneven steps, from 0.01 to 0.02 s: at line 5 by 0.02 s, where 0.01 s are the median; declare the step to which they are to be resampled, linear between them, as `time_step`, or print them with more decimals");
     assert_snapshot!(refusal(&with_times(&["0.00", "0.01", "0.005", "0.02"])),  @"line 4: the time is 0.005 s, allowed are times after the 0.01 s of the line before; sort the lines by time and keep one of each");
     assert_snapshot!(refusal(&with_times(&["0.00", "0.01", "0.01", "0.02"])),  @"line 4: the time is 0.01 s, allowed are times after the 0.01 s of the line before; sort the lines by time and keep one of each");
     assert_snapshot!(refusal(&with_times(&["0", "0", "0"])),  @"line 3: the time is 0 s, allowed are times after the 0 s of the line before; sort the lines by time and keep one of each");
-    assert_snapshot!(refusal(&with_times(&["0", "1", "3"])),  @"line 3: the time changes by 1 s from the line before, allowed is the 2 s of the other lines; resample the record to equal steps or print its times with more decimals");
+    assert_snapshot!(refusal(&with_times(&["0", "1", "3"])),  @"the times rise in uneven steps, from 1 to 2 s: at line 3 by 1 s, where 2 s are the median; declare the step to which they are to be resampled, linear between them, as `time_step`, or print them with more decimals");
     assert_snapshot!(refusal(&with_times(&["5.00", "5.01", "5.02"])),  @"line 2: the first time is 5 s, allowed are 0 s and one time step, 0.01 s; shift the time column so that the record begins there");
     assert_snapshot!(refusal(&with_times(&["-0.01", "0.00", "0.01"])),  @"line 2: the first time is -0.01 s, allowed are 0 s and one time step, 0.01 s; shift the time column so that the record begins there");
     assert_snapshot!(refusal(&with_times(&["-1.7e308", "0", "1.7e308"])),  @"line 4: the time step is inf s, and must be finite and above 0 s; correct it there");

@@ -4,7 +4,8 @@ mod tables;
 
 use pounding::solver::{ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
 use pounding::studies::{
-    Doubt, Errors, Method, PairErrors, Prepared, Quantity, Review, Scene, Warning, digits,
+    Doubt, Errors, LEAST_PART, Method, PairErrors, Prepared, Quantity, Review, Scene, Warning,
+    digits,
 };
 
 use crate::record;
@@ -126,7 +127,11 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
                 }
                 _ => format!("the exact run has no {of}, or this run has none"),
             };
-            format!("below each number, its distance from the exact run;\n{largest}")
+            format!(
+                "below each number, its distance from the exact run; that of a residual below {} of the peak is relative to {0} \
+                 of it;\n{largest}",
+                percent(LEAST_PART)
+            )
         }
     }
 }

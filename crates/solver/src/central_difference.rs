@@ -33,7 +33,7 @@ use crate::error::require;
 use crate::ground::{Ground, Shaking};
 use crate::impacts::Impacts;
 use crate::span::Load;
-use crate::{Clock, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
+use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -173,14 +173,18 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: CentralDifference,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
+    let clock = course.clock;
     settings.check()?;
+    let substeps = settings.contact_substeps as usize;
+    let guard = course.begin(row.nodes().len() * substeps);
     let shaking = Shaking::new(row, excitation, clock);
     let mut run = Run::new(settings, row, shaking.at(0), clock.time_step);
     // Node n is reached by the step before the last; the last one gives it a velocity.
     for step in settings.start.first_node()..=clock.n_steps {
+        guard.step(step, clock)?;
         let node = Instant {
             ground: shaking.at(step),
             time: clock.time(step),

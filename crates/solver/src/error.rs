@@ -185,7 +185,7 @@ pub enum RunError {
     /// A structure so stiff, or so strongly damped, that its motion is too many pieces for the exact method.
     #[error(
         "structure {structure}: so stiff, or so strongly damped, that the exact method would need {pieces:.1e} pieces of \
-         its motion, allowed {allowed:.0e}: make its period longer, the run shorter, or use a stepping method"
+         its motion, allowed {allowed:e} (`budget.pieces`): make that more, its period longer, the run shorter, or use a stepping method"
     )]
     TooStiff {
         /// Index of the structure.
@@ -245,7 +245,7 @@ pub enum RunError {
     /// Too many events.
     #[error(
         "t = {time:.4} s: impacts follow each other without end (after {events} events); allowed are 1000 and 10 per structure \
-         at one instant and 10 million in a run. With e = 1 neighbours never come to rest; with less, several pairs that come to rest \
+         at one instant. With e = 1 neighbours never come to rest; with less, several pairs that come to rest \
          at once can stop the exact method, above all on a ground that travels along the row: use a \
          compliant law (such as kelvin_voigt with the same restitution), another coefficient of restitution or a stepping method; of a compliant law, less impact stiffness"
     )]
@@ -254,6 +254,60 @@ pub enum RunError {
         time: f64,
         /// Events of the run so far.
         events: u64,
+    },
+    /// More pieces than the budget has.
+    #[error(
+        "t = {time:.4} s: the exact method has taken more than {allowed:e} pieces of motion, all that `budget.pieces` allows: make it \
+         more, the run shorter, structures and contacts less stiff or less damped, or use a stepping method"
+    )]
+    TooManyPieces {
+        /// How far it came \[s\].
+        time: f64,
+        /// Most pieces that are allowed.
+        allowed: f64,
+    },
+    /// More structures and samples than the budget has pieces for.
+    #[error(
+        "the exact method would need {pieces:.1e} pieces of motion, one or more of every structure from sample to sample, allowed \
+         {allowed:e} (`budget.pieces`): make that more, take fewer structures, a shorter run or a stepping method"
+    )]
+    TooLarge {
+        /// Pieces it would need at least.
+        pieces: f64,
+        /// Most pieces that are allowed.
+        allowed: f64,
+    },
+    /// A contact so strongly damped that its pieces would be too many.
+    #[error(
+        "structures {left} and {right}: their contact is so strongly damped that the exact method could need {pieces:.1e} pieces of \
+         motion, allowed {allowed:e} (`budget.pieces`): make that more, the impact damping less, or use a stepping method"
+    )]
+    TooDamped {
+        /// Index of the left structure.
+        left: usize,
+        /// Index of the right structure.
+        right: usize,
+        /// Pieces that it could need.
+        pieces: f64,
+        /// Most pieces that are allowed.
+        allowed: f64,
+    },
+    /// More time than the budget has.
+    #[error(
+        "t = {time:.4} s: the run has taken more than {seconds} s, all that `budget.seconds` allows: make it more, the run shorter, or \
+         its time step longer"
+    )]
+    TooLong {
+        /// How far it came \[s\].
+        time: f64,
+        /// Longest time that is allowed \[s\].
+        seconds: f64,
+    },
+    /// Somebody wanted it to end.
+    #[error("t = {time:.4} s: the run was stopped")]
+    Stopped {
+        /// How far it came \[s\].
+        time: f64,
     },
 }
 

@@ -14,7 +14,7 @@ use crate::ground::Shaking;
 use crate::newmark::{arrive, balance, begin, commit, load};
 use crate::newton::Slopes;
 use crate::span::Load;
-use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Work};
+use crate::{Course, Excitation, Recorder, RestoringForce, Row, RunError, Work};
 
 /// Settings of the HHT-α method: it damps what the time step cannot follow. Order 2, no critical time step.
 ///
@@ -37,13 +37,15 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Hht,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
+    let clock = course.clock;
     settings.check()?;
     let (dt, alpha) = (clock.time_step, settings.alpha);
     let beta = 0.25 * (1.0 - alpha) * (1.0 - alpha);
     let gamma = 0.5 - alpha;
+    let guard = course.begin(row.nodes().len());
     let shaking = Shaking::new(row, excitation, clock);
     // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.
     let slopes = Slopes {
@@ -57,6 +59,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let mut earlier: Vec<Option<Load>> = vec![None; row.nodes().len()];
     let mut work = Work::default();
     for step in 1..=clock.n_steps {
+        guard.step(step, clock)?;
         let at_ends = [step - 1, step].map(|node| shaking.at(node));
         let states = &scratch.states;
         for ((node, state), trial) in states.iter().enumerate().zip(&mut scratch.trials) {

@@ -1,5 +1,5 @@
 use crate::{
-    CentralDifference, Clock, Exact, Excitation, Hht, Hysteretic, ImpactRule, Laws, MoreauJean,
+    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, ImpactRule, Laws, MoreauJean,
     Newmark, Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht,
     moreau_jean, newmark, rk4, verlet,
 };
@@ -39,17 +39,21 @@ impl Integrator {
         }
     }
 
-    /// Integrates a row from t = 0 to the end of the clock and reports to the recorder.
+    /// Integrates a row from t = 0 to the end of the clock and reports to the recorder; a [`Clock`](crate::Clock) alone has the
+    /// usual [`Budget`](crate::Budget).
     ///
     /// # Errors
-    /// [`RunError`] for a setting out of range, a response that is no longer finite, or an equilibrium not found.
+    /// [`RunError`] for a setting out of range, a response that is no longer finite, an equilibrium not found, or a budget
+    /// spent.
     pub fn run<Column: Hysteretic, R: Recorder>(
         &self,
         row: &Row<Column>,
         excitation: Excitation<'_>,
-        clock: Clock,
+        course: impl Into<Course>,
         recorder: &mut R,
     ) -> Result<Work, RunError> {
+        let course = course.into();
+        let clock = course.clock;
         if !(clock.time_step.is_finite() && clock.time_step > 0.0) {
             return Err(RunError::Setting {
                 setting: "time_step",
@@ -59,16 +63,16 @@ impl Integrator {
         }
         match *self {
             Self::CentralDifference(settings) => {
-                central_difference::run(settings, row, excitation, clock, recorder)
+                central_difference::run(settings, row, excitation, course, recorder)
             }
-            Self::Newmark(settings) => newmark::run(settings, row, excitation, clock, recorder),
-            Self::Hht(settings) => hht::run(settings, row, excitation, clock, recorder),
-            Self::Verlet(settings) => verlet::run(settings, row, excitation, clock, recorder),
-            Self::Rk4(settings) => rk4::run(settings, row, excitation, clock, recorder),
+            Self::Newmark(settings) => newmark::run(settings, row, excitation, course, recorder),
+            Self::Hht(settings) => hht::run(settings, row, excitation, course, recorder),
+            Self::Verlet(settings) => verlet::run(settings, row, excitation, course, recorder),
+            Self::Rk4(settings) => rk4::run(settings, row, excitation, course, recorder),
             Self::MoreauJean(settings) => {
-                moreau_jean::run(settings, row, excitation, clock, recorder)
+                moreau_jean::run(settings, row, excitation, course, recorder)
             }
-            Self::Exact(settings) => exact::run(settings, row, excitation, clock, recorder),
+            Self::Exact(settings) => exact::run(settings, row, excitation, course, recorder),
         }
     }
 

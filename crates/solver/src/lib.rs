@@ -31,6 +31,7 @@
 mod approach;
 mod bilinear;
 mod bouc_wen;
+mod budget;
 mod buildings;
 mod central_difference;
 mod clock;
@@ -74,6 +75,7 @@ mod work;
 
 pub use bilinear::Bilinear;
 pub use bouc_wen::{Bent, BoucWen};
+pub use budget::{Budget, Course};
 pub use central_difference::{CentralDifference, ImpactRule, Start};
 pub use clock::Clock;
 pub use column::{

@@ -27,7 +27,7 @@ use crate::newmark::{Scratch, arrive, balance, begin, commit, load, load_at};
 use crate::newton::{self, Slopes};
 use crate::together::Together;
 use crate::trial::Trial;
-use crate::{Clock, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
+use crate::{Course, Excitation, Pair, Recorder, RestoringForce, Row, RunError, State, Work};
 
 /// Settings of Moreau–Jean time stepping. No critical time step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,11 +80,13 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: MoreauJean,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
+    let clock = course.clock;
     settings.check()?;
     let (dt, theta) = (clock.time_step, settings.theta);
+    let guard = course.begin(row.nodes().len());
     let shaking = Shaking::new(row, excitation, clock);
     let slopes = Slopes {
         displacement: theta * theta * dt * dt,
@@ -97,6 +99,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let mut contacts = Contacts::new(size, scratch.clusters.is_some());
     let mut work = Work::default();
     for step in 1..=clock.n_steps {
+        guard.step(step, clock)?;
         let at_ends = [step - 1, step].map(|node| shaking.at(node));
         let instant = (at_ends[1], clock.time(step));
         contacts.solve(row, &mut scratch, (slopes, (at_ends, instant.1)), &mut work)?;

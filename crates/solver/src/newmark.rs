@@ -12,7 +12,9 @@ use crate::impacts::Impacts;
 use crate::newton::{self, Cluster, Failure, Slopes};
 use crate::span::Load;
 use crate::trial::{TOLERANCE, Trial};
-use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
+use crate::{
+    Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
+};
 
 /// Settings of Newmark's method: u and u̇ follow from the accelerations at both ends of a step.
 ///
@@ -77,11 +79,13 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Newmark,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
+    let clock = course.clock;
     settings.check()?;
     let dt = clock.time_step;
+    let guard = course.begin(row.nodes().len());
     let shaking = Shaking::new(row, excitation, clock);
     let slopes = Slopes {
         displacement: settings.beta * dt * dt,
@@ -94,6 +98,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     // The trapezoidal rule where γ = 1/2.
     let weights = (0.5 * dt, [2.0 - 2.0 * settings.gamma, 2.0 * settings.gamma]);
     for step in 1..=clock.n_steps {
+        guard.step(step, clock)?;
         let at_ends = [step - 1, step].map(|node| shaking.at(node));
         for (state, trial) in scratch.states.iter().zip(&mut scratch.trials) {
             trial.predicted = (

@@ -11,7 +11,9 @@ use crate::approach::Approaches;
 use crate::ground::{Ground, Shaking};
 use crate::impacts::Impacts;
 use crate::span::Load;
-use crate::{Clock, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work};
+use crate::{
+    Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
+};
 
 /// Settings of the classical Runge–Kutta method: there are none. Order 4 while nothing touches or yields.
 ///
@@ -80,18 +82,21 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     _: Rk4,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
+    let clock = course.clock;
     let halves = Clock {
         time_step: 0.5 * clock.time_step,
         n_steps: 2 * clock.n_steps,
     };
+    let guard = course.begin(row.nodes().len());
     let shaking = Shaking::new(row, excitation, halves);
     let mut scratch = Scratch::new(row, shaking.at(0));
     let mut impacts = Impacts::new(row);
     let mut work = Work::default();
     for step in 1..=clock.n_steps {
+        guard.step(step, clock)?;
         let ground = [2 * step - 2, 2 * step - 1, 2 * step].map(|half| shaking.at(half));
         scratch.advance(row, ground, clock.time_step);
         let instant = (ground[2], clock.time(step));

@@ -26,7 +26,7 @@ use crate::ground::{Ground, Shaking};
 use crate::impacts::{Impacts, impulsive};
 use crate::span::Load;
 use crate::{
-    Clock, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
+    Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
 };
 
 /// Settings of the velocity Verlet method. Order 2 while nothing touches, critical time step 2/ω.
@@ -105,13 +105,16 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     settings: Verlet,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
+    let clock = course.clock;
+    let guard = course.begin(row.nodes().len());
     let shaking = Shaking::new(row, excitation, clock);
     let mut scratch = begin(row, shaking.at(0));
     let mut work = Work::default();
     for number in 1..=clock.n_steps {
+        guard.step(number, clock)?;
         let step = Step {
             shaking: &shaking,
             number,

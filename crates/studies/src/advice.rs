@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::contenders::{CONTENDERS, Contender, Knob};
-use crate::ladder::{Ladder, entries, holding, price};
+use crate::ladder::{Ladder, entries, holding};
 use crate::{Method, Outcome, Prepared, Quantity, RunErrors, StudyError};
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
@@ -33,7 +33,8 @@ pub struct Trial {
     pub error: f64,
     /// What has the largest error; empty for the exact method.
     pub worst: &'static str,
-    /// Force evaluations; a piece of the exact method counts as [`crate::EVALUATIONS_PER_PIECE`] of them.
+    /// Force evaluations of a step of the central difference method that take as long; a piece of the exact method counts as
+    /// [`Prepared::evaluations_per_piece`] of them.
     pub cost: u64,
 }
 
@@ -99,7 +100,7 @@ pub fn advise(
 ) -> Result<Advice, StudyError> {
     let twin = prepared.exact()?;
     let exact = twin
-        .run(None)
+        .run_compared()
         .map_err(|error| StudyError::NoReference(error.into()))?;
     let ladder = Ladder::halved(prepared.scene(), LONGEST_STEP, MOST_STEPS.into());
     let runs: Vec<_> = entries(prepared.scene(), &ladder)
@@ -128,10 +129,20 @@ pub fn advise(
             method: twin.method(),
             error: 0.0,
             worst: "",
-            cost: price(exact.work),
+            cost: whole(twin.price(exact.work)),
         },
         methods: methods.filter(|rungs| !rungs.trials.is_empty()).collect(),
     })
+}
+
+/// A price, rounded.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "of a count of work, ≥ 0"
+)]
+fn whole(price: f64) -> u64 {
+    price.round() as u64
 }
 
 /// One run of the ladder; nothing where the scene refuses the step, such as one beyond a limit of stability.
@@ -143,12 +154,11 @@ fn trial(
 ) -> Option<Trial> {
     let method = (contender.method)(step);
     let prepared = prepared.with_method(method).ok()?;
-    let (error, worst, cost) = match prepared.run(None) {
+    let (error, worst, cost) = match prepared.run_compared() {
         Ok(outcome) => {
-            let errors =
-                RunErrors::between(&outcome, exact, (&prepared.walls(), prepared.pairs().len()));
+            let errors = RunErrors::between(&outcome, exact, &prepared);
             let (error, worst) = errors.largest(quantity);
-            (error, worst, price(outcome.work))
+            (error, worst, whole(prepared.price(outcome.work)))
         }
         Err(_) => (f64::INFINITY, "run fails", 0),
     };

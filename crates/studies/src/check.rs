@@ -45,6 +45,7 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), SceneError> {
     for (index, structure) in scene.structures.iter().enumerate() {
         structure::check(index, structure)?;
     }
+    check_budget(scene)?;
     check_method(scene)?;
     check_contacts(scene)?;
     check_arrivals(scene)
@@ -115,8 +116,8 @@ pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
     }
 }
 
-/// Steps of a run times structures \[–\], which bounds its time and what it remembers: some minutes, and 0.8 GB.
-const MOST_STEPS: f64 = 1e8;
+/// Largest budget of steps.
+const MOST_STEPS: f64 = 1e9;
 
 fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> {
     let place = "duration_s";
@@ -124,9 +125,38 @@ fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> 
     let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
     let allowed = "a whole number of the method's time_step_s, at least 1";
     require(whole, place, duration, allowed)?;
-    let few = steps * n_floors(scene) as f64 <= MOST_STEPS;
-    let allowed = "a duration of at most 1e8 time steps times structures; shorten it, or take a longer time_step_s";
-    require(few, place, duration, allowed)
+    let substeps = scene.method.contact_substeps();
+    let needed = steps * n_floors(scene) as f64 * f64::from(substeps);
+    let allowed = scene.budget.most_steps();
+    if needed <= allowed {
+        return Ok(());
+    }
+    Err(SceneError::TooManySteps {
+        duration,
+        needed,
+        allowed,
+        substeps,
+    })
+}
+
+/// Refuses a budget of nothing.
+fn check_budget(scene: &Scene) -> Result<(), SceneError> {
+    let budget = &scene.budget;
+    if let Some(steps) = budget.steps {
+        let valid = steps > 0.0 && steps <= MOST_STEPS;
+        let allowed = "a number > 0 and <= 1e9, of which a run remembers each for 8 bytes";
+        require(valid, "budget.steps", steps, allowed)?;
+    }
+    let others = [
+        ("budget.pieces", budget.pieces),
+        ("budget.seconds", budget.seconds),
+    ];
+    for (place, given) in others {
+        if let Some(given) = given {
+            require(given > 0.0, place, given, POSITIVE)?;
+        }
+    }
+    Ok(())
 }
 
 /// Number of floors of all structures, of which each wall is one.

@@ -1,8 +1,19 @@
 //! How far a run is from the exact run of the same scene, for every number that is printed of it.
+//!
+//! A [`Number`] is what an accuracy promises; here stands how the error of each is measured. Left out are the instants of
+//! peaks, which jump where two peaks are nearly equal, and the terms of the energy.
 
-use pounding_solver::{Collision, Peak};
+use pounding_solver::{Collision, Pair, Peak};
 
-use crate::Outcome;
+use crate::prepared::LEANS;
+use crate::{Outcome, PairOutcome, Prepared};
+
+/// Part of a peak \[–\] below which what is left of it is measured by this part: it may be next to nothing itself.
+pub const LEAST_PART: f64 = 0.05;
+
+/// How errors are measured, and what is not, in words.
+pub const MEASURE: &str = "each relative to the exact number; residuals and least openings below 5 % of the peak to 5 % of \
+                           it, times of touching below 0.25 s to 0.25 s. Times of peaks and energies are left out";
 
 /// Errors of a run against the exact run of the same scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,8 +33,12 @@ pub struct StructureErrors {
     pub displacement_time: f64,
     /// Of the peak drift of a storey on another floor; nothing where the drift is the displacement.
     pub drift: Option<f64>,
-    /// Of the displacement at the end of the run, relative to the exact peak displacement: it may be next to nothing.
+    /// Of the displacement at the end of the run, relative to itself or to [`LEAST_PART`] of the exact peak displacement,
+    /// whichever is more.
     pub last_displacement: f64,
+    /// Of the drift at the end of a storey on another floor, by its peak drift likewise; nothing where the drift is the
+    /// displacement.
+    pub last_drift: Option<f64>,
     /// Of the peak absolute acceleration.
     pub acceleration: f64,
     /// Of the peak restoring force (shear force of the structure).
@@ -52,6 +67,13 @@ pub struct PairErrors {
     pub largest_impulse: Option<f64>,
     /// Of the peak pounding force; nothing for impulsive contact.
     pub peak_force: Option<f64>,
+    /// Of the sum of all impulses.
+    pub total_impulse: Option<f64>,
+    /// Of the time for which they touch, relative to itself or to 0.25 s, whichever is more.
+    pub touching: Option<f64>,
+    /// Of the least opening, relative to itself or to [`LEAST_PART`] of the larger exact peak displacement of both
+    /// neighbours, whichever is more; nothing where a run did not record closings.
+    pub least_opening: Option<f64>,
 }
 
 /// A printed quantity, or all of them, whose error counts.
@@ -59,15 +81,15 @@ pub struct PairErrors {
 pub enum Quantity {
     /// Transferred momentum of every structure.
     Momentum,
-    /// Peak displacement of every floor, peak drift of every storey, and displacement at the end.
+    /// Peak displacement of every floor, peak drift of every storey, both at the end, and least opening of every pair.
     Displacement,
     /// Peak absolute acceleration of every floor.
     Acceleration,
     /// Peak shear force of every structure and peak pounding force of every compliant pair.
     Force,
-    /// Impulse of the first collision and largest impulse of every pair.
+    /// Impulse of the first collision, largest impulse and sum of the impulses of every pair.
     Impulse,
-    /// Time of the first collision of every pair, relative to that time.
+    /// Time of the first collision of every pair, relative to that time, and time for which it touches.
     Time,
     /// All of these, and equal numbers of collisions.
     All,
@@ -84,6 +106,8 @@ pub enum Number {
     Drift,
     /// Its displacement at the end.
     LastDisplacement,
+    /// Drift at the end of a storey on another floor.
+    LastDrift,
     /// Its peak absolute acceleration.
     Acceleration,
     /// Its peak shear force.
@@ -98,15 +122,22 @@ pub enum Number {
     LargestImpulse,
     /// Its peak pounding force.
     PoundingForce,
+    /// Sum of its impulses.
+    TotalImpulse,
+    /// Time for which it touches.
+    Touching,
+    /// Its least opening.
+    LeastOpening,
 }
 
 impl Number {
     /// Every printed number.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 15] = [
         Self::Momentum,
         Self::Displacement,
         Self::Drift,
         Self::LastDisplacement,
+        Self::LastDrift,
         Self::Acceleration,
         Self::ShearForce,
         Self::Collisions,
@@ -114,6 +145,9 @@ impl Number {
         Self::FirstImpulse,
         Self::LargestImpulse,
         Self::PoundingForce,
+        Self::TotalImpulse,
+        Self::Touching,
+        Self::LeastOpening,
     ];
 
     /// Its name in text.
@@ -123,6 +157,7 @@ impl Number {
             Self::Displacement => "displacement",
             Self::Drift => "storey drift",
             Self::LastDisplacement => "end displacement",
+            Self::LastDrift => "end drift",
             Self::Acceleration => "acceleration",
             Self::ShearForce => "shear force",
             Self::Collisions => "collisions",
@@ -130,6 +165,9 @@ impl Number {
             Self::FirstImpulse => "first impulse",
             Self::LargestImpulse => "largest impulse",
             Self::PoundingForce => "pounding force",
+            Self::TotalImpulse => "total impulse",
+            Self::Touching => "time of touching",
+            Self::LeastOpening => "least opening",
         }
     }
 
@@ -137,21 +175,32 @@ impl Number {
     fn quantity(self) -> Quantity {
         match self {
             Self::Momentum => Quantity::Momentum,
-            Self::Displacement | Self::Drift | Self::LastDisplacement => Quantity::Displacement,
+            Self::Displacement
+            | Self::Drift
+            | Self::LastDisplacement
+            | Self::LastDrift
+            | Self::LeastOpening => Quantity::Displacement,
             Self::Acceleration => Quantity::Acceleration,
             Self::ShearForce | Self::PoundingForce => Quantity::Force,
             Self::Collisions => Quantity::All,
-            Self::FirstTouch => Quantity::Time,
-            Self::FirstImpulse | Self::LargestImpulse => Quantity::Impulse,
+            Self::FirstTouch | Self::Touching => Quantity::Time,
+            Self::FirstImpulse | Self::LargestImpulse | Self::TotalImpulse => Quantity::Impulse,
         }
     }
 }
 
 impl RunErrors {
-    /// Compares a run with the exact one.
-    ///
-    /// `walls` says of every floor whether it is a wall, which has no peaks of its own; with it comes the number of pairs.
-    pub fn between(run: &Outcome, exact: &Outcome, (walls, n_pairs): (&[bool], usize)) -> Self {
+    /// Compares a run of a scene with the exact one.
+    pub fn between(run: &Outcome, exact: &Outcome, prepared: &Prepared) -> Self {
+        let walls = prepared.walls();
+        let last = |outcome: &Outcome, index: usize, below: Option<usize>| {
+            let below = below.map_or(0.0, |below| outcome.last.of(below));
+            outcome.last.of(index) - below
+        };
+        let left_over = |index: usize, below: Option<usize>, peak: f64| {
+            let [run, exact] = [run, exact].map(|outcome| last(outcome, index, below));
+            relative_to(run, exact, exact.abs().max(LEAST_PART * peak.abs()))
+        };
         let momenta = (0..walls.len()).map(|index| exact.momentum.of(index));
         let largest = momenta.fold(0.0, f64::max);
         let structure = |(index, &wall): (usize, &bool)| {
@@ -170,11 +219,11 @@ impl RunErrors {
                     .storey_drift
                     .zip(of_exact.storey_drift)
                     .map(|(run, exact)| peak(run, exact)),
-                last_displacement: relative_to(
-                    run.last.of(index),
-                    exact.last.of(index),
-                    of_exact.displacement.value.abs(),
-                ),
+                last_displacement: left_over(index, None, of_exact.displacement.value),
+                last_drift: prepared
+                    .floors()
+                    .below(index)
+                    .map(|below| left_over(index, Some(below), of_exact.drift().value)),
                 acceleration: peak(run.accelerations[index], exact.accelerations[index]),
                 displacement_time: (of_run.displacement.time - of_exact.displacement.time).abs(),
                 restoring_force: peak(of_run.restoring_force, of_exact.restoring_force),
@@ -185,14 +234,25 @@ impl RunErrors {
                 ),
             }
         };
-        let pair = |index| {
+        let pair = |(index, pair): (usize, &Pair)| {
             let of_pair =
                 |outcome: &Outcome| outcome.collisions_of(index).copied().collect::<Vec<_>>();
-            PairErrors::between(&of_pair(run), &of_pair(exact))
+            let opening = |outcome: &Outcome| {
+                let opening = outcome.least_opening(pair, &outcome.of_pair(index))?;
+                Some(opening.0)
+            };
+            let peaks = [pair.left, pair.right].map(|node| exact.peaks.of(node).displacement.value);
+            let least = LEAST_PART * peaks[0].abs().max(peaks[1].abs());
+            PairErrors {
+                least_opening: opening(run)
+                    .zip(opening(exact))
+                    .map(|(run, exact)| relative_to(run, exact, exact.abs().max(least))),
+                ..PairErrors::between(&of_pair(run), &of_pair(exact))
+            }
         };
         Self {
             structures: walls.iter().enumerate().map(structure).collect(),
-            pairs: (0..n_pairs).map(pair).collect(),
+            pairs: prepared.pairs().iter().enumerate().map(pair).collect(),
         }
     }
 
@@ -224,6 +284,7 @@ impl RunErrors {
             Number::Displacement => structures(|errors| errors.displacement),
             Number::Drift => structures(|errors| errors.drift.unwrap_or(0.0)),
             Number::LastDisplacement => structures(|errors| errors.last_displacement),
+            Number::LastDrift => structures(|errors| errors.last_drift.unwrap_or(0.0)),
             Number::Acceleration => structures(|errors| errors.acceleration),
             Number::ShearForce => structures(|errors| errors.restoring_force),
             Number::Collisions => pairs(|errors| errors.differ().then_some(f64::INFINITY)),
@@ -231,6 +292,9 @@ impl RunErrors {
             Number::FirstImpulse => pairs(|errors| errors.first_impulse),
             Number::LargestImpulse => pairs(|errors| errors.largest_impulse),
             Number::PoundingForce => pairs(|errors| errors.peak_force),
+            Number::TotalImpulse => pairs(|errors| errors.total_impulse),
+            Number::Touching => pairs(|errors| errors.touching),
+            Number::LeastOpening => pairs(|errors| errors.least_opening),
         }
     }
 }
@@ -251,9 +315,11 @@ impl PairErrors {
             (Some(_), None) | (None, Some(_)) => Some(f64::INFINITY),
         };
         let start: fn(&[Collision]) -> Option<f64> = |all| all.first().map(|first| first.start);
-        // Of an impulsive law only rest has a force, and only the exact method knows of rest.
+        // Of an impulsive law only rest lasts; a stepping method tells it from bounces where e = 0.
         let impulsive = !run.is_empty() && run.iter().all(|one| one.peak_force.is_none());
-        let rests = impulsive && exact.iter().any(|one| one.peak_force.is_some());
+        let lasts = |all: &[Collision]| all.iter().any(|one| one.end > one.start);
+        let rests = impulsive && lasts(exact) && !lasts(run);
+        let [of_run, of_exact] = [run, exact].map(PairOutcome::of);
         let unless_resting = |error: Option<f64>| error.filter(|_| !rests);
         Self {
             rests,
@@ -278,6 +344,16 @@ impl PairErrors {
                 },
                 relative,
             )),
+            total_impulse: unless_resting(Some(relative(
+                of_run.total_impulse,
+                of_exact.total_impulse,
+            ))),
+            touching: unless_resting(Some(relative_to(
+                of_run.touching,
+                of_exact.touching,
+                of_exact.touching.max(LEANS),
+            ))),
+            least_opening: None,
         }
     }
 }

@@ -5,6 +5,7 @@ mod storeys;
 
 use std::fmt;
 
+use pounding_motion::{Direction, Unusual};
 use serde::{Deserialize, Serialize};
 
 use crate::{Building, Prepared, Sdof, Structure, digits, percent, short};
@@ -102,9 +103,10 @@ impl Prepared {
             "record.gravity_m_per_s2",
             (digits(gravity), "9.78 to 9.83 m/s²"),
         );
+        let is_large = self.doubt_the_file(doubts);
         let peak = record.peak().1.abs();
         doubts.unless(
-            (0.01..=30.0).contains(&peak),
+            (0.01..=30.0).contains(&peak) || is_large,
             "record",
             (
                 format!("a peak of {} m/s²", digits(peak)),
@@ -139,6 +141,30 @@ impl Prepared {
                 "the whole record",
             ),
         );
+    }
+
+    /// What looks wrong in the file of the record, or lies upright; whether its peak is too large.
+    fn doubt_the_file(&self, doubts: &mut Doubts) -> bool {
+        let Some(origin) = self.origin() else {
+            return false;
+        };
+        let unusual = origin.file.unusual();
+        for one in unusual {
+            doubts.unless(false, "record", (one.found(), one.usual()));
+        }
+        let is_vertical = origin.file.direction() == Some(Direction::Vertical);
+        let component = origin.file.component().unwrap_or_default();
+        doubts.unless(
+            !is_vertical,
+            "record",
+            (
+                format!("the vertical component \"{component}\""),
+                "a horizontal one: the ground of a row moves sideways",
+            ),
+        );
+        unusual
+            .iter()
+            .any(|one| matches!(one, Unusual::Peak { .. }))
     }
 
     /// Of a record alone: a formula may leave the ground moving on purpose.

@@ -138,6 +138,7 @@ fn by_fields(error: &ReadError) -> String {
         ("`time_step`", "`record.time_step_s`"),
         ("`component`", "`record.component`"),
         ("`per_count`", "`record.per_count`"),
+        ("`acceleration`", "`record.acceleration` as true"),
     ]
     .iter()
     .fold(error.to_string(), |text, (word, field)| {
@@ -193,6 +194,16 @@ impl StudyError {
                 ..
             } if *found <= DECIDES_NOTHING => Some(*energy),
             _ => None,
+        }
+    }
+
+    /// Whether somebody ended the run.
+    pub fn is_stopped(&self) -> bool {
+        match self {
+            Self::Run { source, .. } => matches!(source, RunError::Stopped { .. }),
+            Self::NoReference(source) => source.is_stopped(),
+            Self::InFile { source, .. } => source.is_stopped(),
+            _ => false,
         }
     }
 

@@ -1,21 +1,41 @@
 //! Files that people write: JSON or TOML, of one form.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use serde::de::{DeserializeOwned, IgnoredAny};
 
-use crate::{Fault, Scene, StudyError, position};
+use crate::{Fault, Scene, StudyError, SweepFile, position};
 
 /// Reads a JSON or TOML file; an error names the line and the field.
 ///
 /// # Errors
 /// [`StudyError::Unreadable`] or [`StudyError::Form`].
 pub(crate) fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
-    let text = std::fs::read(path).map_err(|source| StudyError::Unreadable {
+    let text = bytes(path).map_err(|source| StudyError::Unreadable {
         path: path.to_path_buf(),
         source,
     })?;
     parse(&text, path)
+}
+
+/// Longest file \[bytes\]: some hundred thousand structures.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// The bytes of a file that people write; of one that has no end, or of a pipe that nobody fills, an error.
+pub(crate) fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    let about = std::fs::metadata(path)?;
+    let refused = |message| Err(std::io::Error::new(ErrorKind::InvalidInput, message));
+    if about.is_dir() {
+        return std::fs::read(path);
+    }
+    if !about.is_file() {
+        return refused("it is a pipe or a device, allowed is a file; write its text into one");
+    }
+    if about.len() > MOST_BYTES {
+        return refused("it is longer than 64 MB, allowed are 64 MB; take fewer structures");
+    }
+    std::fs::read(path)
 }
 
 /// Deserialisers are large: they are compiled here once, and not with every program that reads a scene.
@@ -29,6 +49,16 @@ impl Scene {
     }
 
     /// Reads a scene from the text of a JSON or TOML file, as [`is_json`] tells them apart.
+    ///
+    /// # Errors
+    /// [`StudyError::Form`], with the `path` that the text came from.
+    pub fn parse(text: &[u8], path: &Path) -> Result<Self, StudyError> {
+        parse(text, path)
+    }
+}
+
+impl SweepFile {
+    /// Reads a sweep from the text of a JSON or TOML file, as [`is_json`] tells them apart.
     ///
     /// # Errors
     /// [`StudyError::Form`], with the `path` that the text came from.

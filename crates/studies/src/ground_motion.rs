@@ -125,6 +125,7 @@ impl Origin {
             time_step: file.time_step_s,
             component: file.component.clone(),
             per_count: file.per_count,
+            acceleration: file.acceleration,
         };
         match read_declared(&bytes, &declared) {
             Ok(file) => Ok(Self {

@@ -37,6 +37,7 @@ mod noise;
 mod plot;
 mod position;
 mod prepared;
+mod price;
 mod processed;
 mod report;
 mod reproduce;
@@ -67,7 +68,9 @@ pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMot
 pub use cell::{Cell, csv_text, json_text};
 pub use certificate::{Certificate, CertificateError, Wanted};
 pub use claims::{Claim, Finding, Survival, Tallies, Tally, claims, claims_csv};
-pub use comparison::{Number, PairErrors, Quantity, RunErrors, StructureErrors};
+pub use comparison::{
+    LEAST_PART, MEASURE, Number, PairErrors, Quantity, RunErrors, StructureErrors,
+};
 pub use completed::Completed;
 pub use contenders::StepMethod;
 pub use doubt::Doubt;
@@ -98,8 +101,8 @@ pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
 pub use savings::{Burden, Burdened};
 pub use scene::{
     BoucWen, Building, Columns, Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground,
-    Method, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic, Storey,
-    Structure, Unit,
+    Method, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic,
+    Storey, Structure, Unit,
 };
 pub use scene_error::SceneError;
 pub use schema::{scene_schema, sweep_schema};
@@ -109,7 +112,7 @@ pub use spectrum::{
     response_spectrum_watched, scaled_to_sa, spectra_figure,
 };
 pub use study::{Output, Study, StudyFile};
-pub use suite::{Motion, Vertical, files_in};
+pub use suite::{Motion, Orientation, Vertical, files_in};
 pub use surveys::{
     Fragility, Kept, PoundingSpectra, Range, RequiredGap, Scan, Sensitivity, StiffnessRatio,
     Survey, SurveyStudy,

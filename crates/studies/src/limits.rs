@@ -3,7 +3,7 @@
 use pounding_contact::{ContactLaw, FreeImpact, FreePair, Overlap};
 use pounding_solver::{Collision, Oscillation, Pair};
 
-use crate::{Delivered, FreeCollision, Method, Outcome, Prepared};
+use crate::{Delivered, FreeCollision, Outcome, Prepared};
 
 /// Steps per contact below which a run is warned of.
 ///
@@ -100,7 +100,7 @@ impl Prepared {
         let impact = FreeImpact::of(law, &collision.free_pair());
         let duration = impact.map(|impact| impact.duration);
         let restitution = restitution(law, impact.as_ref());
-        let sub_steps = sub_steps(&method);
+        let sub_steps = f64::from(method.contact_substeps());
         let steps = |duration: f64| Some(sub_steps * duration / method.time_step()?);
         let steps = duration.and_then(steps);
         let asked = method.time_step().is_some() && steps.is_none_or(|steps| steps < MANY_STEPS);
@@ -137,22 +137,6 @@ fn restitution(law: &ContactLaw, impact: Option<&FreeImpact>) -> Option<f64> {
     impact
         .map(|impact| impact.restitution)
         .or_else(|| law.impulsive().map(|law| law.restitution))
-}
-
-/// Steps that a method takes in a time step while structures touch.
-fn sub_steps(method: &Method) -> f64 {
-    match method {
-        Method::CentralDifference {
-            contact_substeps, ..
-        } => f64::from(*contact_substeps),
-        Method::Newmark { .. }
-        | Method::Hht { .. }
-        | Method::VelocityVerlet { .. }
-        | Method::Rk4 { .. }
-        | Method::MoreauJean { .. }
-        | Method::Exact { .. }
-        | Method::Accuracy(_) => 1.0,
-    }
 }
 
 /// A collision that is expected.

@@ -1,7 +1,7 @@
 //! A run with what is known of its errors, and what it warns of.
 
 use pounding_contact::SLOWEST_APPROACH;
-use pounding_solver::{Closings, Collision, Work};
+use pounding_solver::{Collision, Work};
 
 use crate::limits::{ContactLimit, STEPS_PER_CONTACT};
 use crate::prepared::{Asked, Audited};
@@ -29,8 +29,6 @@ pub struct Review {
     pub outcome: Outcome,
     /// Where its energy went.
     pub balance: Balance,
-    /// How far neighbours came towards each other.
-    pub closings: Closings,
     /// How far it is from the exact run.
     pub errors: Errors,
     /// What a user should know before believing it.
@@ -85,13 +83,11 @@ impl Prepared {
             interval,
             closings: true,
         };
-        let (audited, closings) = self.audited_with(asked)?;
         let Audited {
             outcome,
             broken,
             balance,
-        } = audited;
-        let closings = closings.expect("they were asked for");
+        } = self.audited_with(asked)?;
         let mut warnings = Vec::new();
         let refusal = self.refusal();
         warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
@@ -126,7 +122,6 @@ impl Prepared {
         Ok(Review {
             outcome,
             balance,
-            closings,
             errors,
             warnings,
         })
@@ -154,7 +149,7 @@ impl Prepared {
     /// [`StudyError`] where it fails or breaks a law of mechanics; a scene that is forced does not force it.
     fn reference(&self) -> Result<(Outcome, Option<Warning>), StudyError> {
         let exact = self.exact()?;
-        let audited = exact.audited(None)?;
+        let audited = exact.audited_with(Asked::COMPARED)?;
         let doubt = match audited.broken {
             None => None,
             Some(broken) => match broken.doubt() {
@@ -167,7 +162,7 @@ impl Prepared {
 
     /// Errors of a run of the scene against the exact one, and what it has to be warned of.
     pub(crate) fn warnings(&self, run: &Outcome, exact: &Outcome) -> (RunErrors, Vec<Warning>) {
-        let errors = RunErrors::between(run, exact, (&self.walls(), self.pairs().len()));
+        let errors = RunErrors::between(run, exact, self);
         let mut warnings = self.warnings_before(exact);
         let pairs = errors.pairs.iter().enumerate();
         let rests = pairs.filter(|(_, pair)| pair.rests);

@@ -6,8 +6,8 @@ use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 
 use crate::prepared::Asked;
 use crate::{
-    Contact, Damping, FileUse, Method, Prepared, RecordUse, Scene, Sdof, Source, Structure,
-    StudyError,
+    Contact, Damping, FileUse, Method, Prepared, RecordUse, RunBudget, Scene, Sdof, Source,
+    Structure, StudyError,
 };
 
 /// What a row does that the leanest one leaves out.
@@ -104,6 +104,7 @@ impl Burdened {
             }),
             arrivals_s: None,
             method,
+            budget: RunBudget::default(),
         };
         let prepared = Prepared::new(&scene, Path::new(""))?;
         Ok(Self { prepared, burden })

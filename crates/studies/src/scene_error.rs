@@ -72,11 +72,29 @@ pub enum SceneError {
         /// Its name.
         name: String,
     },
+    /// More time steps than the budget has.
+    #[error(
+        "duration_s: found {}, of which the run would take {needed:.1e} time steps times floors{}, allowed {allowed:e} \
+         (`budget.steps`): shorten it, take a longer time_step_s{}, or make the budget more",
+        crate::digits(*duration),
+        with_substeps(*substeps),
+        if *substeps > 1 { " or fewer contact_substeps" } else { "" }
+    )]
+    TooManySteps {
+        /// Duration found \[s\].
+        duration: f64,
+        /// Steps times floors, with sub-steps.
+        needed: f64,
+        /// Most of them that are allowed.
+        allowed: f64,
+        /// Sub-steps of a step while structures touch.
+        substeps: u32,
+    },
     /// A run so long that the exact method would need too many pieces, though those of the record's duration are few.
     #[error(
         "duration_s: found {}, allowed up to about {} by the exact method, which would need {pieces:.1e} pieces of the motion of \
-         structures[{structure}], \"{name}\", of {allowed:.0e} at most: use a shorter duration_s, or leave it out for that of the \
-         record and two periods",
+         structures[{structure}], \"{name}\", of {allowed:e} at most (`budget.pieces`): use a shorter duration_s, or leave it out for \
+         that of the record and two periods",
         crate::digits(*duration),
         crate::short(duration / pieces * allowed)
     )]
@@ -291,6 +309,15 @@ fn those_that_face(levels: &[usize]) -> String {
             "levels = [{}] lets those touch that do, and no others; or ",
             list(levels)
         )
+    }
+}
+
+/// How many sub-steps a step has, where it has several.
+fn with_substeps(substeps: u32) -> String {
+    if substeps > 1 {
+        format!(" with {substeps} sub-steps in contact")
+    } else {
+        String::new()
     }
 }
 

@@ -126,7 +126,9 @@ impl Prepared {
             closings: true,
             ..Asked::default()
         };
-        let (Outcome { peaks, .. }, closings) = apart.run_unjudged(asked)?;
+        let Outcome {
+            peaks, closings, ..
+        } = apart.run_unjudged(asked)?;
         let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
         for (left, one, other) in self.floors().neighbours() {
             let closing = closings.as_ref().and_then(|closings| closings.of(one));

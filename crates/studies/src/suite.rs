@@ -1,6 +1,7 @@
 //! A folder of records, each of which shakes the same row.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Direction, components};
 
@@ -13,8 +14,19 @@ pub struct Motion {
     pub path: PathBuf,
     /// Its component, where it holds several.
     pub component: Option<String>,
-    /// Why it is taken for vertical, where it is.
-    pub vertical: Option<Vertical>,
+    /// How it lies, as far as that is told.
+    pub orientation: Orientation,
+}
+
+/// How a motion lies, as far as the name of its component or that of its file tells.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Orientation {
+    /// Along the ground.
+    Horizontal,
+    /// Up and down: it shakes no row.
+    Vertical(Vertical),
+    /// Nothing tells: it shakes rows, and that is said.
+    Untold,
 }
 
 /// Why a motion is taken for vertical, and shakes no row.
@@ -38,8 +50,8 @@ impl Motion {
     /// left out.
     ///
     /// A file that cannot be read is one of them, and so is a vertical component: they say so when they are to shake something.
-    /// A component is vertical by the last word of its [name](Direction::of_component); one whose name does not tell, of a file
-    /// of one component, by the [end of the file's name](Direction::upright_end).
+    /// A component is vertical by a word of its [name](Direction::of_component); one whose name does not tell, of a file
+    /// of one component, by the [end of the file's name](Direction::of_file_name).
     ///
     /// # Errors
     /// [`StudyError::Unreadable`] when the folder cannot be read.
@@ -63,7 +75,20 @@ impl Motion {
     /// # Errors
     /// Those of [`Prepared::new`]; [`StudyError::Vertical`].
     pub fn shake(&self, scene: &Scene, reversed: bool) -> Result<Prepared, StudyError> {
-        if let Some(vertical) = &self.vertical {
+        self.shake_until(scene, reversed, None)
+    }
+
+    /// The same; whoever sets `stop` ends its runs, and those that find its method.
+    ///
+    /// # Errors
+    /// Those of [`Self::shake`]; [`StudyError::is_stopped`] tells one that was ended.
+    pub fn shake_until(
+        &self,
+        scene: &Scene,
+        reversed: bool,
+        stop: Option<&'static AtomicBool>,
+    ) -> Result<Prepared, StudyError> {
+        if let Orientation::Vertical(vertical) = &self.orientation {
             return Err(StudyError::Vertical(vertical.clone()));
         }
         let mut scene = scene.clone();
@@ -71,7 +96,7 @@ impl Motion {
         scene.record.reversed = reversed;
         self.where_unsaid(&scene.record.clone(), |source| {
             scene.record.source = source;
-            Prepared::new(&scene, Path::new(""))
+            Prepared::stopped_by(&scene, Path::new(""), stop)
         })
     }
 
@@ -152,33 +177,46 @@ fn of_file(path: &Path) -> Vec<Motion> {
         .ok()
         .and_then(|bytes| components(&bytes).ok())
         .unwrap_or_default();
-    let motion = |component: Option<String>, vertical: Option<Vertical>| Motion {
+    let motion = |component: Option<String>, orientation| Motion {
         path: path.to_path_buf(),
         component,
-        vertical,
-    };
-    let upright = |name: &String| {
-        let vertical = Direction::of_component(name) == Some(Direction::Vertical);
-        vertical.then(|| Vertical::Component(name.clone()))
+        orientation,
     };
     match &names[..] {
-        [] => vec![motion(None, by_file_name(path))],
-        [name] => {
-            let by_name = upright(name);
-            let says = Direction::of_component(name).is_some();
-            let vertical = by_name.or_else(|| by_file_name(path).filter(|_| !says));
-            vec![motion(None, vertical)]
-        }
+        [] => vec![motion(None, Orientation::of(None, Some(path)))],
+        [name] => vec![motion(None, Orientation::of(Some(name), Some(path)))],
         several => several
             .iter()
-            .map(|name| motion(Some(name.clone()), upright(name)))
+            .map(|name| motion(Some(name.clone()), Orientation::of(Some(name), None)))
             .collect(),
     }
 }
 
-/// What the name of a file tells, of which nothing else does.
-fn by_file_name(path: &Path) -> Option<Vertical> {
-    let name = path.file_name()?.to_string_lossy();
-    let end = Direction::upright_end(&name)?;
-    Some(Vertical::FileName(end.into()))
+impl Orientation {
+    /// Tells how a component lies by its name, and where that does not tell by the file, if it is the only one there.
+    pub fn of(component: Option<&str>, only_of: Option<&Path>) -> Self {
+        let direction = component.and_then(|name| Some((Direction::of_component(name)?, name)));
+        match direction {
+            Some((Direction::Horizontal, _)) => return Self::Horizontal,
+            Some((Direction::Vertical, name)) => {
+                return Self::Vertical(Vertical::Component(name.into()));
+            }
+            None => {}
+        }
+        let name = only_of.and_then(Path::file_name).unwrap_or_default();
+        match Direction::of_file_name(&name.to_string_lossy()) {
+            Some((Direction::Horizontal, _)) => Self::Horizontal,
+            Some((Direction::Vertical, end)) => Self::Vertical(Vertical::FileName(end.into())),
+            None => Self::Untold,
+        }
+    }
+
+    /// Returns the word for tables: `horizontal` or `vertical`; `None` if nothing tells.
+    pub fn word(&self) -> Option<&'static str> {
+        match self {
+            Self::Horizontal => Some("horizontal"),
+            Self::Vertical(_) => Some("vertical"),
+            Self::Untold => None,
+        }
+    }
 }

@@ -117,7 +117,10 @@ impl Warning {
             | Self::PublishedImpacts { .. }
             | Self::Rests { .. } => matches!(
                 asked,
-                Number::PoundingForce | Number::FirstImpulse | Number::LargestImpulse
+                Number::PoundingForce
+                    | Number::FirstImpulse
+                    | Number::LargestImpulse
+                    | Number::TotalImpulse
             ),
             Self::Error { number, .. } => asked == *number,
             // Of the model, which every method shares.

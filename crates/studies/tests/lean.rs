@@ -2,7 +2,8 @@
 
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 use pounding_studies::{
-    Contact, Damping, FileUse, Method, Outcome, Prepared, RecordUse, Scene, Sdof, Source, Structure,
+    Contact, Damping, FileUse, Method, Outcome, Prepared, RecordUse, RunBudget, Scene, Sdof,
+    Source, Structure,
 };
 use proptest::prelude::*;
 
@@ -111,6 +112,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             contacts,
             arrivals_s: None,
             method,
+            budget: RunBudget::default(),
         };
         (scene, ground)
     })
@@ -124,11 +126,12 @@ fn bits(outcome: &Outcome) -> String {
         momentum,
         accelerations,
         last,
+        closings,
         histories,
         work: _,
     } = outcome;
     format!(
-        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {histories:?}",
+        "{peaks:?} {:?} {momentum:?} {accelerations:?} {last:?} {closings:?} {histories:?}",
         collisions.all()
     )
 }

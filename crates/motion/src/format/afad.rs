@@ -6,7 +6,7 @@
 
 use super::table::{Table, pieces};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -45,7 +45,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(title::count(titles[COUNT], &behind_colon(titles[COUNT]))?),
-        time_step: Some(title::time_step(titles[STEP], step)?),
+        time_step: Some(Spacing::Even(title::time_step(titles[STEP], step)?)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
             place: Place::Line(1),

@@ -1,9 +1,8 @@
 //! PEER AT2 and what goes by that name: titles, a line with NPTS and DT, then values in columns.
 
 mod header;
-mod values;
 
-use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, values};
 use crate::{AccelerationUnit, Place, ReadError};
 
 pub(super) const READER: Reader = Reader {
@@ -16,8 +15,8 @@ pub(super) const READER: Reader = Reader {
 /// Reads a PEER AT2 file: title lines, a line with NPTS and DT, then acceleration in g.
 ///
 /// The line with NPTS and DT is the last among the first ten that names both, in any order and
-/// case, such as `NPTS=  4000, DT= .01000 SEC` or `4096 0.0100 NPTS, DT`; without any, line 4 if it
-/// is a whole number and a time step. A title line says that the values are acceleration in g, or none names
+/// case, such as `NPTS=  4000, DT= .01000 SEC` or `4096 0.0100 NPTS, DT`; the poles of filters may follow. Without any, it is
+/// line 4 if that is a whole number and a time step. A title line says that the values are acceleration in g, or none names
 /// a unit, which must then be declared.
 /// Values stand in any number of columns of any width, as C or Fortran writes them, and may touch.
 /// The component is the direction behind the last comma of PEER's line of earthquake and station, where there is one.
@@ -29,30 +28,44 @@ pub(super) const READER: Reader = Reader {
 /// Refuses a file without a readable line of NPTS and DT, velocity and displacement, other units
 /// than g, a field that is not a finite number, and more or fewer values than NPTS.
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
-    let (titles, line, data) = header::split(&file.lines)?;
-    let unit = header::unit(titles)?;
-    let (n_samples, time_step) = header::count_and_step(line)?;
-    let (values, end) = values::read(line, data)?;
-    let titles: Vec<String> = titles
-        .iter()
-        .map(|line| line.text().trim().to_owned())
-        .collect();
-    let place = Place::Line(line.number);
-    let text = line.excerpt();
+    let header::Header { titles, line, data } = header::split(&file.lines)?;
+    let unit = header::unit(titles)?.or(header::unit(&[line])?);
+    let numbers = values::read(line, data)?;
+    let mut stated = header::count_and_step(line)?;
+    let mut remarks = Vec::new();
+    // The NPTS of a longer record may have stayed where a title tells how many points there are.
+    if stated.count != numbers.values.len()
+        && let Some(points) = header::points(titles)
+        && points.count == numbers.values.len()
+    {
+        let found = format!(
+            "{:?}, which the values have, and not {:?}",
+            points.line.excerpt(),
+            line.excerpt()
+        );
+        remarks.push(reading(
+            "count",
+            Some(Place::Line(points.line.number)),
+            &found,
+        ));
+        stated = points;
+    }
+    let of_line = Place::Line(stated.line.number);
+    let text = stated.line.excerpt();
     Ok(Draft {
-        values,
-        end: Place::Line(end),
+        values: numbers.values,
+        end: numbers.end,
         digit: 0.0,
         count: Some(Stated {
-            value: n_samples,
-            place,
+            value: stated.count,
+            place: of_line,
             text: text.clone(),
         }),
-        time_step: Some(Stated {
-            value: time_step,
-            place,
+        time_step: Some(Spacing::Even(Stated {
+            value: stated.step,
+            place: of_line,
             text,
-        }),
+        })),
         scale: unit.map_or(Scale::Unknown, |unit| {
             Scale::Unit(Stated {
                 value: AccelerationUnit::StandardGravity,
@@ -61,7 +74,11 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
             })
         }),
         peak: None,
-        provenance: titles.join("\n"),
-        remarks: Vec::new(),
+        provenance: titles
+            .iter()
+            .map(|line| line.text().trim().to_owned())
+            .collect::<Vec<_>>()
+            .join("\n"),
+        remarks,
     })
 }

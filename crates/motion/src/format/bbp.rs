@@ -1,78 +1,146 @@
-//! SCEC Broadband Platform: comments behind `#` that name four columns, time and three components.
+//! SCEC Broadband Platform: comments behind `#` that name four columns, time and three components, on one line or a line each.
 //!
-//! The comments say `cm/s` of velocities and, in some files, of accelerations too: such files leave
-//! the unit to the caller. No file was at hand: this follows a description of the format.
+//! The comments say `cm/s` of velocities and, in some files, of accelerations too: such files are taken for
+//! velocities unless the caller says otherwise, and leave the unit to the caller.
 
 use super::table::{Table, pieces};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale};
+use super::{Component, Draft, File, Format, Reader, Scale, Stated};
 use crate::line::Line;
 use crate::{Place, ReadError};
 
 /// Time and three components.
 const COLUMNS: usize = 4;
 
+/// What the components are called, in capitals, and their names.
+const WORDS: [(&str, &str); 9] = [
+    ("NORTH-SOUTH", "NS"),
+    ("EAST-WEST", "EW"),
+    ("UP-DOWN", "UD"),
+    ("N-S", "NS"),
+    ("E-W", "EW"),
+    ("U-D", "UD"),
+    ("NS (", "NS"),
+    ("EW (", "EW"),
+    ("UD (", "UD"),
+];
+
 pub(super) const READER: Reader = Reader {
     format: Format::Bbp,
-    recognises: |file| names(file).is_some(),
+    recognises: |file| columns(file).is_some(),
     components: |file| Ok(components(file)),
     read,
 };
+
+/// One of the three components.
+struct Column<'t> {
+    name: &'static str,
+    line: Line<'t>,
+    /// What the line says of it.
+    text: String,
+}
 
 fn comments<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
     let comments = file.lines.iter().take_while(|line| line.is_comment());
     &file.lines[..comments.count()]
 }
 
-/// The comment that names the columns.
-fn names<'t>(file: &File<'t>) -> Option<Line<'t>> {
-    let holds =
-        |line: Line<'_>, words: [&str; 2]| words.iter().any(|word| title::holds(line, word));
-    comments(file).iter().copied().find(|line| {
-        title::holds(*line, "TIME")
-            && holds(*line, ["NS (", "N-S"])
-            && holds(*line, ["EW (", "E-W"])
-            && holds(*line, ["UD (", "U-D"])
+/// The three components as the comments name them.
+fn columns<'t>(file: &File<'t>) -> Option<Vec<Column<'t>>> {
+    let comments = comments(file);
+    let together = comments
+        .iter()
+        .filter(|line| title::holds(**line, "TIME"))
+        .map(|line| named_in(*line))
+        .find(|columns| columns.len() == COLUMNS - 1);
+    together.or_else(|| {
+        let mut apart = Vec::new();
+        for number in 1..=COLUMNS {
+            let line = title::line_with(comments, &format!("COLUMN {number}:"))?;
+            let mut named = named_in(line);
+            match (number, named.pop()) {
+                (1, None) if title::holds(line, "TIME") => {}
+                (2.., Some(column)) if named.is_empty() => apart.push(column),
+                _ => return None,
+            }
+        }
+        Some(apart)
     })
 }
 
+/// The components that a line names, in its order.
+fn named_in(line: Line<'_>) -> Vec<Column<'_>> {
+    let text = line.text().to_ascii_uppercase();
+    let mut found: Vec<(usize, &'static str)> = Vec::new();
+    for (word, name) in WORDS {
+        let is_new = found.iter().all(|(_, other)| *other != name);
+        found.extend(text.find(word).filter(|_| is_new).map(|at| (at, name)));
+    }
+    found.sort_unstable();
+    let ends = found.iter().skip(1).map(|(at, _)| *at);
+    let ends: Vec<usize> = ends.chain([text.len()]).collect();
+    let column = |(&(at, name), end): (&(usize, &'static str), usize)| Column {
+        name,
+        line,
+        text: text[at..end].to_owned(),
+    };
+    found.iter().zip(ends).map(column).collect()
+}
+
 fn components(file: &File<'_>) -> Vec<Component> {
-    let place = Place::Line(names(file).map_or(1, |line| line.number));
-    let components = ["NS", "EW", "UD"].map(|name| Component {
-        name: name.to_owned(),
-        place,
-    });
-    components.into()
+    let component = |column: Column<'_>| Component {
+        name: column.name.to_owned(),
+        place: Place::Line(column.line.number),
+    };
+    let columns = columns(file).unwrap_or_default();
+    columns.into_iter().map(component).collect()
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let comments = comments(file);
-    let line = needed(names(file), None, "names of its columns")?;
-    let table = Table::new(line, &file.lines[comments.len()..], COLUMNS, pieces)?;
+    let columns = columns(file).unwrap_or_default();
+    let column = needed(columns.get(index), None, "names of its columns")?;
+    let table = Table::new(column.line, &file.lines[comments.len()..], COLUMNS, pieces)?;
     let numbers = table.column(index + 1)?;
     let mut values = numbers.values;
-    let (step, remark) = table.times()?.into_step(&mut values)?;
-    if title::holds(line, "(CM)") {
-        return Err(ReadError::NotAcceleration {
-            place: Place::Line(line.number),
-            found: line.excerpt(),
-            instead: "the .acc.bbp file of the record",
-        });
-    }
-    let text = line.text();
-    let scale = match title::unit_in(&text) {
-        Some(_) => Scale::Unit(title::stated_unit(line, &text)?),
-        None => Scale::Unknown,
-    };
+    let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;
     Ok(Draft {
         values,
         end: numbers.end,
         digit: numbers.digit,
         count: None,
-        time_step: Some(step),
-        scale,
+        time_step: Some(spacing),
+        scale: scale(column)?,
         peak: None,
         provenance: title::provenance(comments),
         remarks: remark.into_iter().collect(),
+    })
+}
+
+fn scale(column: &Column<'_>) -> Result<Scale, ReadError> {
+    let Column { line, text, .. } = column;
+    let place = Place::Line(line.number);
+    if title::unit_in(text).is_some() {
+        return Ok(Scale::Unit(title::stated_unit(*line, text)?));
+    }
+    let unit: String = text.chars().filter(|letter| *letter != ' ').collect();
+    if unit.contains("(CM)") || unit.contains("(M)") {
+        return Err(ReadError::NotAcceleration {
+            place,
+            found: line.excerpt(),
+            instead: "the .acc.bbp file of the record",
+        });
+    }
+    if unit.contains("CM/S") || unit.contains("M/S") || unit.contains("VELOCITY") {
+        return Ok(Scale::Velocity(Stated {
+            value: (),
+            place,
+            text: line.excerpt(),
+        }));
+    }
+    Ok(if unit.contains("ACCELERATION") {
+        Scale::Acceleration
+    } else {
+        Scale::Unknown
     })
 }

@@ -14,6 +14,8 @@ const WIDEST: usize = 1000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Columns {
     pub(super) per_line: usize,
+    /// Blanks before the first number.
+    lead: usize,
     width: usize,
     /// Whether the numbers are whole and have no point.
     whole: bool,
@@ -41,11 +43,22 @@ impl fmt::Display for Columns {
 
 impl Columns {
     pub(super) const fn new(per_line: usize, width: usize) -> Self {
-        let whole = false;
         Self {
             per_line,
+            lead: 0,
             width,
-            whole,
+            whole: false,
+        }
+    }
+
+    /// The same behind as many blanks as this line has: its last number ends where the line does.
+    pub(super) fn led_in_by(self, line: Line<'_>) -> Self {
+        let length = line.bytes.trim_ascii_end().len();
+        let lead = length % self.width;
+        let is_blank = line.bytes[..lead.min(length)].trim_ascii().is_empty();
+        Self {
+            lead: if is_blank { lead } else { 0 },
+            ..self
         }
     }
 
@@ -71,6 +84,7 @@ impl Columns {
             .collect();
         let per_line = if per_line.is_empty() { "1" } else { per_line };
         let columns = Self {
+            lead: 0,
             per_line: per_line.parse().ok()?,
             width: width.parse().ok()?,
             whole: field.starts_with('I'),
@@ -86,8 +100,9 @@ impl Columns {
 
     /// The fields of a line up to its last that is not blank.
     pub(super) fn fields(self, line: Line<'_>) -> impl Iterator<Item = &[u8]> {
-        line.bytes
-            .trim_ascii_end()
+        let numbers = line.bytes.trim_ascii_end().get(self.lead..);
+        numbers
+            .unwrap_or_default()
             .chunks(self.width)
             .take(self.per_line)
     }

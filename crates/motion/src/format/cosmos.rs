@@ -8,7 +8,7 @@
 
 use super::columns::{Columns, is_mark, last_digit, leading_data};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated, reading};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -46,7 +46,10 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
 /// The channel as the titles name it: `Sta Cha:  1: 340 deg`, up to what is put in brackets.
 fn component(channel: &[Line<'_>]) -> Component {
     let titles = &channel[..channel.len().min(13)];
-    let line = title::line_with(titles, "STA CHA").unwrap_or(channel[0]);
+    let line = title::line_with(titles, "STA CHA");
+    let line = line
+        .or_else(|| title::line_with(titles, "CHAN"))
+        .unwrap_or(channel[0]);
     let text = line.text();
     let name = text.split(['(', ',']).next().unwrap_or_default();
     Component {
@@ -130,7 +133,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
             *line,
             title::first_number(&text).unwrap_or_default(),
         )?),
-        time_step,
+        time_step: time_step.map(Spacing::Even),
         scale,
         peak: header.stated(64).map(|stated| Peak {
             digit: last_digit(stated.value.to_string().as_bytes()),

@@ -1,16 +1,15 @@
 //! CSMIP (CDMG) volume 1: uncorrected accelerograms, per channel 13 titles and 14 lines of numbers, then the values.
 //!
 //! Newer files have a line such as `13200 Accelerogram points at 200 pts/sec in units of g.
-//! Format:(8f9.6)` above values alone. Older ones have pairs of time and value, five to a line of
-//! 10F7, and most a title such as `UNITS ARE SEC AND G/10`; without it their unit must be declared.
-//!
-//! No file was at hand: this follows descriptions of the format and programs that read it.
+//! Format:(8f9.6)` or `12001 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC. (UNITS: G)` above values
+//! alone. Older ones have pairs of time and value, five to a line of 10F7 or, of USC, 1X,10F7, and most
+//! a title such as `UNITS ARE SEC AND G/10`; without it their unit must be declared.
 
 use super::columns::{Columns, Largest, decimal, leading_data};
 use super::csmip_v2::component;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated, reading};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
 
@@ -74,11 +73,13 @@ fn evenly_spaced(
     let titles = &header[..TITLES];
     let text = line.text();
     let n_samples = title::first_number(&text).unwrap_or_default();
-    let rate = title::after(&text, "POINTS AT").and_then(title::first_number);
-    let step = rate
-        .and_then(|rate| number(rate.as_bytes()))
-        .map(|rate| 1.0 / rate);
-    let unit = title::after(&text, "UNITS OF").or_else(|| title::after(&text, " IN "));
+    let behind = |word| {
+        let printed = title::after(&text, word).and_then(title::first_number)?;
+        number(printed.as_bytes())
+    };
+    let step = behind("POINTS AT").map(|rate| 1.0 / rate);
+    let step = step.or_else(|| behind("SPACED AT"));
+    let unit = title::after(&text, "UNITS").or_else(|| title::after(&text, " IN "));
     let columns = Columns::named_in(line).unwrap_or(Columns::new(8, 9));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     Ok(Draft {
@@ -86,7 +87,7 @@ fn evenly_spaced(
         end: numbers.end,
         digit: numbers.digit,
         count: Some(title::count(line, n_samples)?),
-        time_step: Some(title::time_step(line, step)?),
+        time_step: Some(Spacing::Even(title::time_step(line, step)?)),
         scale: Scale::Unit(title::stated_unit(line, unit.unwrap_or_default())?),
         peak: peak(titles),
         provenance: title::provenance(titles),
@@ -105,8 +106,9 @@ struct Pairs<'t> {
 impl<'t> Pairs<'t> {
     fn new(lines: &[Line<'t>]) -> Result<Self, ReadError> {
         let mut pairs = Self::default();
+        let columns = lines.first().map_or(PAIRS, |line| PAIRS.led_in_by(*line));
         for line in lines {
-            let fields: Vec<&[u8]> = PAIRS.fields(*line).collect();
+            let fields: Vec<&[u8]> = columns.fields(*line).collect();
             for (index, pair) in fields.chunks(2).enumerate() {
                 let &[time, value] = pair else {
                     return Err(ReadError::Header {
@@ -146,7 +148,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
             next: None,
         });
     }
-    let (time_step, rest) = times.into_step(&mut values)?;
+    let (time_step, rest) = times.into_step_from_anywhere(&mut values)?;
     // A state of rest may have come before the pairs that were counted above.
     let count = Stated {
         value: values.len(),
@@ -171,7 +173,7 @@ fn pairs(header: &[Line<'_>], data: &[Line<'_>]) -> Result<Draft, ReadError> {
 }
 
 /// The unit of a title such as `UNITS ARE SEC AND G/10`; unknown where no title names units.
-fn scale(titles: &[Line<'_>]) -> Result<Scale, ReadError> {
+pub(super) fn scale(titles: &[Line<'_>]) -> Result<Scale, ReadError> {
     let Some(line) = title::line_with(titles, "UNITS") else {
         return Ok(Scale::Unknown);
     };

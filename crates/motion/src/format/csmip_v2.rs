@@ -6,9 +6,9 @@
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, reading};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Direction, Place, ReadError};
 
 /// Lines of titles of a channel; 7 lines of whole numbers and 13 of others follow.
 const TITLES: usize = 25;
@@ -66,10 +66,23 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
     });
     let line = named.unwrap_or(&lines[0]);
     let text = line.text();
-    let mut words: Vec<&str> = text.split_whitespace().collect();
-    if words[0].eq_ignore_ascii_case("COMP") {
-        // The length of the title may follow.
-        words.truncate(2);
+    let name = title::before(title::before(&text, "("), "LOCATION");
+    let mut words: Vec<&str> = name.split_whitespace().collect();
+    if words
+        .first()
+        .is_some_and(|word| word.eq_ignore_ascii_case("COMP"))
+    {
+        // The length of the title may follow; or the direction does, behind the number of the channel.
+        let is_length = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
+        let kept = if words
+            .get(2)
+            .is_some_and(|word| !is_length(word) && Direction::of_component(word).is_some())
+        {
+            3
+        } else {
+            2
+        };
+        words.truncate(kept);
     }
     Component {
         name: words.join(" "),
@@ -95,11 +108,13 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let n_samples = title::first_number(&text).unwrap_or_default();
     let spacing = title::after(&text, "SPACED AT").unwrap_or_default();
     let step = title::first_number(spacing).and_then(|step| number(step.as_bytes()));
-    let unit = title::after(spacing, "SEC").unwrap_or_default();
+    let behind = title::after(spacing, "SEC").unwrap_or_default();
     let named = Columns::named_in(line);
     let columns = named.unwrap_or(Columns::new(8, 10));
     let numbers = columns.numbers(line, leading_data(data), &[])?;
     let peak = title::line_with(titles, "PEAK ACCELERATION");
+    let peak =
+        peak.and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?));
     let cut = match named {
         Some(columns) => columns.to_string(),
         None => format!("{columns}, as usual: the line does not say"),
@@ -109,13 +124,31 @@ pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(title::count(line, n_samples)?),
-        time_step: Some(title::time_step(line, step)?),
-        scale: Scale::Unit(title::stated_unit(line, unit)?),
-        peak: peak
-            .and_then(|line| title::peak(line, title::after(&line.text(), "PEAK ACCELERATION")?)),
+        time_step: Some(Spacing::Even(title::time_step(line, step)?)),
+        scale: scale(line, behind, peak.as_ref())?,
+        peak,
         provenance: title::provenance(titles),
         remarks: vec![reading("columns", Some(Place::Line(line.number)), &cut)],
     })
+}
+
+/// The unit behind the step of a block's line, or else of the peak in the titles; unknown where neither has one.
+fn scale(line: Line<'_>, behind: &str, peak: Option<&Peak>) -> Result<Scale, ReadError> {
+    let format = behind
+        .rfind('(')
+        .filter(|_| Columns::named_in(line).is_some());
+    let unit = &behind[..format.unwrap_or(behind.len())];
+    if unit.bytes().any(|byte| byte.is_ascii_alphabetic()) {
+        return Ok(Scale::Unit(title::stated_unit(line, unit)?));
+    }
+    let of_peak = peak.and_then(|peak| Some((peak.unit?, &peak.stated)));
+    Ok(of_peak.map_or(Scale::Acceleration, |(unit, stated)| {
+        Scale::Unit(Stated {
+            value: unit,
+            place: stated.place,
+            text: stated.text.clone(),
+        })
+    }))
 }
 
 fn is_block(line: Line<'_>) -> bool {

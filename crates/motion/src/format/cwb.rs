@@ -1,12 +1,12 @@
 //! CWB (CWA) of Taiwan: keys behind `#`, then time, up, north and east in 4F10.3.
 //!
-//! No file was at hand: this follows programs that read the format. What the header calls the
-//! amplitudes may still have the offset of the instrument, so they are not held against the values.
+//! What the header calls the amplitudes may still have the offset of the instrument, so they are not
+//! held against the values.
 
 use super::columns::Columns;
 use super::table::Table;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -23,7 +23,9 @@ pub(super) const READER: Reader = Reader {
 };
 
 fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
-    let n_lines = file.lines.iter().take_while(|line| line.is_comment());
+    // Some files have blank lines between the parts of the header.
+    let of_header = |line: &&Line<'_>| line.is_comment() || line.is_blank();
+    let n_lines = file.lines.iter().take_while(of_header);
     &file.lines[..n_lines.count()]
 }
 
@@ -45,7 +47,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let numbers = table.column(index + 1)?;
     let n_samples = numbers.values.len();
     let mut values = numbers.values;
-    let (step, remark) = table.times()?.into_step(&mut values)?;
+    let (spacing, remark) = table.times()?.into_step_from_anywhere(&mut values)?;
     let rate = key(header, "#SampleRate")?;
     let length = key(header, "#RecordLength")?;
     // The last step may be counted or not.
@@ -57,7 +59,9 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
             allowed: "the duration of the values that follow",
         });
     }
-    if (step.value * rate.value - 1.0).abs() > 1e-6 {
+    if let Spacing::Even(step) = &spacing
+        && (step.value * rate.value - 1.0).abs() > 1e-6
+    {
         return Err(ReadError::Header {
             place: rate.place,
             found: rate.text,
@@ -77,7 +81,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: None,
-        time_step: Some(step),
+        time_step: Some(spacing),
         scale: Scale::Unit(unit),
         peak: None,
         provenance: title::provenance(header),

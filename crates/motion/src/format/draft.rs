@@ -1,7 +1,11 @@
 //! What a reader found in a file, and how it is held against the header and the caller's word.
 
 use super::Format;
-use crate::{AccelerationUnit, Accelerogram, Declared, Place, ReadError, Reading};
+use super::component::Component;
+use super::spacing::{Spacing, settled};
+use crate::direction::is_seismometer;
+use crate::unusual::{USUAL_PEAK, USUAL_STEPS};
+use crate::{AccelerationUnit, Accelerogram, Declared, Place, ReadError, Reading, Unusual};
 
 /// Something that a file states, with its place and its text.
 #[derive(Clone, Debug)]
@@ -16,9 +20,13 @@ pub(crate) struct Stated<T> {
 pub(crate) enum Scale {
     /// Accelerations in a unit that the file states.
     Unit(Stated<AccelerationUnit>),
-    /// Counts of a digitiser, as the file states.
+    /// Accelerations; the file does not say in which unit.
+    Acceleration,
+    /// Velocities, as the header has it; some such files hold accelerations.
+    Velocity(Stated<()>),
+    /// Counts of a digitiser, as the file states; of which instrument it does not say.
     Counts(Stated<()>),
-    /// The file does not say.
+    /// The file says nothing.
     Unknown,
 }
 
@@ -41,7 +49,7 @@ pub(crate) struct Draft {
     /// Unit of the last printed digit of the largest value; 0 where values are not printed.
     pub(crate) digit: f64,
     pub(crate) count: Option<Stated<usize>>,
-    pub(crate) time_step: Option<Stated<f64>>,
+    pub(crate) time_step: Option<Spacing>,
     pub(crate) scale: Scale,
     pub(crate) peak: Option<Peak>,
     pub(crate) provenance: String,
@@ -50,25 +58,35 @@ pub(crate) struct Draft {
 }
 
 impl Draft {
-    /// Checks number, peak and declaration, and makes the accelerogram.
+    /// Checks number, quantity, peak and declaration, and makes the accelerogram.
     pub(super) fn settle(
-        self,
+        mut self,
         format: Format,
-        component: Option<Reading>,
+        component: Option<&Component>,
         declared: &Declared,
     ) -> Result<Accelerogram, ReadError> {
         let mut readings = vec![reading("format", None, format.name())];
-        readings.extend(component);
+        let velocity = self.velocity(component);
+        readings.extend(component.map(|one| reading("component", Some(one.place), &one.name)));
         readings.push(self.count()?);
-        let (time_step, reading) = self.time_step(declared)?;
+        if let Some(stated) = velocity.as_ref().filter(|_| !declared.acceleration) {
+            return Err(ReadError::Velocity {
+                place: stated.place,
+                found: stated.text.clone(),
+            });
+        }
+        let mut values = std::mem::take(&mut self.values);
+        let largest = values
+            .iter()
+            .fold(0.0, |peak: f64, value| peak.max(value.abs()));
+        let (time_step, reading) = settled(self.time_step.as_ref(), declared, &mut values)?;
         readings.push(reading);
         let (unit, reading) = self.unit(declared)?;
         readings.push(reading);
         let (per_count, reading) = self.per_count(declared)?;
         readings.extend(reading);
-        readings.extend(self.peak(unit)?);
+        readings.extend(self.peak(largest, unit)?);
         readings.extend(self.remarks);
-        let mut values = self.values;
         if let Some(per_count) = per_count {
             for value in &mut values {
                 *value *= per_count;
@@ -77,6 +95,9 @@ impl Draft {
                 return Err(ReadError::DeclaredPerCount { found: per_count });
             }
         }
+        let peak = largest
+            * per_count.map_or(1.0, f64::abs)
+            * ratio(unit, AccelerationUnit::StandardGravity);
         Ok(Accelerogram {
             format,
             time_step,
@@ -84,7 +105,26 @@ impl Draft {
             unit,
             provenance: self.provenance,
             readings,
+            unusual: unusual(time_step, peak, velocity),
         })
+    }
+
+    /// What speaks for velocities, where the file does not say that the values are accelerations: its header, or the code of
+    /// its channel.
+    fn velocity(&self, component: Option<&Component>) -> Option<Stated<()>> {
+        match &self.scale {
+            Scale::Unit(_) | Scale::Acceleration => None,
+            Scale::Velocity(stated) => Some(stated.clone()),
+            Scale::Counts(_) | Scale::Unknown => {
+                let component = component?;
+                let code = component.name.rsplit('.').next()?;
+                is_seismometer(code).then(|| Stated {
+                    value: (),
+                    place: component.place,
+                    text: component.name.clone(),
+                })
+            }
+        }
     }
 
     fn count(&self) -> Result<Reading, ReadError> {
@@ -106,42 +146,6 @@ impl Draft {
         Ok(reading("number of samples", place, &found.to_string()))
     }
 
-    fn time_step(&self, declared: &Declared) -> Result<(f64, Reading), ReadError> {
-        if let Some(found) = declared.time_step
-            && !(found.is_finite() && found > 0.0)
-        {
-            return Err(ReadError::DeclaredTimeStep { found });
-        }
-        match (&self.time_step, declared.time_step) {
-            (Some(stated), _) if !(stated.value.is_finite() && stated.value > 0.0) => {
-                Err(ReadError::TimeStep {
-                    place: stated.place,
-                    found: stated.value,
-                })
-            }
-            // A declared step may repeat what the file gives with fewer digits.
-            (Some(stated), Some(declared))
-                if (stated.value - declared).abs() > 1e-6 * stated.value =>
-            {
-                Err(ReadError::TimeStepContradiction {
-                    place: stated.place,
-                    found: stated.value,
-                    declared,
-                })
-            }
-            (Some(stated), _) => {
-                let found = format!("{} s", stated.value);
-                let place = Some(stated.place);
-                Ok((stated.value, reading("time step", place, &found)))
-            }
-            (None, Some(declared)) => {
-                let found = format!("{declared} s (declared)");
-                Ok((declared, reading("time step", None, &found)))
-            }
-            (None, None) => Err(ReadError::TimeStepNotStated),
-        }
-    }
-
     fn unit(&self, declared: &Declared) -> Result<(AccelerationUnit, Reading), ReadError> {
         match (&self.scale, declared.unit) {
             (Scale::Unit(stated), Some(unit)) if unit != stated.value => {
@@ -160,8 +164,8 @@ impl Draft {
                 place: stated.place,
                 found: stated.text.clone(),
             }),
-            (Scale::Unknown, None) => Err(ReadError::UnitNotStated),
-            (Scale::Counts(_) | Scale::Unknown, Some(unit)) => {
+            (_, None) => Err(ReadError::UnitNotStated),
+            (_, Some(unit)) => {
                 let found = format!("{} (declared)", unit.symbol());
                 Ok((unit, reading("unit", None, &found)))
             }
@@ -184,28 +188,24 @@ impl Draft {
                 place: stated.place,
                 found: stated.text.clone(),
             }),
-            (Scale::Counts(_) | Scale::Unknown, Some(per_count)) => {
+            (_, Some(per_count)) => {
                 let found = format!("{per_count} (declared)");
                 Ok((
                     Some(per_count),
                     Some(reading("worth of a count", None, &found)),
                 ))
             }
-            (Scale::Unit(_) | Scale::Unknown, None) => Ok((None, None)),
+            (_, None) => Ok((None, None)),
         }
     }
 
     /// Holds the largest value against the peak of the header: a check of the unit and of the cut
     /// of the columns that costs nothing.
-    fn peak(&self, unit: AccelerationUnit) -> Result<Option<Reading>, ReadError> {
+    fn peak(&self, found: f64, unit: AccelerationUnit) -> Result<Option<Reading>, ReadError> {
         let Some(peak) = &self.peak else {
             return Ok(None);
         };
         let stated = &peak.stated;
-        let found = self
-            .values
-            .iter()
-            .fold(0.0, |peak: f64, value| peak.max(value.abs()));
         let of_header = peak.unit.unwrap_or(unit);
         let factor = ratio(of_header, unit);
         let allowed = stated.value.abs() * factor;
@@ -229,6 +229,15 @@ impl Draft {
             &stated.text,
         )))
     }
+}
+
+/// What looks wrong: the time step \[s\], the peak \[g\], or a velocity that is declared to be none.
+fn unusual(time_step: f64, peak: f64, velocity: Option<Stated<()>>) -> Vec<Unusual> {
+    let step =
+        (!USUAL_STEPS.contains(&time_step)).then_some(Unusual::TimeStep { found: time_step });
+    let peak = (peak > USUAL_PEAK).then_some(Unusual::Peak { found: peak });
+    let velocity = velocity.map(|stated| Unusual::Velocity { found: stated.text });
+    [step, peak, velocity].into_iter().flatten().collect()
 }
 
 /// Values of g differ between programs by less than this part: 978 to 983 cm/s².

@@ -2,7 +2,7 @@
 
 use super::columns::Largest;
 use super::title;
-use super::{Draft, File, Format, Reader, Scale, one_component};
+use super::{Draft, File, Format, Reader, Scale, Spacing, one_component};
 use crate::line::number;
 use crate::{Place, ReadError};
 
@@ -49,7 +49,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         end: Place::Line(end.number),
         digit: largest.digit(),
         count: Some(count),
-        time_step: Some(title::time_step(line, step)?),
+        time_step: Some(Spacing::Even(title::time_step(line, step)?)),
         scale: Scale::Unknown,
         peak: None,
         provenance: title::provenance(&file.lines[..1]),

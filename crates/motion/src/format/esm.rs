@@ -2,7 +2,7 @@
 
 use super::columns::{Largest, decimal, leading_data};
 use super::title;
-use super::{Component, Draft, File, Format, Reader, Scale};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
 
@@ -66,7 +66,10 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         end: Place::Line(end.number),
         digit: largest.digit(),
         count: Some(title::count(count_line, &count)?),
-        time_step: Some(title::time_step(step_line, number(step.as_bytes()))?),
+        time_step: Some(Spacing::Even(title::time_step(
+            step_line,
+            number(step.as_bytes()),
+        )?)),
         scale: Scale::Unit(title::stated_unit(unit_line, &unit)?),
         peak: peak.and_then(|line| title::peak(*line, line.text().split_once(':')?.1)),
         provenance: title::provenance(header),

@@ -6,9 +6,9 @@
 
 use super::columns::{Columns, leading_data};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
 use crate::line::Line;
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Direction, Place, ReadError};
 
 /// Lines of titles, of whole numbers, and of all of the header.
 const TITLES: usize = 16;
@@ -37,9 +37,17 @@ fn components(file: &File<'_>) -> Vec<Component> {
         let titles = &channel[..channel.len().min(TITLES)];
         let line = title::line_with(titles, "COMPONENT").unwrap_or(channel[0]);
         let text = line.text();
-        let name = text.split_whitespace().nth(1).unwrap_or_default();
+        let words: Vec<&str> = text.split_whitespace().skip(1).collect();
+        // The number of a channel may stand before the direction.
+        let is_number = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
+        let is_upright = |word: &&str| Direction::of_component(word) == Some(Direction::Vertical);
+        let n_words = match words[..] {
+            [first, second, ..] if is_number(&first) && is_upright(&second) => 2,
+            _ => 1,
+        };
+        let name = words[..n_words.min(words.len())].join(" ");
         Component {
-            name: name.to_owned(),
+            name,
             place: Place::Line(line.number),
         }
     };
@@ -87,7 +95,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: numbers.end,
         digit: numbers.digit,
         count: Some(count),
-        time_step: Some(title::time_step(real_lines[2], step)?),
+        time_step: Some(Spacing::Even(title::time_step(real_lines[2], step)?)),
         scale: Scale::Unit(unit),
         peak: quantity
             .filter(|_| !uncorrected)

@@ -8,7 +8,7 @@
 //! description and programs that read it.
 
 use super::title;
-use super::{Component, Draft, File, Format, Reader, Scale, Stated, reading};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -83,7 +83,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         end: Place::Line(end.number),
         digit: gal / counts,
         count: Some(title::count(duration_line, &n_samples.unwrap_or_default())?),
-        time_step: Some(time_step),
+        time_step: Some(Spacing::Even(time_step)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
             place: Place::Line(scale_line.number),

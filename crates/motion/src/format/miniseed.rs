@@ -2,8 +2,7 @@
 //! several.
 //!
 //! Whole numbers are counts of a digitiser: their worth is not in the file. Records of a stream must
-//! follow each other without a gap. Streams of seismometers, which measure velocity, are refused;
-//! those of accelerometers have N as the second letter of the channel.
+//! follow each other without a gap.
 //!
 //! The crates for this format at hand stop the program or run for ever on damaged files, so it is
 //! read here. No file of a network was at hand: tests read what another program wrote.
@@ -13,7 +12,7 @@ mod samples;
 
 use std::collections::BTreeMap;
 
-use super::{Component, Draft, File, Format, Reader, Scale, Stated, reading};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
 use crate::{Place, ReadError};
 use record::Record;
 
@@ -60,7 +59,6 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let records = records(file)?;
     let streams = streams(&records);
     let stream = streams.get(index).ok_or(ReadError::Empty)?;
-    check_instrument(stream)?;
     let mut records = records.iter().filter(|record| record.stream == stream.name);
     let first = records.next().ok_or(ReadError::Empty)?;
     let step = first.time_step;
@@ -94,11 +92,11 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         end: Place::Byte(last.at + 1),
         digit: 0.0,
         count: None,
-        time_step: Some(Stated {
+        time_step: Some(Spacing::Even(Stated {
             value: step,
             place: stream.place,
             text: format!("{} samples a second", 1.0 / step),
-        }),
+        })),
         scale: if counts {
             Scale::Counts(text("whole numbers"))
         } else {
@@ -108,17 +106,4 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         provenance: stream.name.clone(),
         remarks: vec![reading("encoding", None, first.encoding_name())],
     })
-}
-
-/// Refuses what a seismometer measured, by the second letter of the channel.
-fn check_instrument(stream: &Component) -> Result<(), ReadError> {
-    let channel = stream.name.rsplit('.').next().unwrap_or_default();
-    match channel.as_bytes() {
-        [_, b'H' | b'L' | b'M' | b'P', _] => Err(ReadError::NotAcceleration {
-            place: stream.place,
-            found: stream.name.clone(),
-            instead: "the stream of an accelerometer, such as HNE",
-        }),
-        _ => Ok(()),
-    }
 }

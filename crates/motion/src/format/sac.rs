@@ -5,7 +5,7 @@
 //! shortest decimal that it stands for, 0.02 and not 0.01999999955.
 
 use super::columns::is_mark;
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated, reading};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::{Place, ReadError};
 
 /// Bytes of the header, and of what version 7 adds behind the values.
@@ -139,7 +139,36 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         .ok()
         .filter(|count| *count > 0);
     let count = count.ok_or_else(|| sac.refused(COUNT, "a number of samples above 0"))?;
-    let data = &file.bytes[HEADER..];
+    let (values, end) = values(&sac)?;
+    let step = sac.single(STEP);
+    Ok(Draft {
+        values,
+        end,
+        digit: 0.0,
+        count: Some(Stated {
+            value: count,
+            place: byte(COUNT),
+            text: count.to_string(),
+        }),
+        time_step: Some(Spacing::Even(Stated {
+            value: shortest(step),
+            place: byte(STEP),
+            text: step.to_string(),
+        })),
+        scale: if sac.whole(QUANTITY) == 8 {
+            Scale::Acceleration
+        } else {
+            Scale::Unknown
+        },
+        peak: peak(&sac),
+        provenance: provenance(&sac),
+        remarks: vec![reading("quantity", None, quantity)],
+    })
+}
+
+/// The values, and the place of the last.
+fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), ReadError> {
+    let data = &sac.bytes[HEADER..];
     let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
     let n_values = data.len().saturating_sub(footer) / 4;
     let mut values = Vec::with_capacity(n_values);
@@ -155,26 +184,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         }
         values.push(value);
     }
-    let step = sac.single(STEP);
-    Ok(Draft {
-        values,
-        end: byte(HEADER + 4 * n_values.saturating_sub(1)),
-        digit: 0.0,
-        count: Some(Stated {
-            value: count,
-            place: byte(COUNT),
-            text: count.to_string(),
-        }),
-        time_step: Some(Stated {
-            value: shortest(step),
-            place: byte(STEP),
-            text: step.to_string(),
-        }),
-        scale: Scale::Unknown,
-        peak: peak(&sac),
-        provenance: provenance(&sac),
-        remarks: vec![reading("quantity", None, quantity)],
-    })
+    Ok((values, byte(HEADER + 4 * n_values.saturating_sub(1))))
 }
 
 /// The number that the shortest decimal of a single precision is.

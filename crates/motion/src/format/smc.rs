@@ -2,11 +2,13 @@
 //! line.
 //!
 //! The numbers in the header say how many comments and values there are and how many samples make a
-//! second; they begin with the marks of what is missing. The format fixes the unit.
+//! second; they begin with the marks of what is missing. Where no rate is given the values are pairs of time and value. The
+//! format fixes the unit.
 
 use super::columns::{Columns, is_mark, leading_data};
+use super::time_column::TimeColumn;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Peak, Reader, Scale, Stated};
+use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -35,10 +37,8 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let line = title::line_with(titles, "COMPONENT=");
     let stated = line.and_then(|line| {
         let text = line.text();
-        let word = title::after(&text, "COMPONENT=")?
-            .split_whitespace()
-            .next()?;
-        Some(word.to_owned())
+        let name = title::words(title::after(&text, "COMPONENT=")?);
+        Some(name).filter(|name| !name.is_empty())
     });
     let component = |name: String, line: usize| Component {
         name,
@@ -71,67 +71,185 @@ fn recognises(file: &File<'_>) -> bool {
         && second.bytes.trim_ascii() == b"*"
 }
 
+/// The header: titles, whole numbers and numbers with a point.
+struct Header<'l, 't> {
+    titles: &'l [Line<'t>],
+    whole_lines: &'l [Line<'t>],
+    real_lines: &'l [Line<'t>],
+    whole: Vec<Option<f64>>,
+    real: Vec<Option<f64>>,
+    /// Marks of what is missing.
+    missing: Vec<f64>,
+}
+
+impl<'l, 't> Header<'l, 't> {
+    /// The header, and what follows it.
+    fn split(lines: &'l [Line<'t>]) -> Result<(Self, &'l [Line<'t>]), ReadError> {
+        let split = lines.split_at_checked(TITLES + WHOLE + REAL);
+        let (header, rest) = needed(split, lines.last().copied(), "the numbers of its header")?;
+        let (titles, numbers) = header.split_at(TITLES);
+        let (whole_lines, real_lines) = numbers.split_at(WHOLE);
+        let whole = Columns::new(8, 10).header(whole_lines);
+        let real = Columns::new(5, 15).header(real_lines);
+        let missing = [whole[..].first(), real[..].first()];
+        let missing = missing
+            .into_iter()
+            .filter_map(|mark| mark.copied().flatten());
+        let missing = missing.chain([-32768.0, 1.7e38]).collect();
+        let header = Self {
+            titles,
+            whole_lines,
+            real_lines,
+            whole,
+            real,
+            missing,
+        };
+        Ok((header, rest))
+    }
+
+    /// Splits off the comments, of which the 16th whole number tells how many there are; numbers are counted from 1.
+    fn comments(
+        &self,
+        rest: &'l [Line<'t>],
+    ) -> Result<(&'l [Line<'t>], &'l [Line<'t>]), ReadError> {
+        let stated = number_of(&self.whole, 16).filter(|count| *count >= 0.0);
+        let is_comment = |line: &&Line<'_>| line.bytes.starts_with(b"|");
+        let found = rest.iter().take_while(is_comment).count();
+        if is_mark(found as f64, stated.unwrap_or(0.0)) {
+            return Ok(rest.split_at(found));
+        }
+        Err(ReadError::Header {
+            place: Place::Line(self.whole_lines[1].number),
+            found: self.whole_lines[1].excerpt(),
+            allowed: "the number of comment lines that follow as the eighth",
+        })
+    }
+
+    /// The 17th whole number: how many numbers follow.
+    fn count(&self) -> Result<Stated<usize>, ReadError> {
+        let count = number_of(&self.whole, 17).map(|count| count.to_string());
+        title::count(self.whole_lines[2], &count.unwrap_or_default())
+    }
+
+    /// The second number with a point: samples in a second; none where it is marked as missing.
+    fn time_step(&self) -> Result<Option<Stated<f64>>, ReadError> {
+        let rate = number_of(&self.real, 2);
+        let is_missing =
+            rate.is_some_and(|rate| self.missing.iter().any(|mark| is_mark(rate, *mark)));
+        if is_missing {
+            return Ok(None);
+        }
+        title::time_step(self.real_lines[0], rate.map(|rate| 1.0 / rate)).map(Some)
+    }
+}
+
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
-    let lines = &file.lines;
-    let first = lines[0];
-    if !title::holds(first, "ACCELEROGRAM") {
+    let first = file.lines[0];
+    let is_unknown = first.bytes.starts_with(b"0") && title::holds(first, "UNKNOWN");
+    if !(title::holds(first, "ACCELEROGRAM") || is_unknown) {
         return Err(ReadError::NotAcceleration {
             place: Place::Line(first.number),
             found: first.excerpt(),
             instead: "the accelerogram of the record",
         });
     }
-    let header = lines.get(..TITLES + WHOLE + REAL);
-    let header = needed(header, lines.last().copied(), "the numbers of its header")?;
-    let (titles, numbers) = header.split_at(TITLES);
-    let (whole_lines, real_lines) = numbers.split_at(WHOLE);
-    let whole = Columns::new(8, 10).header(whole_lines);
-    let real = Columns::new(5, 15).header(real_lines);
-    let missing: Vec<f64> = [whole[..].first(), real[..].first()]
-        .into_iter()
-        .filter_map(|mark| mark.copied().flatten())
-        .chain([-32768.0, 1.7e38])
-        .collect();
-    // Numbers are counted from 1: the 16th gives the comments, the 17th the values.
-    let comments = number_of(&whole, 16)
-        .filter(|count| *count >= 0.0)
-        .unwrap_or(0.0);
-    let count = number_of(&whole, 17)
-        .map(|count| count.to_string())
-        .unwrap_or_default();
-    let count = title::count(whole_lines[2], &count)?;
-    let rest = &lines[header.len()..];
-    let n_comments = rest
-        .iter()
-        .take_while(|line| line.bytes.starts_with(b"|"))
-        .count();
-    if !is_mark(n_comments as f64, comments) {
-        return Err(ReadError::Header {
-            place: Place::Line(whole_lines[1].number),
-            found: whole_lines[1].excerpt(),
-            allowed: "the number of comment lines that follow as the eighth",
-        });
-    }
-    let data = leading_data(&rest[n_comments..]);
-    let numbers = Columns::new(8, 10).numbers(header[header.len() - 1], data, &missing)?;
+    let (header, rest) = Header::split(&file.lines)?;
+    let mut count = header.count()?;
+    let (comments, data) = header.comments(rest)?;
+    let data = leading_data(data);
+    let columns = data_columns(data);
+    let above = file.lines[TITLES + WHOLE + REAL - 1];
+    let numbers = columns.numbers(above, data, &header.missing)?;
+    let mut values = numbers.values;
+    let mut remark = None;
+    let spacing = if let Some(step) = header.time_step()? {
+        Spacing::Even(step)
+    } else {
+        let (times, of_pairs) = pairs(data, columns, &count)?;
+        values = of_pairs;
+        let (spacing, rest) = times.into_step_from_anywhere(&mut values)?;
+        remark = rest;
+        count.value = values.len();
+        spacing
+    };
     Ok(Draft {
-        values: numbers.values,
+        values,
         end: numbers.end,
         digit: numbers.digit,
         count: Some(count),
-        time_step: Some(title::time_step(
-            real_lines[0],
-            number_of(&real, 2).map(|rate| 1.0 / rate),
-        )?),
-        scale: Scale::Unit(Stated {
-            value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(first.number),
-            text: "as the format has it".to_owned(),
-        }),
-        peak: peak(&real, real_lines),
-        provenance: title::provenance(titles),
-        remarks: Vec::new(),
+        time_step: Some(spacing),
+        scale: scale(first, comments, is_unknown),
+        peak: peak(&header.real, header.real_lines),
+        provenance: title::provenance(header.titles),
+        remarks: remark.into_iter().collect(),
     })
+}
+
+/// How the values stand: five of fourteen bytes to a line, as some programs write them, or eight of ten.
+fn data_columns(data: &[Line<'_>]) -> Columns {
+    let wide = Columns::new(5, 14);
+    let is_wide = data.first().is_some_and(|line| {
+        let fields: Vec<&[u8]> = wide.fields(*line).collect();
+        fields.len() > 1
+            && fields
+                .iter()
+                .all(|field| field.len() == 14 && number(field).is_some())
+    });
+    if is_wide { wide } else { Columns::new(8, 10) }
+}
+
+/// The unit, which the format fixes for accelerations. A file of type `UNKNOWN` must speak of them in its comments.
+fn scale(first: Line<'_>, comments: &[Line<'_>], is_unknown: bool) -> Scale {
+    let says = title::line_with(comments, "ACCELER");
+    let line = if is_unknown { says } else { Some(first) };
+    let text = if is_unknown {
+        "as the format has it for accelerations: the type is unknown, but a comment says so"
+    } else {
+        "as the format has it"
+    };
+    line.map_or(Scale::Unknown, |line| {
+        Scale::Unit(Stated {
+            value: AccelerationUnit::CentimetrePerSecondSquared,
+            place: Place::Line(line.number),
+            text: text.to_owned(),
+        })
+    })
+}
+
+/// Pairs of time and value, which stand where the header gives no rate; it counts the numbers, or the pairs. Some files go on
+/// behind them.
+fn pairs(
+    data: &[Line<'_>],
+    columns: Columns,
+    count: &Stated<usize>,
+) -> Result<(TimeColumn, Vec<f64>), ReadError> {
+    let fields = data
+        .iter()
+        .flat_map(|line| columns.fields(*line).map(|field| (*line, field)));
+    let fields: Vec<(Line<'_>, &[u8])> = fields.collect();
+    let n_numbers = if fields.len() == 2 * count.value {
+        fields.len()
+    } else {
+        count.value
+    };
+    let Some(fields) = fields.get(..n_numbers) else {
+        return Err(ReadError::SampleCount {
+            place: data
+                .last()
+                .map_or(count.place, |line| Place::Line(line.number)),
+            found: fields.len(),
+            allowed: count.value,
+            next: None,
+        });
+    };
+    let mut times = TimeColumn::default();
+    let mut values = Vec::new();
+    for pair in fields.chunks_exact(2) {
+        let [(of_time, time), (of_value, value)] = [pair[0], pair[1]];
+        times.push(of_time, time)?;
+        values.push(of_value.finite(2, value)?);
+    }
+    Ok((times, values))
 }
 
 /// The n-th number of a header, from 1.

@@ -1,5 +1,6 @@
 //! The time step behind a column of printed times.
 
+use super::spacing::{Spacing, Uneven};
 use super::{Stated, reading};
 use crate::line::Line;
 use crate::{Place, ReadError, Reading};
@@ -18,10 +19,15 @@ pub(super) struct TimeColumn {
     decimals: usize,
 }
 
-/// Equal steps, and whether the first printed time is 0 or one step.
-struct Grid {
-    time_step: f64,
-    starts_after_one_step: bool,
+/// Where the times begin.
+#[derive(Clone, Copy)]
+enum Start {
+    /// At t = 0.
+    Zero,
+    /// After one step.
+    OneStep,
+    /// Before or after that.
+    Elsewhere,
 }
 
 impl TimeColumn {
@@ -32,30 +38,54 @@ impl TimeColumn {
         Ok(())
     }
 
-    /// The time step; values that begin one step late get the state of rest at t = 0.
+    /// The time step, of times that begin at 0 or one step later; in the latter case values get the state of rest at t = 0.
     pub(super) fn into_step(
         self,
         values: &mut Vec<f64>,
-    ) -> Result<(Stated<f64>, Option<Reading>), ReadError> {
-        let grid = self.grid()?;
-        let place = Place::Line(self.lines[0]);
-        let remark = grid.starts_after_one_step.then(|| {
-            values.insert(0, 0.0);
-            reading(
-                "state of rest",
-                Some(place),
-                "0 put at t = 0, where the file has nothing",
-            )
-        });
-        let stated = Stated {
-            value: grid.time_step,
-            place,
-            text: format!("times from {} s on", self.times[0]),
+    ) -> Result<(Spacing, Option<Reading>), ReadError> {
+        let (spacing, start) = self.spacing()?;
+        let remark = match (&spacing, start) {
+            (Spacing::Uneven(_), _) | (_, Start::Zero) => None,
+            (_, Start::OneStep) => Some(self.at_rest(values)),
+            (Spacing::Even(step), Start::Elsewhere) => {
+                return Err(ReadError::StartTime {
+                    line: self.lines[0],
+                    found: self.times[0],
+                    time_step: step.value,
+                });
+            }
         };
-        Ok((stated, remark))
+        Ok((spacing, remark))
     }
 
-    fn grid(&self) -> Result<Grid, ReadError> {
+    /// The same, of times that may begin anywhere: the first is taken as t = 0 there.
+    pub(super) fn into_step_from_anywhere(
+        self,
+        values: &mut Vec<f64>,
+    ) -> Result<(Spacing, Option<Reading>), ReadError> {
+        let (spacing, start) = self.spacing()?;
+        let remark = match (&spacing, start) {
+            (_, Start::Zero) => None,
+            (Spacing::Even(_), Start::OneStep) => Some(self.at_rest(values)),
+            _ => {
+                let found = format!("the {} s of the first line, taken as t = 0", self.times[0]);
+                Some(reading("start", Some(Place::Line(self.lines[0])), &found))
+            }
+        };
+        Ok((spacing, remark))
+    }
+
+    /// Puts the state of rest before values that begin one step late.
+    fn at_rest(&self, values: &mut Vec<f64>) -> Reading {
+        values.insert(0, 0.0);
+        reading(
+            "state of rest",
+            Some(Place::Line(self.lines[0])),
+            "0 put at t = 0, where the file has nothing",
+        )
+    }
+
+    fn spacing(&self) -> Result<(Spacing, Start), ReadError> {
         let (&[first, ..], &[.., last]) = (&self.times[..], &self.times[..]) else {
             return Err(ReadError::TooFewSamples { found: 0 });
         };
@@ -78,19 +108,33 @@ impl TimeColumn {
                 found: mean,
             });
         }
-        let (time_step, slack) = self.time_step(mean).ok_or_else(|| self.unevenness())?;
-        let starts_after_one_step = (first - time_step).abs() <= slack;
-        if first.abs() > slack && !starts_after_one_step {
-            return Err(ReadError::StartTime {
-                line: self.lines[0],
-                found: first,
-                time_step,
-            });
-        }
-        Ok(Grid {
-            time_step,
-            starts_after_one_step,
-        })
+        let place = Place::Line(self.lines[0]);
+        let Some((time_step, slack)) = self.time_step(mean) else {
+            let uneven = Uneven {
+                times: self.times.clone(),
+                place,
+                refusal: self.unevenness(),
+            };
+            let start = if first.abs() > 0.0 {
+                Start::Elsewhere
+            } else {
+                Start::Zero
+            };
+            return Ok((Spacing::Uneven(uneven), start));
+        };
+        let start = if first.abs() <= slack {
+            Start::Zero
+        } else if (first - time_step).abs() <= slack {
+            Start::OneStep
+        } else {
+            Start::Elsewhere
+        };
+        let stated = Stated {
+            value: time_step,
+            place,
+            text: format!("times from {first} s on"),
+        };
+        Ok((Spacing::Even(stated), start))
     }
 
     /// The time step and how far a time may be from its place, if the times rise in equal steps.
@@ -102,21 +146,32 @@ impl TimeColumn {
         // A step with no more decimals than the times have is printed without rounding: its
         // multiples are exact.
         let slack = 0.25 * unit.min(mean) + rounding;
-        let span = last - self.times[0];
-        let steps = (self.times.len() - 1) as f64;
-        let decimal = (0..=self.decimals.min(MOST_DECIMALS))
-            .filter_map(|decimals| format!("{mean:.decimals$}").parse::<f64>().ok())
-            .find(|step| *step > 0.0 && (step * steps - span).abs() <= slack);
-        if let Some(step) = decimal
-            && self.fits(step, slack + UNEVENNESS * step)
-        {
-            return Some((step, slack + UNEVENNESS * step));
+        if let Some(found) = self.decimal_step(mean, slack) {
+            return Some(found);
         }
 
         // Otherwise, such as for 1/256 s in four decimals, first, last and each time are rounded,
         // by half a unit each. Where that is much of a step it would hide a missing sample.
         let slack = unit + UNEVENNESS * mean + rounding;
-        (10.0 * unit <= mean && self.fits(mean, slack)).then_some((mean, slack))
+        if 10.0 * unit <= mean && self.fits(mean, slack) {
+            return Some((mean, slack));
+        }
+
+        // Or programs in single precision computed them: then each is off by its rounding, too.
+        let single = unit + f64::from(f32::EPSILON) * last.abs();
+        let is_much = 10.0 * single > mean;
+        self.decimal_step(mean, single).filter(|_| !is_much)
+    }
+
+    /// The shortest decimal step that leads from the first time to the last, if all times are on its grid.
+    fn decimal_step(&self, mean: f64, slack: f64) -> Option<(f64, f64)> {
+        let span = self.times[self.times.len() - 1] - self.times[0];
+        let steps = (self.times.len() - 1) as f64;
+        let step = (0..=self.decimals.min(MOST_DECIMALS))
+            .filter_map(|decimals| format!("{mean:.decimals$}").parse::<f64>().ok())
+            .find(|step| *step > 0.0 && (step * steps - span).abs() <= slack)?;
+        let slack = slack + UNEVENNESS * step;
+        self.fits(step, slack).then_some((step, slack))
     }
 
     fn fits(&self, step: f64, slack: f64) -> bool {
@@ -150,6 +205,7 @@ impl TimeColumn {
             line: self.lines[worst + 1],
             found: steps[worst],
             allowed,
+            range: [sorted[0], sorted[sorted.len() - 1]],
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use super::table::{Table, pieces};
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -72,18 +72,25 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let behind = counts.line.number;
     let first = file.lines[behind..].iter().position(is_row);
     let first = behind + needed(first, file.lines.last().copied(), "the values")?;
-    let count = title::count(counts.line, counts.get(index))?;
+    let mut count = title::count(counts.line, counts.get(index))?;
     let lines = &file.lines[first..];
     let numbers = Table::new(file.lines[first - 1], lines, n_columns, pieces)?.column(index)?;
+    // Some files count the steps and not the samples.
+    let is_one_more = numbers.values.len() == count.value + 1;
+    let remark = is_one_more.then(|| {
+        let found = format!("one more than the header declares, {}", count.value);
+        reading("rows", Some(count.place), &found)
+    });
+    count.value += usize::from(is_one_more);
     Ok(Draft {
         values: numbers.values,
         end: numbers.end,
         digit: numbers.digit,
         count: Some(count),
-        time_step: Some(title::time_step(
+        time_step: Some(Spacing::Even(title::time_step(
             steps.line,
             number(steps.get(index).as_bytes()),
-        )?),
+        )?)),
         scale: Scale::Unit(Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
             place: Place::Line(peaks.line.number),
@@ -91,6 +98,6 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         }),
         peak: title::peak(peaks.line, peaks.get(index)),
         provenance: title::provenance(&file.lines[..first.min(HEADER)]),
-        remarks: Vec::new(),
+        remarks: remark.into_iter().collect(),
     })
 }

@@ -50,3 +50,15 @@ pub(super) fn before(next: Option<&(usize, String)>) -> String {
         format!(" (line {line} reads {found:?})")
     })
 }
+
+/// Which numbers of columns a plain text may have, and how to get there.
+pub(super) fn columns(allowed: Option<usize>) -> String {
+    match allowed {
+        Some(allowed) => format!(
+            "{allowed} as in the first line of numbers; write time and acceleration alone, or one acceleration to a line"
+        ),
+        None => "1 or 2, or more with a time or with names; write a line such as `time NS EW UD` above them, or one \
+                 acceleration to a line"
+            .to_owned(),
+    }
+}

@@ -56,6 +56,7 @@ fn reference_counts_become_what_the_caller_says() {
     assert_snapshot!(refusal(file("cosmos.v0"), &Declared::default()), @r#"line 48 reads "20  accel. pts, approx    0 secs, units=counts(50),Format=(1…": the values are counts of a digitiser; declare what one is worth as `per_count`, and in which `unit`"#);
     let without = Declared {
         per_count: None,
+        acceleration: false,
         ..declared
     };
     assert_snapshot!(refusal(file("cosmos.v0"), &without), @r#"line 48 reads "20  accel. pts, approx    0 secs, units=counts(50),Format=(1…": the values are counts of a digitiser; declare what one is worth as `per_count`, and in which `unit`"#);

@@ -10,6 +10,7 @@ const NOTHING: Declared = Declared {
     time_step: None,
     component: None,
     per_count: None,
+    acceleration: false,
 };
 
 #[test]
@@ -119,7 +120,7 @@ fn extreme_volume_1() {
     let refused = |from, to| refusal(with("csmip-old.v1", from, to), &NOTHING);
     assert_snapshot!(refused("points =     12", "points =     13"), @r#"the values end at line 30 after 12 of them (line 31 reads "/&  ----------  End of data for channel  1  ----------"), but the header declares 13; fetch the file again, or correct the header if the values are complete"#);
     assert_snapshot!(refused("   .110  2.758", "   .110"), @r#"line 30 reads ".100  -.531   .110", but a value behind each time should stand there; fetch the file again"#);
-    assert_snapshot!(refused("   .100  -.531", "   .105  -.531"), @"line 30: the time changes by 0.005 s from the line before, allowed is the 0.01 s of the other lines; resample the record to equal steps or print its times with more decimals");
+    assert_snapshot!(refused("   .100  -.531", "   .105  -.531"), @"the times rise in uneven steps, from 0.005 to 0.015 s: at line 30 by 0.005 s, where 0.01 s are the median; declare the step to which they are to be resampled, linear between them, as `time_step`, or print them with more decimals");
     assert_snapshot!(refused("sec and g/10", "sec and volts"), @r#"line 12 reads "Units are sec and volts" and names no unit of an acceleration that is known, such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"#);
     assert_snapshot!(refused("Max = -0.8174", "Max = -8.174"), @r#"line 13 states a peak of "Uncor Max = -8.174 g, at .010 sec.   RMS accel = .010 g.", but the largest value read is 8.174 g/10; one of them is damaged or in another unit: fetch the file again"#);
     let refused = |from, to| refusal(with("csmip-new.v1", from, to), &NOTHING);

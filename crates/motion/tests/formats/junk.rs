@@ -27,6 +27,7 @@ fn declared(per_count: Option<f64>) -> Declared {
         time_step: None,
         component: Some("1".to_owned()),
         per_count,
+        acceleration: true,
     }
 }
 

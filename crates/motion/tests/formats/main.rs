@@ -11,6 +11,7 @@ mod knet;
 mod lists;
 mod miniseed;
 mod plain;
+mod real_files;
 mod sac;
 mod smc;
 mod tables;

@@ -84,6 +84,7 @@ fn reference_every_encoding_of_counts_in_both_versions() {
 fn reference_floats_need_their_unit_alone() {
     let declared = Declared {
         per_count: None,
+        acceleration: false,
         ..in_milli_g()
     };
     for version in [2, 3] {
@@ -145,7 +146,7 @@ fn extreme_records() {
     tail.extend(b"something else");
     assert_snapshot!(refusal(&tail, &in_milli_g()), @r#"byte 513 reads "somethin", but a record of miniSEED should stand there; fetch the file again"#);
     let velocity = record(2, "HHE", 0, EncodingFormat::Int32, Samples::Int(vec![7, 8]));
-    assert_snapshot!(refusal(velocity, &in_milli_g()), @r#"byte 1 reads "ZZ.STA.00.HHE", but only histories of acceleration are read; take the stream of an accelerometer, such as HNE"#);
+    assert_snapshot!(refusal(velocity, &in_milli_g()), @r#"byte 1 reads "ZZ.STA.00.HHE", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"#);
     let not_finite = record(
         3,
         "HNE",
@@ -169,4 +170,24 @@ proptest! {
             prop_assert_eq!(found.values(), &expected[..]);
         }
     }
+}
+
+/// Records without a blockette 1000 were refused: their packing is Steim 1, and their length is where the next begins.
+#[test]
+fn issue_records_without_a_blockette_1000() {
+    let bare = |start: u32| {
+        let mut bytes = counts(2, start, EncodingFormat::Steim1);
+        bytes[39] = 0;
+        bytes[46..48].fill(0);
+        bytes
+    };
+    let expected = accelerogram(counts(2, 0, EncodingFormat::Steim1), &in_milli_g());
+    let found = accelerogram(bare(0), &in_milli_g());
+    assert_eq!(found.values(), expected.values());
+    let two = [bare(0), bare(9)].concat();
+    assert_eq!(
+        accelerogram(two, &in_milli_g()).values().len(),
+        2 * expected.values().len()
+    );
+    assert_snapshot!(refusal(&bare(0)[..400], &in_milli_g()), @r#"byte 1 reads "000001D ", but a record with a blockette 1000 that tells its length, or another record behind it should stand there; fetch the file again"#);
 }

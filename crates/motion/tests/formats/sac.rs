@@ -72,6 +72,7 @@ const IN_SI: Declared = Declared {
     time_step: None,
     component: None,
     per_count: None,
+    acceleration: false,
 };
 
 #[test]
@@ -126,4 +127,28 @@ fn limit_peak_and_quantity_may_be_unset() {
         .set(2, unset)
         .set(86, (-12345_i32).cast_unsigned());
     assert_eq!(accelerogram(sac.bytes(), &IN_SI).values().len(), 4);
+}
+
+/// Channels of seismometers were taken for accelerations once their unit was declared.
+#[test]
+fn issue_velocities_by_the_code_of_the_channel() {
+    let with_channel = |code: &[u8; 3], quantity: u32| {
+        let mut bytes = Sac::new(&VALUES).set(86, quantity).bytes();
+        bytes[600..608].copy_from_slice(&[&code[..], b"     "].concat());
+        bytes
+    };
+    let (unknown, acceleration) = (5, 8);
+    assert_snapshot!(refusal(with_channel(b"BHE", unknown), &IN_SI), @r#"byte 601 reads "BHE", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"#);
+    let turned = Declared {
+        acceleration: true,
+        ..IN_SI
+    };
+    let found = accelerogram(with_channel(b"BHE", unknown), &turned);
+    let said: Vec<String> = found.unusual().iter().map(ToString::to_string).collect();
+    assert_snapshot!(said.join("\n"), @r#"found "BHE" in the file, which speaks for velocities, declared to be accelerations, usual is the record of an accelerometer, such as channel HNE"#);
+    // What the header says counts more than the code, and accelerometers have codes of their own.
+    for (code, quantity) in [(b"BHE", acceleration), (b"HNE", unknown), (b"ENZ", unknown)] {
+        let found = accelerogram(with_channel(code, quantity), &IN_SI);
+        assert!(found.unusual().is_empty(), "{code:?}");
+    }
 }

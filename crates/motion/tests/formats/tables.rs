@@ -110,6 +110,7 @@ fn reference_broadband_platform_leaves_cm_per_s_to_the_caller() {
     assert_eq!(components(BBP.as_bytes()).unwrap(), ["NS", "EW", "UD"]);
     let declared = Declared {
         unit: Some(AccelerationUnit::CentimetrePerSecondSquared),
+        acceleration: true,
         ..component("EW")
     };
     let found = accelerogram(BBP, &declared);
@@ -125,7 +126,7 @@ fn reference_broadband_platform_leaves_cm_per_s_to_the_caller() {
     ");
     let stated = accelerogram(BBP.replace("cm/s)", "cm/s/s)"), &component("EW"));
     assert_eq!(stated.values(), found.values());
-    assert_snapshot!(refusal(BBP, &component("EW")), @"the file does not say in which unit its values are; declare it as `unit`, one of g, m_per_s2, cm_per_s2, mm_per_s2, mg, g_per_10");
+    assert_snapshot!(refusal(BBP, &component("EW")), @r##"line 2 reads "# Time (s), NS (cm/s), EW (cm/s), UD (cm/s)", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"##);
     assert_snapshot!(refusal(BBP.replace("cm/s)", "cm)"), &declared), @r##"line 2 reads "# Time (s), NS (cm), EW (cm), UD (cm)", but only histories of acceleration are read; take the .acc.bbp file of the record"##);
     assert_snapshot!(refusal(BBP.replace("0.00 0.5", "0.00"), &declared), @"line 3 has 3 field(s), allowed are 4; fetch the file again");
 }
@@ -135,6 +136,7 @@ fn extreme_every_cut() {
     for text in [CWB.as_bytes(), &afad(), &unam(), BBP.as_bytes()] {
         let declared = Declared {
             unit: Some(AccelerationUnit::CentimetrePerSecondSquared),
+            acceleration: true,
             ..component("2")
         };
         let whole = accelerogram(text, &declared);

@@ -7,8 +7,8 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use pounding::studies::{
-    Advice, EVALUATIONS_PER_PIECE, Goal, LONGEST_STEP, MOST_STEPS, Method, Prepared, Quantity,
-    Rungs, Scene, StudyError, Trial, advise, digits, is_json, json_text,
+    Advice, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, Prepared, Quantity, Rungs, Scene,
+    StudyError, Trial, advise, digits, is_json, json_text,
 };
 use serde_json::json;
 
@@ -31,7 +31,8 @@ pub(crate) struct Arguments {
     /// The scene, a TOML or JSON file; its own method does not matter.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Largest error, as 1% or 0.01.
+    /// Largest error, as 1% or 0.01: of each number relative to its own size; the notes of the answer say how small ones are
+    /// measured, and what is left out.
     #[arg(long, allow_negative_numbers = true, value_parser = error)]
     error: f64,
     /// Of what.
@@ -47,15 +48,15 @@ pub(crate) struct Arguments {
 enum OfWhat {
     /// Transferred momentum of every structure.
     Momentum,
-    /// Peak displacement of every floor, storey drifts, displacements at the end.
+    /// Peak displacements, storey drifts, both at the end, least openings.
     Displacement,
     /// Peak absolute acceleration of every floor.
     Acceleration,
     /// Peak shear forces and peak pounding forces.
     Force,
-    /// First and largest impulse of every pair.
+    /// First and largest impulse of every pair, sum of its impulses.
     Impulse,
-    /// Time of the first collision of every pair.
+    /// Time of the first collision of every pair, time of touching.
     Time,
     /// All of these, and equal numbers of collisions.
     All,
@@ -160,7 +161,7 @@ fn of(prepared: &Prepared, advice: &Advice, json: bool) -> String {
         snippet(&best.method, json),
         paragraph("Scene", &prepared.scene().name),
         methods(advice),
-        paragraph("Notes", &notes()),
+        paragraph("Notes", &notes(prepared)),
     ]
     .join("\n")
 }
@@ -179,13 +180,14 @@ fn snippet(method: &Method, json: bool) -> String {
     lines.concat()
 }
 
-fn notes() -> String {
+fn notes(prepared: &Prepared) -> String {
     format!(
-        "Errors: the largest distance from the exact run, and in what.\nGoal met: at this step and at every shorter one \
+        "Errors: the largest distance from the exact run, and in what; {MEASURE}.\nGoal met: at this step and at every shorter one \
          tried, of which there is at least one; the shortest step alone proves nothing, and stands here where the goal is \
          not met. Steps are halved from {LONGEST_STEP} s while a run has at most {MOST_STEPS} steps of \
-         structures.\nCost: force evaluations; a piece of motion of the exact method counts as {EVALUATIONS_PER_PIECE}, which \
-         is about the time it takes."
+         structures.\nCost: force evaluations; a piece of motion of the exact method counts as {} here, which \
+         is about the time it takes.",
+        prepared.evaluations_per_piece()
     )
 }
 
@@ -240,7 +242,7 @@ fn words(quantity: Quantity) -> &'static str {
         Quantity::Acceleration => "peak accelerations",
         Quantity::Force => "peak forces",
         Quantity::Impulse => "impulses",
-        Quantity::Time => "times of first collisions",
-        Quantity::All => "all printed numbers",
+        Quantity::Time => "times of collisions",
+        Quantity::All => "all numbers (see Notes)",
     }
 }

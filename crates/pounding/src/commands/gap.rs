@@ -103,6 +103,7 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
+    parts.extend(suite::untold(lines).map(|said| paragraph("Direction", &said)));
     let levels = has_storeys(scene).then_some(LEVELS);
     let travels = scene.arrivals_s.is_some().then_some(TRAVELS);
     let notes = [Some(NOTES), levels, travels];
@@ -305,7 +306,10 @@ fn json_of(scene: &Scene, lines: &[Line]) -> String {
     let line = |line: &Line| {
         let mut motion = json!({"record": line.motion, "reversed": line.reversed});
         match &line.found {
-            Ok(found) => motion["gaps"] = found.iter().map(separation).collect(),
+            Ok(found) => {
+                motion["direction"] = json!(suite::direction(line));
+                motion["gaps"] = found.iter().map(separation).collect();
+            }
             Err(reason) => motion["refused"] = json!(reason),
         }
         motion

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::studies::{Motion, Prepared, Scene, StudyError};
+use pounding::studies::{Motion, Orientation, Prepared, Scene, StudyError};
 use rayon::prelude::*;
 
 use crate::progress::Progress;
@@ -12,6 +12,8 @@ use crate::progress::Progress;
 pub(super) struct Line<T> {
     pub(super) motion: String,
     pub(super) reversed: bool,
+    /// Whether nothing tells how the motion lies.
+    pub(super) untold: bool,
     pub(super) found: Result<T, String>,
 }
 
@@ -50,7 +52,7 @@ impl<T> Ran<T> {
 /// Whether Ctrl-C was pressed.
 pub(super) static STOPPED: AtomicBool = AtomicBool::new(false);
 
-/// From now on Ctrl-C lets runs end that have begun, and begins no other; pressed again it ends the program.
+/// From now on Ctrl-C ends the runs that have begun, and begins no other; pressed again it ends the program.
 pub(super) fn stop_when_asked() {
     let asked = ctrlc::set_handler(|| {
         if STOPPED.swap(true, Ordering::Relaxed) {
@@ -62,13 +64,13 @@ pub(super) fn stop_when_asked() {
     let _ = asked;
 }
 
-/// What comes of every case, in order, up to where somebody says stop: what has begun is finished.
+/// What comes of every case, in order, up to where somebody says stop; nothing of a case that this ended.
 fn until_stopped<C: Sync, L: Send>(
     cases: &[C],
     stopped: &AtomicBool,
-    line: impl Fn(&C) -> L + Sync,
+    line: impl Fn(&C) -> Option<L> + Sync,
 ) -> Vec<L> {
-    let unless = |case| (!stopped.load(Ordering::Relaxed)).then(|| line(case));
+    let unless = |case| (!stopped.load(Ordering::Relaxed)).then(|| line(case))?;
     cases.par_iter().filter_map(unless).collect()
 }
 
@@ -89,14 +91,18 @@ pub(super) fn lines<T: Send>(
         .collect();
     let progress = Progress::new();
     let line = |&(motion, reversed): &(&Motion, bool)| {
-        let found = motion.shake(scene, reversed);
+        let found = motion.shake_until(scene, reversed, Some(&STOPPED));
         let found = found.and_then(|prepared| run(&prepared));
+        if found.as_ref().is_err_and(StudyError::is_stopped) {
+            return None;
+        }
         progress.step(cases.len());
-        Line {
+        Some(Line {
             motion: motion.name(),
             reversed,
+            untold: motion.orientation == Orientation::Untold,
             found: found.map_err(|error| error.reason()),
-        }
+        })
     };
     stop_when_asked();
     let lines = until_stopped(&cases, &STOPPED, line);
@@ -139,6 +145,29 @@ pub(super) fn left_out<T>(lines: &[Line<T>]) -> Vec<String> {
     said
 }
 
+/// What is said of motions that shake the row though nothing tells how they lie; `None` if there are none.
+pub(super) fn untold<T>(lines: &[Line<T>]) -> Option<String> {
+    let untold = lines
+        .iter()
+        .filter(|line| line.untold && line.found.is_ok());
+    let mut names: Vec<&str> = untold.map(|line| line.motion.as_str()).collect();
+    names.dedup();
+    said_of_untold(&names)
+}
+
+/// What is said of motions of these names, whose direction nothing tells; `None` if there are none.
+pub(super) fn said_of_untold(names: &[impl AsRef<str>]) -> Option<String> {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    let said =
+        "they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
+    (!names.is_empty()).then(|| format!("not told, {said}: {}", names.join(", ")))
+}
+
+/// How a line's motion lies, for a program: `null` where nothing tells.
+pub(super) fn direction<T>(line: &Line<T>) -> Option<&'static str> {
+    (!line.untold).then_some("horizontal")
+}
+
 /// The motions of a folder, at least one.
 fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
     let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
@@ -161,6 +190,7 @@ mod tests {
         Line {
             motion: motion.into(),
             reversed,
+            untold: false,
             found: found.map_err(String::from),
         }
     }
@@ -171,13 +201,13 @@ mod tests {
         let (stopped, cases) = (AtomicBool::new(false), (0..10_000).collect::<Vec<_>>());
         let line = |case: &i32| {
             stopped.fetch_or(*case >= 5, Ordering::Relaxed);
-            *case
+            Some(*case)
         };
         let kept = until_stopped(&cases, &stopped, line);
         assert!((1..10_000).contains(&kept.len()), "{}", kept.len());
         assert!(kept.is_sorted(), "in the order of the cases");
         stopped.store(false, Ordering::Relaxed);
-        assert_eq!(until_stopped(&cases, &stopped, |case| *case), cases);
+        assert_eq!(until_stopped(&cases, &stopped, |case| Some(*case)), cases);
     }
 
     /// A motion that failed only when reversed was said nowhere.

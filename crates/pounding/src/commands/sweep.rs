@@ -10,7 +10,7 @@ use pounding::studies::{
     ColumnErrors, Joined, Method, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
 };
 
-use super::suite::{STOPPED, stop_when_asked};
+use super::suite::{STOPPED, said_of_untold, stop_when_asked};
 use crate::new_file;
 use crate::progress::Counter;
 use crate::text::{milliseconds, paragraph, percent};
@@ -116,6 +116,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     if !sweep.left_out().is_empty() {
         lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
     }
+    lines.extend(said_of_untold(sweep.untold()).map(|said| paragraph("Direction", &said)));
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, &out)?));
     }
@@ -163,8 +164,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     } = &accuracy.rows;
     if accuracy.method == Method::EXACT {
         return Ok(format!(
-            "{}: no step that was tried keeps {} of a sample of the runs within it. Errors are measured by the exact method and here are \
-             none. All columns: {}",
+            "{}: for so many runs nothing that keeps {} of a sample of them within it costs less. It has no errors but those of \
+             rounding; none were measured. All columns: {}",
             chosen(accuracy),
             percent(SweepAccuracy::SHARE),
             path.display()

@@ -137,7 +137,7 @@ fn drift_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
         ERROR.into(),
         drift.clone(),
         String::new(),
-        String::new(),
+        percent(errors.last_drift.unwrap_or(errors.last_displacement)),
         unless(made_of.is_none_or(|made| made.height_m.is_none())),
         percent(errors.restoring_force),
         unless(!floor.can_yield()),

@@ -143,6 +143,15 @@ impl Contact {
         self.grounds == Grounds::Apart
     }
 
+    /// c/m of a damper that is the same in every contact, whatever its deformation and speed \[1/s\]; 0 of others.
+    pub(super) fn relaxation(&self) -> f64 {
+        let form = self.law.form(self.reduced_mass, 1.0);
+        let same =
+            |form: &Form| form.damper.power == Exponent::Zero && !self.law.knows_approach_speed();
+        form.filter(same)
+            .map_or(0.0, |form| form.damper.coefficient / self.reduced_mass)
+    }
+
     /// Begins compliant contact, at the rate of the touch.
     pub(super) fn begin(&mut self) {
         (self.approach_speed, self.pieces) = (self.rate.max(0.0), 0);

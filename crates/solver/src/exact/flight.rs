@@ -252,7 +252,8 @@ impl<R: Recorder> Run<'_, R> {
     pub(super) fn fly(&mut self, time: f64) -> f64 {
         let mut now = time;
         if self.flights.whole && self.flies() {
-            while let Some(interval) = self.interval_from(now)
+            while !self.guard.is_over(self.work.segments)
+                && let Some(interval) = self.interval_from(now)
                 && self.leap(&interval)
             {
                 self.land_flights(&interval);

@@ -1,6 +1,6 @@
 //! Who moves together: floors that storeys join, and neighbours that touch or rest against each other.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
 use crate::exact::contact::{Contact, Link};
 use crate::exact::member::Member;
@@ -38,11 +38,61 @@ pub(super) struct Block {
     pub(super) right: Option<usize>,
 }
 
+/// What a node adds to its side of a pair.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Side {
+    /// What decides which side is lighter, ≥ 0.
+    pub(super) weight: f64,
+    /// What is asked of the lighter side.
+    pub(super) need: f64,
+}
+
+/// The sum of the needs of the lighter side of a pair.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Lighter {
+    Left(f64),
+    Right(f64),
+}
+
+impl Side {
+    fn over(self, other: Self) -> Self {
+        Self {
+            weight: self.weight + other.weight,
+            need: self.need + other.need,
+        }
+    }
+}
+
 impl Block {
-    /// Nodes on both sides of a pair inside.
-    pub(super) fn split(&self, index: usize) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
-        let middle = self.first + index;
-        (self.first..=middle, middle + 1..=self.last)
+    /// Tells of every pair inside, by its place, what its lighter side needs (of equal ones the left), in as many steps as there
+    /// are nodes: what is lighter grows from its end of the block.
+    pub(super) fn from_lighter_sides(
+        &self,
+        side: impl Fn(usize) -> Side,
+        mut tell: impl FnMut(usize, Lighter),
+    ) {
+        let (mut first, mut last) = (self.first, self.last);
+        if first == last {
+            return;
+        }
+        let (mut left, mut right) = (side(first), side(last));
+        loop {
+            if left.weight <= right.weight {
+                tell(first - self.first, Lighter::Left(left.need));
+                first += 1;
+                if first == last {
+                    return;
+                }
+                left = left.over(side(first));
+            } else {
+                last -= 1;
+                tell(last - self.first, Lighter::Right(right.need));
+                if first == last {
+                    return;
+                }
+                right = right.over(side(last));
+            }
+        }
     }
 }
 

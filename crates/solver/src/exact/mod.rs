@@ -15,6 +15,7 @@
 mod bend;
 mod body;
 mod contact;
+mod cost;
 mod flight;
 mod groups;
 mod hits;
@@ -29,10 +30,11 @@ mod settle;
 mod storey;
 mod watch;
 
+use crate::budget::Guard;
 use crate::error::require;
 use crate::excitation::Segment;
 use crate::ground::Ground;
-use crate::{Clock, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
+use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
 
 use body::Body;
 pub(crate) use body::in_flight;
@@ -79,11 +81,6 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Events at one instant after which a run gives up, and those that each structure adds to them.
 const MOST_AT_ONCE: usize = 1000;
 const MOST_AT_ONCE_EACH: usize = 10;
-/// Events after which a run gives up.
-const MOST_EVENTS: u64 = 10_000_000;
-/// Most pieces of one structure that only the reach of its series asks for.
-const MOST_PIECES: f64 = 1e6;
-
 /// Everything of a run.
 struct Run<'a, R> {
     settings: Exact,
@@ -113,6 +110,7 @@ struct Run<'a, R> {
     /// Bodies that wait for their next piece.
     landed: Vec<bool>,
     chain: Chain,
+    guard: Guard,
     work: Work,
     recorder: &'a mut R,
 }
@@ -122,7 +120,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     settings: Exact,
     row: &Row<Column>,
     excitation: Excitation<'_>,
-    clock: Clock,
+    Course { clock, budget }: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
     settings.check()?;
@@ -169,27 +167,13 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         groups,
         landed: vec![true; n],
         chain: Chain::default(),
+        guard: clock.within(budget).begin(n),
         work: Work::default(),
         recorder,
     };
-    check_pieces(&run.members, run.end)?;
+    run.check_cost(budget.pieces)?;
     run.run()?;
     Ok(run.work)
-}
-
-/// Refuses structures so stiff that the reach of their series alone asks for too many pieces.
-fn check_pieces(members: &[Member], end: f64) -> Result<(), RunError> {
-    for (structure, member) in members.iter().enumerate() {
-        let pieces = member.fastest_rate * end;
-        if !member.is_wall() && pieces > MOST_PIECES {
-            return Err(RunError::TooStiff {
-                structure,
-                pieces,
-                allowed: MOST_PIECES,
-            });
-        }
-    }
-    Ok(())
 }
 
 /// Node on the ground of every node's building.
@@ -217,7 +201,8 @@ impl<R: Recorder> Run<'_, R> {
                 return Ok(());
             }
             at_once = if time > now { 0 } else { at_once + 1 };
-            if at_once > most_at_once || self.work.events > MOST_EVENTS {
+            self.guard.look(time, self.work.segments)?;
+            if at_once > most_at_once {
                 let events = self.work.events;
                 return Err(RunError::NoProgress { time, events });
             }

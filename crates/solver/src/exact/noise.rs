@@ -1,7 +1,7 @@
 //! What rounding leaves of coefficients that are zero: what a pair at rest is judged by.
 
 use crate::exact::contact::Contact;
-use crate::exact::groups::Group;
+use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
 use crate::exact::storey::magnitude;
 
@@ -69,10 +69,35 @@ pub(super) fn clean(
     }
     share(group, members);
     for block in group.blocks() {
-        for index in 0..block.last - block.first {
-            let (before, after) = block.split(index);
-            let contact = &mut contacts[block.within + index];
-            contact.clear_rounding((&members[before], &members[after]), p);
+        clear_rounding(block, (members, contacts), p);
+    }
+}
+
+/// Clears the first coefficients of the forces at rest of a block that are rounding, of each pair all when the first ones are.
+fn clear_rounding(block: &Block, (members, contacts): (&[Member], &mut [Contact]), p: usize) {
+    let tied = members[block.first..=block.last]
+        .iter()
+        .any(Member::is_tied);
+    let orders = if tied { ORDERS_OF_FLOORS } else { ORDERS };
+    for order in 0..orders {
+        let side = |node: usize| {
+            // Of a wall it may be no number: it is never the lighter side.
+            let need = Some(members[node].need_of_noise(order));
+            let need = need.filter(|need| !need.is_nan()).unwrap_or(f64::INFINITY);
+            Side { weight: need, need }
+        };
+        block.from_lighter_sides(side, |index, least| {
+            let (Lighter::Left(least) | Lighter::Right(least)) = least;
+            let force = &mut contacts[block.within + index].force[order * p];
+            if force.abs() <= ROUNDING * least {
+                *force = 0.0;
+            }
+        });
+    }
+    for contact in &mut contacts[block.within..block.within + (block.last - block.first)] {
+        let mut first = contact.force.iter().step_by(p).take(orders);
+        if first.all(|force| *force == 0.0) {
+            contact.force.fill(0.0);
         }
     }
 }
@@ -125,6 +150,15 @@ impl Member {
         self.magnitude_of(order) + self.terms.time * next
     }
 
+    /// What rounding of a force that moves it is a part of.
+    fn need_of_noise(&self, order: usize) -> f64 {
+        if order == 0 {
+            self.mass * (self.noise(order) + self.terms.ground.0) + self.terms.own
+        } else {
+            self.mass * self.noise(order)
+        }
+    }
+
     /// Rounding of coefficient `n` of the velocity.
     pub(super) fn noise_of_velocity(&self, p: usize, n: usize) -> f64 {
         if n >= p && n.is_multiple_of(p) {
@@ -148,36 +182,5 @@ impl Member {
             }
         }
         noise
-    }
-}
-
-impl Contact {
-    /// Clears the first coefficients of a force at rest that are rounding, and all when the first ones are.
-    fn clear_rounding(&mut self, (before, after): (&[Member], &[Member]), p: usize) {
-        let mut rounding = true;
-        let tied = before.iter().chain(after).any(Member::is_tied);
-        for order in 0..if tied { ORDERS_OF_FLOORS } else { ORDERS } {
-            let need = |side: &[Member]| {
-                let need = |member: &Member| {
-                    let ground = if order == 0 {
-                        member.terms.ground.0
-                    } else {
-                        0.0
-                    };
-                    member.mass * (member.noise(order) + ground)
-                        + if order == 0 { member.terms.own } else { 0.0 }
-                };
-                side.iter().map(need).sum::<f64>()
-            };
-            let force = &mut self.force[order * p];
-            if force.abs() <= ROUNDING * need(before).min(need(after)) {
-                *force = 0.0;
-            } else {
-                rounding = false;
-            }
-        }
-        if rounding {
-            self.force.fill(0.0);
-        }
     }
 }

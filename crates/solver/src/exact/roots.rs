@@ -18,7 +18,7 @@ const FAST: f64 = 1e-2;
 /// First x in 0 ..= `length` from which on the polynomial is positive, coming from values ≤ 0.
 ///
 /// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
-/// is positive from the start rises at 0.
+/// is positive from the start rises at 0; one beyond the range of numbers nowhere.
 pub(crate) fn first_rise(coefficients: &[f64], length: f64) -> Option<f64> {
     first_rise_by(rise_of_monotone, coefficients, length)
 }
@@ -40,7 +40,9 @@ fn first_rise_by(
     if whole[0] > 0.0 {
         return Some(0.0);
     }
-    if upper_bound(whole, length) <= 0.0 {
+    let most = upper_bound(whole, length);
+    // Of masses near the largest number a coefficient is none, of which no bound says anything.
+    if most <= 0.0 || !most.is_finite() {
         return None;
     }
     let mut local = [0.0; CAPACITY];
@@ -220,6 +222,16 @@ mod tests {
             None,
             "a near miss"
         );
+    }
+
+    /// A coefficient that was no number had the search look at stretches of 1e-15 of the whole, one by one.
+    #[test]
+    fn issue_no_number_rises_nowhere() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for search in [first_rise, quick_first_rise] {
+                assert_eq!(search(&[-1.0, 0.0, bad, 1.0], 0.01), None, "{bad}");
+            }
+        }
     }
 
     #[test]

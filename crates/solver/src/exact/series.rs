@@ -5,10 +5,8 @@
 //! critical damping and the plastic branch; structures at rest against each other share their acceleration. Storeys
 //! couple floors in the same way: by drifts and rates whose coefficients are known.
 
-use std::ops::RangeInclusive;
-
 use crate::exact::contact::{Contact, Link};
-use crate::exact::groups::{Block, Group};
+use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
 use crate::exact::storey::{self, own_force};
 use crate::span::Power;
@@ -93,22 +91,16 @@ fn resting_forces(
     (left, right): (f64, f64),
     (p, n): (usize, usize),
 ) {
-    for index in 0..block.last - block.first {
-        let (before, after) = block.split(index);
-        let mass = |nodes: RangeInclusive<usize>| {
-            members[nodes].iter().map(|member| member.mass).sum::<f64>()
+    let side = |node: usize| Side {
+        weight: members[node].mass,
+        need: storey::need(members, node, (p, n)),
+    };
+    block.from_lighter_sides(side, |index, found| {
+        contacts[block.within + index].force[n] = match found {
+            Lighter::Left(need) => left - need,
+            Lighter::Right(need) => right + need,
         };
-        let needs = |nodes: RangeInclusive<usize>| {
-            nodes
-                .map(|node| storey::need(members, node, (p, n)))
-                .sum::<f64>()
-        };
-        contacts[block.within + index].force[n] = if mass(before.clone()) <= mass(after.clone()) {
-            left - needs(before)
-        } else {
-            right + needs(after)
-        };
-    }
+    });
 }
 
 /// Largest length of a piece so that the last coefficients are below rounding, whatever branch its members take.

@@ -34,9 +34,10 @@ use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use tallies::{PairTally, Tallies};
 
+use crate::recorders::is_plastic;
 use crate::{
-    CentralDifference, Clock, Excitation, Integrator, RestoringForce, Row, RunError, Support,
-    Verlet,
+    Budget, CentralDifference, Clock, Excitation, Integrator, RestoringForce, Row, RunError,
+    Support, Verlet,
 };
 
 /// The methods by which scenes run side by side with the bits of their runs alone.
@@ -77,6 +78,7 @@ pub struct SideBySide {
     /// Acceleration at every node of the clock \[m/s²\].
     ground: Vec<f64>,
     level: Level,
+    budget: Budget,
 }
 
 /// The same with the settings of one method.
@@ -84,7 +86,11 @@ struct Shaken<'a, Settings> {
     settings: Settings,
     time_step: f64,
     ground: &'a [f64],
+    budget: Budget,
 }
+
+/// Steps of structures between two looks at whether to stop: a fraction of a second.
+const BETWEEN: usize = 1 << 16;
 
 impl SideBySide {
     /// Samples the ground motion for a clock, that of the longest run.
@@ -108,7 +114,14 @@ impl SideBySide {
             time_step: clock.time_step,
             ground: excitation.sampled(clock),
             level: Level::new(),
+            budget: Budget::default(),
         })
+    }
+
+    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    #[must_use]
+    pub fn within(self, budget: Budget) -> Self {
+        Self { budget, ..self }
     }
 
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
@@ -149,6 +162,14 @@ impl SideBySide {
                 dispatch!(self.level, simd => verlet::run(simd, &method, task, tallies));
             }
         }
+        // Impacts of a rest are one collision, which only a run of the scene alone can tell.
+        for (scene, row) in rows.iter().enumerate() {
+            let several = |pair: usize| tallies.pair(scene, pair).collisions > 1.0;
+            let mut pairs = row.pairs().iter().enumerate();
+            if pairs.any(|(pair, of)| is_plastic(of) && several(pair)) {
+                tallies.told[scene] = false;
+            }
+        }
         true
     }
 
@@ -157,6 +178,7 @@ impl SideBySide {
             settings,
             time_step: self.time_step,
             ground: &self.ground,
+            budget: self.budget,
         }
     }
 }

@@ -7,7 +7,7 @@ use pounding_contact::Number;
 use super::column::SideBySideColumn;
 use super::group::{Group, Rows};
 use super::number::Lanes;
-use super::{Shaken, Tallies};
+use super::{BETWEEN, Shaken, Tallies};
 use crate::{CentralDifference, ImpactRule, Row};
 
 /// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
@@ -95,9 +95,13 @@ fn steps<S: Simd, Column: SideBySideColumn>(
 ) {
     let first = method.settings.start.first_node();
     let published = method.settings.impacts == ImpactRule::AsPublished;
+    let between = BETWEEN.div_ceil(rows[0].nodes().len());
     let mut step = first;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
-        let ground = &method.ground[..=*end];
+        if method.budget.is_stopped() {
+            return;
+        }
+        let ground = &method.ground[..=(*end).min(step + between)];
         while step < ground.len() {
             // The published rule looks at more than motions at hand have.
             if let [one, other] = groups
@@ -117,7 +121,11 @@ fn steps<S: Simd, Column: SideBySideColumn>(
                 step += 1;
             }
         }
-        for (lane, _) in n_steps.iter().enumerate().filter(|of| of.1 == end) {
+        for (lane, _) in n_steps
+            .iter()
+            .enumerate()
+            .filter(|of| *of.1 < step && of.1 == end)
+        {
             let group = &groups[lane / Lanes::<S>::N];
             let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
             for (node, structure) in group.structures.iter().enumerate() {

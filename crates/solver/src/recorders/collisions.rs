@@ -1,9 +1,14 @@
 use crate::{Impact, Pair, Path, Recorder, Span, Touch, Travel};
 
-/// One touching of a pair, from touch to parting; of an impulsive law, one impact.
+/// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it.
 ///
-/// A law that is clamped may let go and push again before the pair has parted: that is still the same collision. A
-/// stepping method may need several impacts for one meeting.
+/// A law that is clamped may let go and push again before the pair has parted: that is still the same collision. An impact
+/// after which the neighbours stay together counts once: its impulse is that of the impact and of the rest, its end their
+/// parting. Bounces are collisions of their own, the last one with the rest after it; so is an impact that neighbours at rest
+/// pass on.
+///
+/// A stepping method knows no rest, but an impact in every step of it: with e = 0 impacts at the ends of steps that follow one
+/// another are one collision. With e > 0 each of them is a bounce, and one meeting may take several.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Index of the pair in its row.
@@ -16,9 +21,9 @@ pub struct Collision {
     /// Rate of deformation at the start v₀ \[m/s\], ≥ 0; nothing where a compliant pair did not approach, and for a stepping
     /// method, which does not know it.
     pub approach_speed: Option<f64>,
-    /// Last instant with a pounding force, or the instant of the impact \[s\].
+    /// Last instant with a pounding force, or that of the last impact \[s\].
     pub end: f64,
-    /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit.
+    /// Peak pounding force \[N\]; nothing for an impulsive impact, whose force has no limit, with rest or without.
     pub peak_force: Option<f64>,
     /// Its first instant \[s\], to a step of a stepping method; nothing for an impulsive impact.
     pub peak_force_time: Option<f64>,
@@ -37,8 +42,12 @@ pub struct Collisions {
     gaps: Vec<f64>,
     /// How the ground motion travels; nothing where all are shaken at once.
     travel: Option<Travel>,
-    /// For each pair, the index of its collision that goes on.
+    /// For each pair, the index of its collision that goes on, or of the impact that rest may follow.
     open: Vec<Option<usize>>,
+    /// Whether impacts of a pair leave no rate: e = 0.
+    plastic: Vec<bool>,
+    /// Whether the run is that of a stepping method.
+    steps: bool,
     /// The last touch of every pair.
     touches: Vec<Option<Touch>>,
     found: Vec<Collision>,
@@ -57,6 +66,8 @@ impl Collisions {
             gaps: pairs.iter().map(|pair| pair.gap).collect(),
             travel: None,
             open: vec![None; pairs.len()],
+            plastic: pairs.iter().map(is_plastic).collect(),
+            steps: false,
             touches: vec![None; pairs.len()],
             found: Vec::new(),
         }
@@ -110,8 +121,19 @@ impl Recorder for Collisions {
         let (start, end) = (-span.start.force_from_right, -span.end.force_from_right);
         let nothing = start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0;
         let begins = start == 0.0 && end > 0.0;
-        // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
-        if self.open[pair].is_some() && (nothing || begins) && !self.overlaps(pair, span) {
+        self.steps = matches!(span.path, Path::Cubic(_));
+        let ends = |open: usize| {
+            let Collision {
+                peak_force, end, ..
+            } = self.found[open];
+            if peak_force.is_none() {
+                // Rest follows an impact at once; a step knows at its end.
+                return nothing && !(self.steps && span.start_time <= end);
+            }
+            // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
+            (nothing || begins) && !self.overlaps(pair, span)
+        };
+        if self.open[pair].is_some_and(ends) {
             self.open[pair] = None;
         }
         if nothing {
@@ -158,8 +180,18 @@ impl Recorder for Collisions {
     }
 
     fn impact(&mut self, impact: &Impact) {
+        let pair = impact.pair;
+        // Of the steps of a rest each has an impact.
+        let rests = self.steps && self.plastic[pair];
+        if let Some(index) = self.open[pair].filter(|_| rests) {
+            let collision = &mut self.found[index];
+            collision.impulse += impact.impulse;
+            collision.end = impact.time;
+            return;
+        }
+        self.open[pair] = Some(self.found.len());
         self.found.push(Collision {
-            pair: impact.pair,
+            pair,
             start: impact.time,
             uncertainty: self.uncertainty(impact.time),
             approach_speed: Some(impact.rates()[0].max(0.0)),
@@ -175,6 +207,12 @@ impl Recorder for Collisions {
         self.open[touch.pair] = None;
         self.touches[touch.pair] = Some(*touch);
     }
+}
+
+/// Whether neighbours stay together after an impact: e = 0.
+pub(crate) fn is_plastic(pair: &Pair) -> bool {
+    let law = pair.law.impulsive();
+    law.is_some_and(|law| law.restitution == 0.0)
 }
 
 impl Touch {

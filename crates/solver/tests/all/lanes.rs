@@ -125,7 +125,12 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
         // The velocity Verlet method leaves to runs alone what goes further than structures do.
         let far = matches!(stepping, Stepping::Verlet(_))
             && displacements.iter().any(|peak| peak.abs() >= 1e3);
-        if far && !found.is_told(scene) {
+        // Rest after an impact with e = 0 is told by runs alone.
+        let may_rest = pairs.iter().zip(row.pairs()).any(|(tally, pair)| {
+            let law = pair.law.impulsive();
+            tally.collisions > 0.0 && law.is_some_and(|law| law.restitution == 0.0)
+        });
+        if (far || may_rest) && !found.is_told(scene) {
             continue;
         }
         prop_assert!(found.is_told(scene), "{} must not diverge", scene);

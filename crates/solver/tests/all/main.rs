@@ -3,6 +3,7 @@
 mod allocations;
 mod audit;
 mod beyond_numbers;
+mod budgets;
 mod chopra;
 mod clamped_collisions;
 mod common;
@@ -28,6 +29,7 @@ mod opensees_loops;
 mod order;
 mod random_rows;
 mod refusals;
+mod rests;
 mod silent_faults;
 mod slow_touches;
 mod storeys;

@@ -157,7 +157,7 @@ impl Part {
                 interval,
                 closings: false,
             };
-            scene.run_unjudged(asked).map(|(outcome, _)| outcome)
+            scene.run_unjudged(asked)
         };
         let outcomes = prepared.iter().map(run);
         let outcomes = outcomes.collect::<Result<_, _>>();

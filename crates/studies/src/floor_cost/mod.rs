@@ -12,8 +12,8 @@ use pounding_contact::{ContactLaw, NonlinearViscoelastic};
 
 use crate::contenders::CONTENDERS;
 use crate::{
-    Building, Columns, Contact, Damping, FileUse, Method, Prepared, RecordUse, STANDARD_GRAVITY,
-    Scene, Source, Storey, Structure, StudyError,
+    Building, Columns, Contact, Damping, FileUse, Method, Prepared, RecordUse, RunBudget,
+    STANDARD_GRAVITY, Scene, Source, Storey, Structure, StudyError,
 };
 use figure::METHODS;
 pub use figure::{FloorCost, floor_cost_figure};
@@ -139,6 +139,7 @@ impl TimedRow {
                 .then(|| vec![contact; size.buildings - 1]),
             arrivals_s: None,
             method,
+            budget: RunBudget::default(),
         };
         let prepared = Prepared::new(&scene, Path::new(""))?;
         Ok(Self { prepared })

@@ -8,15 +8,17 @@ mod side_by_side;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use pounding_motion::{Accelerogram, Record, RecordError};
-use pounding_solver::{Clock, Integrator};
+use pounding_solver::{Budget, Clock, Integrator};
 
 use crate::advice::{Advice, Goal, advise};
 use crate::floors::{Floor, Floors};
 use crate::ground_motion::SharedMotion;
 use crate::{GroundMotion, Method, Origin, Quantity, Scene, SceneError, StudyError, check};
 use model::Model;
+pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::PairOutcome;
 pub(crate) use run::{Asked, Audited, Recorders};
 pub use run::{Balance, Outcome};
@@ -42,6 +44,8 @@ pub struct Prepared {
     origin: Option<Arc<Origin>>,
     clock: Clock,
     integrator: Integrator,
+    /// Whoever sets it ends its runs.
+    stop: Option<&'static AtomicBool>,
 }
 
 impl Prepared {
@@ -80,7 +84,21 @@ impl Prepared {
     ) -> Result<Self, StudyError> {
         check::scene(scene).map_err(|source| in_scene(scene, source))?;
         let motion = GroundMotion::of(&scene.record, base, &scene.name)?;
-        Self::of_checked(scene, motion.into(), done)
+        Self::of_checked(scene, motion.into(), (done, None))
+    }
+
+    /// The same as [`Self::new`]; whoever sets `stop` ends its runs, and those that find its method.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub(crate) fn stopped_by(
+        scene: &Scene,
+        base: &Path,
+        stop: Option<&'static AtomicBool>,
+    ) -> Result<Self, StudyError> {
+        check::scene(scene).map_err(|source| in_scene(scene, source))?;
+        let motion = GroundMotion::of(&scene.record, base, &scene.name)?;
+        Self::of_checked(scene, motion.into(), (&|_| (), stop))?.enforced()
     }
 
     /// Checks a scene that is shaken with a record at hand; the file that the scene names is not opened.
@@ -96,7 +114,7 @@ impl Prepared {
             file: record,
         };
         let motion = GroundMotion::of_file(&scene.record, origin).map_err(in_scene)?;
-        Self::of_checked(scene, motion.into(), &|_| ())?.enforced()
+        Self::of_checked(scene, motion.into(), (&|_| (), None))?.enforced()
     }
 
     /// Checks a scene that is shaken by a ground motion at hand, whatever its `record` names.
@@ -105,7 +123,7 @@ impl Prepared {
     /// Those of [`Self::new`] but of reading.
     pub(crate) fn shaken(scene: &Scene, motion: SharedMotion) -> Result<Self, StudyError> {
         check::scene(scene).map_err(|source| in_scene(scene, source))?;
-        Self::of_checked(scene, motion, &|_| ())?.enforced()
+        Self::of_checked(scene, motion, (&|_| (), None))?.enforced()
     }
 
     /// Gives a row of structures of one storey under the same motion other numbers of structures and contacts, which is all that
@@ -143,7 +161,7 @@ impl Prepared {
             scale,
             origin,
         }: SharedMotion,
-        done: &(dyn Fn(usize) + Sync),
+        (done, stop): (&(dyn Fn(usize) + Sync), Option<&'static AtomicBool>),
     ) -> Result<Self, StudyError> {
         let in_scene = |source| in_scene(scene, source);
         let duration = scene.duration_under(record.duration());
@@ -171,6 +189,7 @@ impl Prepared {
             origin,
             clock: method.clock(duration),
             integrator: method.integrator(),
+            stop,
         };
         prepared.scene.method = method;
         let settings = prepared.integrator.check();
@@ -273,6 +292,7 @@ impl Prepared {
             record: self.record.clone(),
             scale: self.scale,
             origin: self.origin.clone(),
+            stop: self.stop,
         })
     }
 
@@ -310,6 +330,16 @@ impl Prepared {
         self.scene.duration()
     }
 
+    /// Whoever sets `stop` ends its runs.
+    pub(crate) fn set_stop(&mut self, stop: Option<&'static AtomicBool>) {
+        self.stop = stop;
+    }
+
+    /// What a run may cost.
+    pub(crate) fn budget(&self) -> Budget {
+        self.scene.budget.of_run(self.stop)
+    }
+
     /// Whether the scene was [forced](Self::forcing).
     pub(crate) fn is_forced(&self) -> bool {
         self.forced
@@ -328,6 +358,11 @@ impl Prepared {
     /// Of every floor, whether it is a wall.
     pub fn walls(&self) -> Vec<bool> {
         self.floors.all().iter().map(Floor::is_wall).collect()
+    }
+
+    /// Whether some columns yield smoothly.
+    pub(crate) fn yields_smoothly(&self) -> bool {
+        matches!(self.model, Model::Mixed(_))
     }
 
     /// The record as the scene uses it: in m/s², scaled, reversed.

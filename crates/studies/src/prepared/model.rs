@@ -281,7 +281,7 @@ impl Method {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "checked: 0 < n <= 1e8"
+            reason = "checked: 0 < n <= 1e9"
         )]
         let n_steps = (duration / time_step).round() as usize;
         Clock { time_step, n_steps }

@@ -1,6 +1,6 @@
 //! The collisions of one pair, summed up: the numbers that are printed of it.
 
-use pounding_solver::{Closing, Collision, Peak};
+use pounding_solver::{Closing, Collision, Pair, Peak};
 
 use super::Outcome;
 
@@ -28,11 +28,11 @@ pub struct PairOutcome {
 const ROUNDING: f64 = 1e-12;
 /// Neighbours that touch for longer at once lean on each other \[s\]: collisions last some hundredths of a second, slow ones of heavy
 /// buildings with Hertz contact up to 0.15 s.
-const LEANS: f64 = 0.25;
+pub(crate) const LEANS: f64 = 0.25;
 
 impl PairOutcome {
     /// Least opening \[m\] of a gap of this width, and its instant \[s\], of neighbours that came as close as this.
-    pub(crate) fn least_opening(&self, gap: f64, closing: Option<Closing>) -> (f64, f64) {
+    fn least_opening(&self, gap: f64, closing: Option<Closing>) -> (f64, f64) {
         let (opening, time) =
             closing.map_or((gap, 0.0), |closing| (gap - closing.distance, closing.time));
         match self.first {
@@ -94,6 +94,13 @@ impl Outcome {
     pub fn collisions_of(&self, pair: usize) -> impl Iterator<Item = &Collision> {
         let all = self.collisions.all().iter();
         all.filter(move |one| one.pair == pair)
+    }
+
+    /// Least opening \[m\] of the gap of a pair, of which this happened, and its instant \[s\]; nothing where closings were not
+    /// asked for.
+    pub(crate) fn least_opening(&self, pair: &Pair, found: &PairOutcome) -> Option<(f64, f64)> {
+        let closing = self.closings.as_ref()?.of(pair.left);
+        Some(found.least_opening(pair.gap, closing))
     }
 
     /// What happened between the neighbours of a pair.

@@ -29,6 +29,8 @@ pub struct Outcome {
     pub accelerations: Vec<Peak>,
     /// Where every floor is at the end.
     pub last: LastDisplacements,
+    /// How far neighbours came towards each other, where asked for.
+    pub closings: Option<Closings>,
     /// Histories of every structure, where asked for.
     pub histories: Option<Histories>,
     /// What the run cost.
@@ -65,6 +67,14 @@ pub(crate) struct Asked {
     pub(crate) closings: bool,
 }
 
+impl Asked {
+    /// Everything that errors are measured by.
+    pub(crate) const COMPARED: Self = Self {
+        interval: None,
+        closings: true,
+    };
+}
+
 /// Recorders of what is printed of a structure or a pair, with a ledger or `()`.
 pub(crate) type Recorders<L> = (Peaks, Collisions, TransferredMomentum, L);
 /// The same with everything else.
@@ -88,6 +98,17 @@ impl Prepared {
         broken.map_or(Ok(outcome), Err)
     }
 
+    /// The same with everything that [`RunErrors`](crate::RunErrors) compare.
+    ///
+    /// # Errors
+    /// As of a [`run`](Self::run).
+    pub fn run_compared(&self) -> Result<Outcome, StudyError> {
+        let Audited {
+            outcome, broken, ..
+        } = self.audited_with(Asked::COMPARED)?;
+        broken.map_or(Ok(outcome), Err)
+    }
+
     /// Runs the scene; what its ledger says stands beside the outcome.
     ///
     /// # Errors
@@ -97,20 +118,17 @@ impl Prepared {
             interval,
             closings: false,
         };
-        Ok(self.audited_with(asked)?.0)
+        self.audited_with(asked)
     }
 
-    /// The same with what is asked for; closings where they are.
+    /// The same with what is asked for.
     ///
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
-    pub(crate) fn audited_with(
-        &self,
-        asked: Asked,
-    ) -> Result<(Audited, Option<Closings>), StudyError> {
+    pub(crate) fn audited_with(&self, asked: Asked) -> Result<Audited, StudyError> {
         let ledger = self.ledger().held_to(self.integrator.laws());
-        let (outcome, ledger, closings) = self.run_with(asked, ledger)?;
-        let audited = Audited {
+        let (outcome, ledger) = self.run_with(asked, ledger)?;
+        Ok(Audited {
             outcome,
             broken: ledger.verdict().err().map(|source| self.broke(source)),
             balance: Balance {
@@ -118,28 +136,19 @@ impl Prepared {
                 residual: ledger.residual(),
                 scale: ledger.scale(),
             },
-        };
-        Ok((audited, closings))
+        })
     }
 
     /// The same without the ledger, which for the exact method takes a third of the time.
     ///
     /// # Errors
     /// [`StudyError::Run`] when the run ends early.
-    pub(crate) fn run_unjudged(
-        &self,
-        asked: Asked,
-    ) -> Result<(Outcome, Option<Closings>), StudyError> {
-        let (outcome, (), closings) = self.run_with(asked, ())?;
-        Ok((outcome, closings))
+    pub(crate) fn run_unjudged(&self, asked: Asked) -> Result<Outcome, StudyError> {
+        Ok(self.run_with(asked, ())?.0)
     }
 
     /// Runs the scene with a ledger or without one.
-    fn run_with<L: Recorder>(
-        &self,
-        asked: Asked,
-        ledger: L,
-    ) -> Result<(Outcome, L, Option<Closings>), StudyError> {
+    fn run_with<L: Recorder>(&self, asked: Asked, ledger: L) -> Result<(Outcome, L), StudyError> {
         let mut recorders = self.all_recorders(asked, ledger);
         let work = self.integrate(&mut recorders)?;
         let (usual, accelerations, last, (closings, histories)) = recorders;
@@ -150,10 +159,11 @@ impl Prepared {
             momentum,
             accelerations: accelerations.into_peaks(),
             last,
+            closings,
             histories,
             work,
         };
-        Ok((outcome, ledger, closings))
+        Ok((outcome, ledger))
     }
 
     /// Empty recorders of everything that is asked for.
@@ -242,7 +252,8 @@ impl Prepared {
         recorder: &mut R,
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
-        with_row!(&self.model, row => integrator.run(row, excitation, clock, recorder))
+        let course = clock.within(self.budget());
+        with_row!(&self.model, row => integrator.run(row, excitation, course, recorder))
     }
 
     /// Runs the scene with recorders of a type that others use too.
@@ -323,6 +334,7 @@ impl Prepared {
             RunError::NotConverged { first, last, .. }
             | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
             RunError::BouncesWithoutEnd { left, right, .. }
+            | RunError::TooDamped { left, right, .. }
             | RunError::NoSeries { left, right, .. }
             | RunError::ClosedIn { left, right, .. }
             | RunError::CrawlsInContact { left, right, .. } => left..right + 1,

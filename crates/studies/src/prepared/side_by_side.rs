@@ -54,6 +54,7 @@ fn stepped(scenes: &[&Prepared], stepping: Stepping, tallies: &mut Tallies) -> O
         n_steps: n_steps.iter().copied().max()?,
     };
     let together = SideBySide::new(stepping, first.excitation(), clock).ok()?;
+    let together = together.within(first.budget());
     let mut run = |rows| together.run(rows, &n_steps, tallies);
     Some(match first.model {
         Model::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
@@ -83,7 +84,7 @@ fn exact(scenes: &[&Prepared], tallies: &mut Tallies) -> bool {
         let row = |(place, _): &(usize, Exact)| Some((*place, elastic(scenes[*place])?));
         let rows: Vec<_> = now.iter().filter_map(row).collect();
         if let Ok(together) = ExactSideBySide::new(settings, first.excitation(), first.clock) {
-            together.run(&rows, tallies);
+            together.within(first.budget()).run(&rows, tallies);
         }
         left = later;
     }

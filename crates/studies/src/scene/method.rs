@@ -156,6 +156,22 @@ impl Method {
         }
     }
 
+    /// Steps that it takes in a time step while structures touch.
+    pub(crate) fn contact_substeps(&self) -> u32 {
+        match *self {
+            Self::CentralDifference {
+                contact_substeps, ..
+            } => contact_substeps,
+            Self::Newmark { .. }
+            | Self::Hht { .. }
+            | Self::VelocityVerlet { .. }
+            | Self::Rk4 { .. }
+            | Self::MoreauJean { .. }
+            | Self::Exact { .. }
+            | Self::Accuracy(_) => 1,
+        }
+    }
+
     /// The same method with another time step \[s\]; one that has none stays as it is.
     #[must_use]
     pub(crate) fn with_time_step(mut self, step: f64) -> Self {

@@ -1,5 +1,6 @@
 //! What a user writes: a row of structures under a record, with its settings.
 
+mod budget;
 mod building;
 mod choice;
 mod columns;
@@ -15,6 +16,7 @@ use pounding_contact::ContactLaw;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use budget::RunBudget;
 pub use building::{Building, Storey};
 pub use columns::{BoucWen, Columns};
 pub use damping::Damping;
@@ -52,6 +54,9 @@ pub struct Scene {
     /// The method of time integration; without it the exact one.
     #[serde(default = "exact", deserialize_with = "choice::one")]
     pub method: Method,
+    /// What a run may cost before it is given up.
+    #[serde(default, skip_serializing_if = "RunBudget::is_usual")]
+    pub budget: RunBudget,
 }
 
 #[expect(

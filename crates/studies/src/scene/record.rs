@@ -82,6 +82,8 @@ pub struct FileUse {
     pub component: Option<String>,
     /// What one count is worth, in `unit`.
     pub per_count: Option<f64>,
+    /// Whether the values are accelerations although the file speaks for velocities.
+    pub acceleration: bool,
 }
 
 impl FileUse {
@@ -182,10 +184,13 @@ struct Words {
     time_step_s: Option<f64>,
     /// Component of a file that holds several, by its name or its number from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    component: Option<String>,
+    component: Option<ComponentWord>,
     /// What one count of the file is worth, in `unit`.
     #[serde(skip_serializing_if = "Option::is_none")]
     per_count: Option<f64>,
+    /// Whether the file holds accelerations although it speaks for velocities, by a seismometer's channel or by `cm/s`.
+    #[serde(default, skip_serializing_if = "is_false")]
+    acceleration: bool,
     /// What one g is worth \[m/s²\]; without it 9.80665.
     #[serde(default = "standard_gravity")]
     gravity_m_per_s2: f64,
@@ -213,8 +218,31 @@ struct Words {
     reversed: bool,
 }
 
+/// The name of a component, or its number.
+#[derive(Clone, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+#[schemars(inline)]
+enum ComponentWord {
+    Name(String),
+    Number(u32),
+}
+
+impl From<ComponentWord> for String {
+    fn from(word: ComponentWord) -> Self {
+        match word {
+            ComponentWord::Name(name) => name,
+            ComponentWord::Number(number) => number.to_string(),
+        }
+    }
+}
+
 fn one() -> f64 {
     1.0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 fn standard_gravity() -> f64 {
@@ -243,8 +271,9 @@ impl TryFrom<Words> for RecordUse {
                 file,
                 unit: words.unit,
                 time_step_s: words.time_step_s,
-                component: words.component,
+                component: words.component.map(String::from),
                 per_count: words.per_count,
+                acceleration: words.acceleration,
             }),
             (None, Some(generated)) => {
                 let of_file = [
@@ -252,6 +281,7 @@ impl TryFrom<Words> for RecordUse {
                     ("time_step_s", words.time_step_s.is_some()),
                     ("component", words.component.is_some()),
                     ("per_count", words.per_count.is_some()),
+                    ("acceleration", words.acceleration),
                 ];
                 if let Some((field, _)) = of_file.into_iter().find(|(_, given)| *given) {
                     return Err(WordsError::OfFile(field));
@@ -284,8 +314,9 @@ impl From<RecordUse> for Words {
             generated,
             unit: of_file.unit,
             time_step_s: of_file.time_step_s,
-            component: of_file.component,
+            component: of_file.component.map(ComponentWord::Name),
             per_count: of_file.per_count,
+            acceleration: of_file.acceleration,
             gravity_m_per_s2: record.gravity_m_per_s2,
             detrend: record.detrend,
             band_pass: record.band_pass,

@@ -1,13 +1,10 @@
 //! Impacts of an instant, and the bounces that end in rest.
 
-use super::impact::{self, NOISE};
+use super::impact::{self, NOISE, SHORTEST};
 use super::law::Law;
 use super::model::velocity;
 use super::phases::Contact;
 use super::runner::Runner;
-
-/// Bounces whose geometric remainder is shorter are over \[s\].
-const SHORTEST: f64 = 1e-12;
 
 /// Impacts of a pair, each within that time of the one before, after which it stops.
 const MOST_BOUNCES: u32 = 50;
@@ -24,7 +21,7 @@ pub(super) struct Bounces {
 impl Runner {
     /// Impacts of all impulsive pairs that touch now; then they rest or part.
     pub(super) fn collide(&mut self, time: f64) {
-        let touching = impact::touching(&self.motion, &self.state.high, &self.scales);
+        let touching = impact::touching(&self.motion, &self.state.high, &self.scales, time);
         for &pair in &touching {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);

@@ -16,22 +16,34 @@ const MOST_ROUNDS: usize = 50;
 /// Distance, as a part of the gap and the displacements, below which a pair touches together with another.
 const TOGETHER: f64 = 1e-13;
 
+/// Bounces whose geometric remainder is shorter are over \[s\].
+pub(super) const SHORTEST: f64 = 1e-12;
+
 /// Part of what a velocity or an impulse is a sum of that is rounding.
 pub(super) const NOISE: f64 = 1e-14;
 
-/// Impulsive pairs that touch, from left to right.
-pub(super) fn touching(motion: &Motion, y: &[f64], scales: &Scales) -> Vec<usize> {
+/// Impulsive pairs that touch at a time \[s\], from left to right.
+///
+/// A pair does that will have closed before the clock can tell, as fast as the fastest of them approaches: neighbours that
+/// have just stopped each other part so slowly that the next impact finds them together.
+pub(super) fn touching(motion: &Motion, y: &[f64], scales: &Scales, time: f64) -> Vec<usize> {
     let model = &motion.model;
+    let impulsive = |index: &usize| matches!(model.pairs[*index].law, Law::Impulsive { .. });
+    let closed = |index: usize| model.deformation(index, y) >= 0.0;
     let touches = |&index: &usize| {
         let pair = model.pairs[index];
         let size = |structure: usize| scales.sizes()[displacement(structure)];
         let size = pair.gap + size(pair.left) + size(pair.right);
-        let (deformation, rate) = (model.deformation(index, y), model.rate(index, y));
-        let closed = deformation >= 0.0 || rate >= 0.0 && deformation >= -TOGETHER * size;
+        let nearest = (TOGETHER * size).min(SHORTEST * model.rate(index, y));
         let rests = matches!(motion.phases.pairs[index].contact, Contact::Resting { .. });
-        matches!(pair.law, Law::Impulsive { .. }) && (rests || closed)
+        rests || closed(index) || model.deformation(index, y) >= -nearest
     };
-    (0..model.pairs.len()).filter(touches).collect()
+    let pairs = || (0..model.pairs.len()).filter(impulsive);
+    let rates = pairs().filter(touches).map(|index| model.rate(index, y));
+    let soon = f64::EPSILON * time * rates.fold(0.0, f64::max);
+    pairs()
+        .filter(|index| touches(index) || model.deformation(*index, y) >= -soon)
+        .collect()
 }
 
 /// Jumps the velocities of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].

@@ -62,6 +62,9 @@ pub(super) struct Record {
     response: Response,
     /// Index of the collision of each pair that goes on.
     open: Vec<Option<usize>>,
+    /// The last instant with an impact \[s\], and the net impulse of its impacts on every structure \[N·s\].
+    instant: f64,
+    net: Vec<f64>,
 }
 
 fn take(peak: &mut Peak, value: f64, time: f64) {
@@ -81,6 +84,8 @@ impl Record {
         Self {
             response,
             open: vec![None; motion.model.pairs.len()],
+            instant: 0.0,
+            net: vec![0.0; motion.model.structures.len()],
         }
     }
 
@@ -168,6 +173,10 @@ impl Record {
                 peak_force: None,
             });
         }
+        if time > self.instant {
+            self.instant = time;
+            self.net.fill(0.0);
+        }
         for (structure, response) in self.response.structures.iter_mut().enumerate() {
             let on_it = impacts.iter().map(|&(index, impulse)| {
                 let pair = motion.model.pairs[index];
@@ -179,7 +188,10 @@ impl Record {
                     0.0
                 }
             });
-            response.transferred_momentum += on_it.sum::<f64>().abs();
+            let net = &mut self.net[structure];
+            response.transferred_momentum -= net.abs();
+            *net += on_it.sum::<f64>();
+            response.transferred_momentum += net.abs();
         }
     }
 

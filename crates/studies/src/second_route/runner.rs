@@ -103,6 +103,11 @@ impl Runner {
         self.motion.segment = segment;
         self.state.set(TIME, 0.0);
         self.n_events = 0;
+        for &(start, rate) in &self.motion.segment.grounds {
+            self.scales.shake(start);
+            self.scales.shake(start + rate * length);
+        }
+        self.scales.enlarge(&self.motion.model, &self.state.high);
         // The acceleration of the ground may jump.
         self.rest(self.now());
         self.observe();

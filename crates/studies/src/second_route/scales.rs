@@ -10,7 +10,13 @@ pub(super) struct Scales {
     /// Size of each unknown.
     sizes: Vec<f64>,
     longest_step: f64,
+    /// Speed \[m/s\] below which a structure has not begun to move: one that leaves its neighbour does so with the rounding of the ground's
+    /// acceleration.
+    least_speed: f64,
 }
+
+/// Part of the ground's largest acceleration, times the longest step, that is the least speed.
+const LEAST: f64 = 1e-6;
 
 impl Scales {
     /// Before the start, for segments of `interval` \[s\] and steps of at most `longest_step` \[s\].
@@ -21,7 +27,14 @@ impl Scales {
             largest: vec![0.0; n_unknowns],
             sizes,
             longest_step,
+            least_speed: 0.0,
         }
+    }
+
+    /// Sees a ground acceleration \[m/s²\].
+    pub(super) fn shake(&mut self, acceleration: f64) {
+        let speed = LEAST * self.longest_step * acceleration.abs();
+        self.least_speed = self.least_speed.max(speed);
     }
 
     /// Sizes of the unknowns.
@@ -44,6 +57,8 @@ impl Scales {
                 self.largest[unknown] = self.largest[unknown].max(y[unknown].abs());
                 self.sizes[unknown] = self.largest[unknown];
             }
+            let speed = &mut self.sizes[velocity(index)];
+            *speed = speed.max(self.least_speed);
         }
         for (index, pair) in model.pairs.iter().enumerate() {
             let rate = pair.deformation + 1;
@@ -68,7 +83,7 @@ impl Scales {
         for (index, pair) in model.pairs.iter().enumerate() {
             let apart = |structure: usize| self.sizes[displacement(structure)];
             self.sizes[pair.deformation] = apart(pair.left) + apart(pair.right);
-            self.sizes[pair.deformation + 1] = self.speed(model, index);
+            self.sizes[pair.deformation + 1] = self.speed(model, index).max(self.least_speed);
         }
         for (index, smooth) in model.smooth() {
             let moved = self.sizes[velocity(index)] * self.longest_step;

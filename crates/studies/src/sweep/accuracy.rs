@@ -1,7 +1,8 @@
 //! The method of a sweep from the error that is asked for, and the errors that it then has.
 //!
-//! Nothing is assumed of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another sample measures
-//! it. Both are drawn by the same numbers in every shard.
+//! Nothing is assumed of the errors of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another
+//! sample measures it. Both are drawn by the same numbers in every shard. A method is tried only where the whole sweep by it, with
+//! what choosing and measuring it takes, would cost less than by the exact method, which needs neither (`prices`).
 
 use pounding_solver::{ImpactRule, SimultaneousImpacts, Start, VerletImpacts};
 use rand_pcg::Pcg64;
@@ -10,20 +11,20 @@ use serde_json::Value;
 
 use super::Sweep;
 use super::permutation::Permutation;
+use super::prices::{ALONE, Counts, Prices, mean};
+use super::sampling::Point;
 use crate::Method;
 use crate::tables::to_csv;
 
 /// Runs that choose the method, and others that measure it.
 const CHOOSING: usize = 64;
 const MEASURING: usize = 128;
+/// The first of those that choose, which tell what methods cost and whether any step can be short enough.
+const FEW: usize = 8;
 /// The longest time step that is tried \[s\], and how often it is halved.
-const LONGEST: f64 = 0.02;
-const HALVED: i32 = 7;
-/// How often where the exact method runs all scenes side by side, and what one costs that runs alone instead, in such scenes: the exact
-/// method side by side costs as much as steps of one to two milliseconds (`cargo xtask bench --peers`).
-const HALVED_BESIDE: i32 = 4;
-const ALONE: f64 = 13.0;
-/// Its tolerance, as a part of the error that is asked for.
+pub(super) const LONGEST: f64 = 0.02;
+pub(super) const HALVED: i32 = 7;
+/// Tolerance of the exact method side by side, as a part of the error that is asked for.
 const PART: f64 = 0.1;
 
 /// The method that was chosen for a sweep, and what it makes of the numbers that are asked for.
@@ -42,7 +43,8 @@ pub struct SweepAccuracy {
 }
 
 /// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact one \[–\], of peaks of their magnitudes: 1 where only
-/// one of both runs touches.
+/// one of both runs touches. Residual displacements and least openings count as [`LEAST_PART`](crate::LEAST_PART) of the peak
+/// displacement at least.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnErrors {
     /// Name of the column.
@@ -99,12 +101,12 @@ fn at_most(sorted: &[f64], part: f64) -> f64 {
     sorted.get(place.max(1) - 1).copied().unwrap_or(0.0)
 }
 
-/// Distance of two numbers of a table, as a part of the larger one.
-fn distance(a: f64, b: f64) -> f64 {
+/// Distance of two numbers of a table, as a part of the larger one or of what they count as at least.
+fn distance(a: f64, b: f64, least: f64) -> f64 {
     match (a.is_nan(), b.is_nan()) {
         (true, true) => 0.0,
         // The smallest number stands for zeros of both.
-        (false, false) => (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE),
+        (false, false) => (a - b).abs() / a.abs().max(b.abs()).max(least).max(f64::MIN_POSITIVE),
         (true, false) | (false, true) => 1.0,
     }
 }
@@ -127,22 +129,16 @@ impl Sweep {
     /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
     pub(super) fn choose(&mut self, asked: f64) {
         let (chooses, measures) = self.sampled();
-        self.set_method(&Method::EXACT);
-        let [truth, measure] = [&chooses, &measures].map(|runs| self.numbers(runs));
-        // Where scenes can go side by side by the exact method, no finer steps than cost as much need be tried.
-        let flown = exact(asked * PART);
-        self.set_method(&flown);
-        let (found, beside) = self.numbers_beside(&chooses);
-        let flies = beside > 0.0 && holds_for(&truth, &found, asked);
-        let (halved, otherwise) = if flies {
-            (halved_beside(beside), flown)
+        let method = self.cheapest((&chooses, &measures), asked);
+        let errors = if method == Method::EXACT {
+            Vec::new()
         } else {
-            (HALVED, Method::EXACT)
+            self.set_method(&Method::EXACT);
+            let truth = self.numbers(&measures).numbers;
+            self.set_method(&method);
+            errors(&truth, &self.numbers(&measures).numbers)
         };
-        let method = self.stepping((&chooses, &truth), asked, halved);
-        let method = method.unwrap_or(otherwise);
         self.set_method(&method);
-        let errors = errors(&measure, &self.numbers(&measures));
         let names = self.columns();
         let names = &names[names.len() - 1 - self.n_columns()..names.len() - 1];
         let column = |(index, name): (usize, &String)| {
@@ -155,26 +151,105 @@ impl Sweep {
             asked,
             method,
             columns: names.iter().enumerate().map(column).collect(),
-            within: within as f64 / rows.len().max(1) as f64,
+            within: if rows.is_empty() {
+                1.0
+            } else {
+                within as f64 / rows.len() as f64
+            },
             rows: ColumnErrors::of("largest in a row".into(), rows),
         });
+    }
+
+    /// The cheapest method, by some runs that choose it; as many as measure it are part of its price.
+    fn cheapest(&mut self, (chooses, measures): (&[u64], &[u64]), asked: f64) -> Method {
+        self.set_method(&Method::EXACT);
+        let few = &chooses[..chooses.len().min(FEW)];
+        let truth = self.numbers(few);
+        let flown = exact(asked * PART);
+        self.set_method(&flown);
+        let by_flights = self.numbers(few);
+        let counts = Counts {
+            all: self.n_runs() as f64,
+            choosing: chooses.len() as f64,
+            measuring: measures.len() as f64,
+        };
+        let prices = Prices {
+            counts,
+            exact: truth.price,
+            steps: self.prices_of_steps(few),
+            flights: (by_flights.beside > 0.0).then(|| side_by_side(truth.price, &by_flights)),
+        };
+        let flies = prices
+            .flights
+            .filter(|price| prices.is_worth(*price, *price));
+        // No step costs more than what is taken else.
+        let otherwise = flies.unwrap_or(f64::INFINITY);
+        let halved = prices.halved(otherwise);
+        let steps = halved.filter(|halved| self.may_hold((few, &truth.numbers), asked, *halved));
+        if flies.is_none() && steps.is_none() {
+            return Method::EXACT;
+        }
+        self.set_method(&Method::EXACT);
+        let truth = self.numbers(chooses).numbers;
+        let mut otherwise = Method::EXACT;
+        let mut halved = steps;
+        if flies.is_some() {
+            self.set_method(&flown);
+            if holds_for(&truth, &self.numbers(chooses).numbers, asked) {
+                otherwise = flown;
+            } else {
+                let of = (few, &truth[..few.len()]);
+                let finer = prices.halved(f64::INFINITY);
+                halved = finer.filter(|halved| self.may_hold(of, asked, *halved));
+            }
+        }
+        let method = halved.and_then(|halved| self.stepping((chooses, &truth), asked, halved));
+        method.unwrap_or(otherwise)
+    }
+
+    /// Whether the finest steps that are worth it may be within the error asked for: in half of a few runs, by some method.
+    fn may_hold(&mut self, of: (&[u64], &[Told]), asked: f64, halved: i32) -> bool {
+        let (runs, truth) = of;
+        STEPPING.into_iter().any(|method| {
+            self.set_method(&method(LONGEST / f64::from(1 << halved)));
+            let found = self.numbers(runs).numbers;
+            at_most(&sorted(rows(&errors(truth, &found))), 0.5) <= asked
+        })
+    }
+
+    /// What each of the methods that step costs with steps of a second, as a mean of some runs.
+    fn prices_of_steps(&mut self, runs: &[u64]) -> [f64; STEPPING.len()] {
+        STEPPING.map(|method| {
+            self.set_method(&method(LONGEST / f64::from(1 << (HALVED / 2))));
+            let beside = self.numbers(&runs[..1]).beside > 0.0;
+            let mut scene = self.scene.clone();
+            let price = |run: &u64| {
+                let (mut point, mut settings) = (Point::default(), Vec::new());
+                self.plan.settings(*run, &mut point, &mut settings);
+                let motion = self.plan.motion(*run).0;
+                let prepared = self.prepared(motion, &settings, &mut scene).ok()?;
+                Some(prepared.price_of_steps(&method(1.0), beside))
+            };
+            mean(runs.iter().filter_map(price))
+        })
     }
 
     /// The stepping method with the longest step that is within the error asked for in most runs, of two with the same step the
     /// cheaper one.
     fn stepping(
         &mut self,
-        (runs, truth): (&[u64], &[Option<Vec<f64>>]),
+        (runs, truth): (&[u64], &[Told]),
         asked: f64,
         halved: i32,
     ) -> Option<Method> {
         let mut held = [false; STEPPING.len()];
         let mut longer = None;
-        for step in (0..=halved).map(|n| LONGEST / f64::from(1 << n)) {
+        // A step finer confirms the finest.
+        for step in (0..=halved + 1).map(|n| LONGEST / f64::from(1 << n)) {
             for (method, held) in STEPPING.into_iter().zip(&mut held) {
                 self.set_method(&method(step));
                 let before = *held;
-                *held = holds_for(truth, &self.numbers(runs), asked);
+                *held = holds_for(truth, &self.numbers(runs).numbers, asked);
                 // One step may be lucky; the next finer one has to confirm it.
                 if before && *held {
                     return longer.map(method);
@@ -200,16 +275,11 @@ impl Sweep {
         (chooses.to_vec(), measures.to_vec())
     }
 
-    /// The numbers of some runs, of peaks their magnitudes; nothing for a run that fails.
+    /// Some runs: their numbers, of peaks the magnitudes, and what they cost.
     ///
     /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
     /// number with its sign, and none of what the row went through.
-    fn numbers(&self, runs: &[u64]) -> Vec<Option<Vec<f64>>> {
-        self.numbers_beside(runs).0
-    }
-
-    /// The same, and the part of the runs that went side by side \[–\].
-    fn numbers_beside(&self, runs: &[u64]) -> (Vec<Option<Vec<f64>>>, f64) {
+    fn numbers(&self, runs: &[u64]) -> Sampled {
         let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
         let of_floors = of_floor.cycle();
         let of_floors = of_floors.take(self.outputs.structures.len() * self.row.floors.len());
@@ -220,25 +290,51 @@ impl Sweep {
                 let is_peak = are_peaks.get(column).is_some_and(|is_peak| *is_peak);
                 if is_peak { values[0].abs() } else { values[0] }
             };
-            let numbers: Vec<f64> = batch.columns.iter().enumerate().map(number).collect();
-            (batch.failed[0].is_none().then_some(numbers), batch.beside)
+            let values = batch.columns.iter().enumerate().map(number).collect();
+            let numbers = Numbers {
+                values,
+                least: batch.least,
+            };
+            let told = batch.failed[0].is_none().then_some(numbers);
+            (told, (batch.beside as f64, batch.price))
         };
-        let (numbers, beside): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
-        let beside: usize = beside.iter().sum();
-        (numbers, beside as f64 / runs.len() as f64)
+        let (numbers, costs): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
+        Sampled {
+            beside: mean(costs.iter().map(|(beside, _)| *beside)),
+            price: mean(costs.iter().map(|(_, price)| *price)),
+            numbers,
+        }
     }
 }
 
-/// How often the longest step can be halved before it costs more than the exact method, by which this part of the scenes goes side by
-/// side.
-fn halved_beside(beside: f64) -> i32 {
-    let cost = 1.0 + ALONE * (1.0 - beside);
-    let cheaper = |halved: &i32| f64::from(1 << (halved - HALVED_BESIDE)) <= cost;
-    (HALVED_BESIDE..=HALVED).rfind(cheaper).unwrap_or(HALVED)
+/// The numbers of a run, and what each counts as at least; nothing where it failed.
+type Told = Option<Numbers>;
+
+/// The numbers of a run.
+#[derive(Debug, Clone)]
+struct Numbers {
+    values: Vec<f64>,
+    /// What each counts as at least where its error is relative to it; empty of a run side by side, none of whose numbers does.
+    least: Vec<f64>,
+}
+
+/// What came out of some runs, and what they cost.
+struct Sampled {
+    /// Of every run.
+    numbers: Vec<Told>,
+    /// Part of them that went side by side \[–\].
+    beside: f64,
+    /// What a run costs, those side by side left out.
+    price: f64,
+}
+
+/// What a run costs by the exact method, of which these went side by side.
+fn side_by_side(exact: f64, flown: &Sampled) -> f64 {
+    flown.price + flown.beside * exact / ALONE
 }
 
 /// The methods that step, the cheaper one first: both run side by side.
-const STEPPING: [fn(f64) -> Method; 2] = [central_difference, velocity_verlet];
+pub(super) const STEPPING: [fn(f64) -> Method; 2] = [central_difference, velocity_verlet];
 
 fn velocity_verlet(time_step_s: f64) -> Method {
     Method::VelocityVerlet {
@@ -265,20 +361,23 @@ fn exact(tolerance: f64) -> Method {
 }
 
 /// Whether most runs are within an error.
-fn holds_for(truth: &[Option<Vec<f64>>], found: &[Option<Vec<f64>>], asked: f64) -> bool {
+fn holds_for(truth: &[Told], found: &[Told], asked: f64) -> bool {
     at_most(&sorted(rows(&errors(truth, found))), SweepAccuracy::SHARE) <= asked
 }
 
 /// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite.
-fn errors(truth: &[Option<Vec<f64>>], found: &[Option<Vec<f64>>]) -> Vec<Vec<f64>> {
+fn errors(truth: &[Told], found: &[Told]) -> Vec<Vec<f64>> {
     let pairs = truth.iter().zip(found);
-    let row = |(truth, found): (&Option<Vec<f64>>, &Option<Vec<f64>>)| {
-        let truth = truth.as_ref()?;
+    let row = |(truth, found): (&Told, &Told)| {
+        let Numbers { values, least } = truth.as_ref()?;
+        let least = least.iter().copied().chain(std::iter::repeat(0.0));
         Some(match found {
-            None => vec![f64::INFINITY; truth.len()],
+            None => vec![f64::INFINITY; values.len()],
             Some(found) => {
-                let pairs = truth.iter().zip(found);
-                pairs.map(|(a, b)| distance(*a, *b)).collect()
+                let pairs = values.iter().zip(&found.values).zip(least);
+                pairs
+                    .map(|((a, b), least)| distance(*a, *b, least))
+                    .collect()
             }
         })
     };
@@ -301,27 +400,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn reference_steps_down_to_what_the_exact_method_costs() {
-        for (beside, wanted) in [(1.0, 4), (0.95, 4), (0.9, 5), (0.5, 6), (0.0, 7)] {
-            assert_eq!(halved_beside(beside), wanted, "{beside}");
-        }
-    }
-
-    #[test]
     fn reference_quantiles_and_distances() {
         let errors: Vec<_> = (1..=100).map(f64::from).collect();
         let of = ColumnErrors::of("x".into(), errors);
         let bits = |numbers: [f64; 4]| numbers.map(f64::to_bits);
         assert_eq!(bits(of.quantiles), bits([50.0, 90.0, 95.0, 99.0]));
-        for (a, b, wanted) in [
-            (0.0, 0.0, 0.0),
-            (1.0, 0.0, 1.0),
-            (f64::NAN, 2.0, 1.0),
-            (f64::NAN, f64::NAN, 0.0),
-            (2.0, 1.5, 0.25),
-            (-2.0, 2.0, 2.0),
+        for (a, b, least, wanted) in [
+            (0.0, 0.0, 0.0, 0.0),
+            (1.0, 0.0, 0.0, 1.0),
+            (f64::NAN, 2.0, 0.0, 1.0),
+            (f64::NAN, f64::NAN, 0.0, 0.0),
+            (2.0, 1.5, 0.0, 0.25),
+            (-2.0, 2.0, 0.0, 2.0),
+            (0.5, 0.25, 1.0, 0.25),
         ] {
-            assert_eq!(distance(a, b).to_bits(), f64::to_bits(wanted), "{a} {b}");
+            let found = distance(a, b, least);
+            assert_eq!(found.to_bits(), f64::to_bits(wanted), "{a} {b} {least}");
         }
     }
 }

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Sweep;
 use super::quantity::Ran;
 use super::sampling::Point;
 use crate::prepared::Asked;
-use crate::{Prepared, StudyError};
+use crate::{LEAST_PART, Prepared, StudyError};
 
 /// What came out of a range of runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,10 @@ pub struct Batch {
     pub failed: Vec<Option<String>>,
     /// How many runs went side by side.
     pub beside: usize,
+    /// What those that did not have cost, in force evaluations that take as long.
+    pub(super) price: f64,
+    /// Of the last of them what each number counts as at least where its error is relative to it; 0 for its own size.
+    pub(super) least: Vec<f64>,
 }
 
 impl Batch {
@@ -30,6 +35,8 @@ impl Batch {
             columns: vec![vec![f64::NAN; n]; n_columns],
             failed: vec![None; n],
             beside: 0,
+            price: 0.0,
+            least: Vec::with_capacity(n_columns),
         }
     }
 
@@ -50,6 +57,13 @@ impl Batch {
     }
 }
 
+/// Runs, how many of them are made ready at a time, and who ends them.
+type Many = (Range<u64>, usize, Option<&'static AtomicBool>);
+
+fn is_set(stop: Option<&'static AtomicBool>) -> bool {
+    stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+}
+
 /// Scenes that are made ready before they run: of two structures as many as a batch has use for (the record is read once for all of
 /// them), of long rows what fills all lanes and not the memory.
 fn beside(n_floors: usize) -> usize {
@@ -66,24 +80,34 @@ impl Sweep {
 
     /// Runs a range of runs, below [`Self::n_runs`].
     pub fn batch(&self, runs: Range<u64>) -> Batch {
-        self.batch_of(runs, beside(self.row.floors.len()))
+        self.batch_of(runs, (beside(self.row.floors.len()), None))
     }
 
-    /// The same, so many of which are made ready at a time.
-    pub(super) fn batch_of(&self, runs: Range<u64>, beside: usize) -> Batch {
+    /// The same; nothing where somebody sets `stop` before they are done.
+    pub(super) fn batch_until(&self, runs: Range<u64>, stop: &'static AtomicBool) -> Option<Batch> {
+        let batch = self.batch_of(runs, (beside(self.row.floors.len()), Some(stop)));
+        (!is_set(Some(stop))).then_some(batch)
+    }
+
+    /// Runs a range of runs, so many of which are made ready at a time; some fail where somebody sets `stop`.
+    pub(super) fn batch_of(
+        &self,
+        runs: Range<u64>,
+        (beside, stop): (usize, Option<&'static AtomicBool>),
+    ) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.n_columns());
         let mut run = runs.start;
         while run < runs.end {
             let (motion, next) = self.plan.motion(run);
             let end = next.min(runs.end);
-            self.run_under(motion, (run..end, beside), &mut batch);
+            self.run_under(motion, (run..end, beside, stop), &mut batch);
             run = end;
         }
         batch
     }
 
     /// Runs a range of runs under one motion.
-    fn run_under(&self, motion: usize, (runs, beside): (Range<u64>, usize), batch: &mut Batch) {
+    fn run_under(&self, motion: usize, (runs, beside, stop): Many, batch: &mut Batch) {
         let mut scene = self.scene.clone();
         let (mut point, mut settings) = (Point::default(), Vec::new());
         // What is made ready for the numbers of many runs is of no use to one.
@@ -91,7 +115,7 @@ impl Sweep {
         let mut renumbered = many.then(|| self.renumbered(motion)).flatten();
         let (mut ready, mut ran) = (Vec::new(), Vec::new());
         let mut next = runs.start;
-        while next < runs.end {
+        while next < runs.end && !is_set(stop) {
             // Those that are read anew may be of other columns, in whose memory no numbers are set.
             let mut all_set = renumbered.is_some();
             for run in (next..runs.end).take(beside) {
@@ -111,7 +135,10 @@ impl Sweep {
                     }
                 });
                 match prepared {
-                    Ok(prepared) => ready.push((batch.place(run), prepared)),
+                    Ok(mut prepared) => {
+                        prepared.set_stop(stop);
+                        ready.push((batch.place(run), prepared));
+                    }
                     Err(reason) => batch.fail(run, reason),
                 }
                 next = run + 1;
@@ -135,30 +162,38 @@ impl Sweep {
             // A fault of the program in one run is no reason to lose the others.
             let ran = if told {
                 batch.beside += 1;
-                Ok(())
+                Ok(0.0)
             } else {
-                caught(|| self.run_alone(prepared, &mut numbers))
+                caught(|| self.run_alone(prepared, (&mut numbers, &mut batch.least)))
             };
             match ran {
-                Ok(()) => batch.take(*place, &numbers),
+                Ok(price) => {
+                    batch.take(*place, &numbers);
+                    batch.price += price;
+                }
                 Err(reason) => batch.failed[*place] = Some(reason),
             }
         }
     }
 
-    /// One run; its numbers in the order of the columns.
-    fn run_alone(&self, prepared: &Prepared, numbers: &mut Vec<f64>) -> Result<(), String> {
+    /// One run; its numbers in the order of the columns, what they count as at least, and its price.
+    fn run_alone(
+        &self,
+        prepared: &Prepared,
+        (numbers, least): (&mut Vec<f64>, &mut Vec<f64>),
+    ) -> Result<f64, String> {
         let reason = |error: StudyError| error.reason();
         numbers.clear();
+        least.clear();
         let asked = Asked {
             interval: None,
             closings: self.closings,
         };
-        let (outcome, closings) = if self.verdict {
-            let (audited, closings) = prepared.audited_with(asked).map_err(reason)?;
+        let outcome = if self.verdict {
+            let audited = prepared.audited_with(asked).map_err(reason)?;
             match audited.broken {
                 Some(broken) => return Err(broken.reason()),
-                None => (audited.outcome, closings),
+                None => audited.outcome,
             }
         } else {
             prepared.run_unjudged(asked).map_err(reason)?
@@ -166,19 +201,28 @@ impl Sweep {
         let ran = Ran {
             prepared,
             outcome: &outcome,
-            closings: closings.as_ref(),
         };
         let none = f64::NAN;
+        let part = |node: usize| LEAST_PART * outcome.peaks.of(node).displacement.value.abs();
+        let unless = |left_over: bool, part: f64| if left_over { part } else { 0.0 };
         for floor in 0..self.row.floors.len() {
             let asked = self.outputs.structures.iter();
+            least.extend(
+                asked
+                    .clone()
+                    .map(|one| unless(one.is_left_over(), part(floor))),
+            );
             numbers.extend(asked.map(|one| one.of(&ran, floor).unwrap_or(none)));
         }
         for pair in 0..self.row.pairs.len() {
             let found = outcome.of_pair(pair);
             let asked = self.outputs.pairs.iter();
+            let own = &prepared.pairs()[pair];
+            let larger = part(own.left).max(part(own.right));
+            least.extend(asked.clone().map(|one| unless(one.is_left_over(), larger)));
             numbers.extend(asked.map(|one| one.of(&ran, (pair, &found)).unwrap_or(none)));
         }
-        Ok(())
+        Ok(prepared.price(outcome.work))
     }
 }
 

@@ -7,6 +7,7 @@ use serde_json::Value;
 use super::distribution::{LogNormal, Normal};
 use super::quantity::{PairQuantity, StructureQuantity};
 use super::spread::{Between, Grid, RangeError, Spread};
+use crate::RunBudget;
 
 /// A sweep: one scene, run again and again with other values of its fields, under one record or many.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -34,6 +35,9 @@ pub struct SweepFile {
     /// Whether every run is asked whether it keeps the laws of mechanics, and fails where it breaks one; without it `true`.
     #[serde(default = "yes")]
     pub verdict: bool,
+    /// What every run may cost before it is given up, which then is a row with the reason; without it as the scene says.
+    #[serde(default)]
+    pub budget: Option<RunBudget>,
 }
 
 fn yes() -> bool {

@@ -18,6 +18,7 @@ mod parts;
 mod permutation;
 mod place;
 mod plan;
+mod prices;
 mod quantile;
 mod quantity;
 mod renumbered;
@@ -88,14 +89,22 @@ impl Sweep {
             path: path.to_path_buf(),
             source,
         };
-        let bytes = std::fs::read(path).map_err(unreadable)?;
-        let file: SweepFile = crate::file::parse(&bytes, path)?;
+        let bytes = crate::file::bytes(path).map_err(unreadable)?;
+        let file = SweepFile::parse(&bytes, path)?;
         Self::of((file, &bytes), path).map_err(|error| error.in_file(path))
     }
 
-    fn of((file, bytes): (SweepFile, &[u8]), path: &Path) -> Result<Self, SweepError> {
+    /// The same of a file that was read as these bytes, by which its parts are known again.
+    ///
+    /// # Errors
+    /// Those of [`Self::read`], without the name of the file.
+    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path) -> Result<Self, SweepError> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
-        let read = Read::of(&file.scene, path)?;
+        let mut read = Read::of(&file.scene, path)?;
+        if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
+            let budget = serde_json::to_value(budget).expect("numbers and their names");
+            scene.insert("budget".into(), budget);
+        }
         let vary = placed(&file, &read.scene)?;
         let asked = accuracy::asked(&read.scene);
         if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
@@ -146,6 +155,11 @@ impl Sweep {
         &self.motions.left_out
     }
 
+    /// Returns the names of records whose direction nothing tells; they count as horizontal.
+    pub fn untold(&self) -> &[String] {
+        &self.motions.untold
+    }
+
     /// SHA-256 of everything that the rows depend on, in hexadecimal digits.
     pub(crate) fn sha256(&self) -> &str {
         &self.sha256
@@ -166,7 +180,7 @@ impl Read {
                     path: path.clone(),
                     source,
                 };
-                let bytes = std::fs::read(&path).map_err(unreadable)?;
+                let bytes = crate::file::bytes(&path).map_err(unreadable)?;
                 // Its faults are told with their lines.
                 Scene::parse(&bytes, &path)?;
                 Ok(Self {

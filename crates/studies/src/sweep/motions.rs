@@ -6,7 +6,9 @@ use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
 use crate::ground_motion::SharedMotion;
-use crate::{GroundMotion, Motion, Origin, RecordUse, Scene, SceneError, Source, StudyError};
+use crate::{
+    GroundMotion, Motion, Orientation, Origin, RecordUse, Scene, SceneError, Source, StudyError,
+};
 
 /// One ground motion in one direction.
 #[derive(Debug, Clone)]
@@ -54,6 +56,8 @@ pub(super) struct Motions {
     pub(super) all: Vec<Shaking>,
     /// Records that are left out, with the reason.
     pub(super) left_out: Vec<String>,
+    /// Names of those whose direction nothing tells.
+    pub(super) untold: Vec<String>,
     /// Whether they stand in place of the scene's own record, whose duration then does not count.
     replace: bool,
     duration_varies: bool,
@@ -79,6 +83,7 @@ impl Motions {
         let mut motions = Self {
             all: Vec::new(),
             left_out: Vec::new(),
+            untold: Vec::new(),
             replace: file.records.is_some(),
             duration_varies: axes
                 .iter()
@@ -105,7 +110,9 @@ impl Motions {
             motions.read_path(&base.join(path), (&record, &scene.name), directions)?;
         }
         if motions.all.is_empty() {
-            return Err(SweepError::NoRecord(records.paths().join(", ")));
+            let first = motions.left_out.first();
+            let first = first.map_or_else(String::new, |first| format!("; the first, {first}"));
+            return Err(SweepError::NoRecord(records.paths().join(", ") + &first));
         }
         Ok(motions)
     }
@@ -125,31 +132,47 @@ impl Motions {
         });
     }
 
-    /// The motions of a folder or a file; vertical ones are left out.
+    /// The motions of a folder or a file. Vertical ones are left out, and files of a folder that are refused.
     fn read_path(
         &mut self,
         path: &Path,
         (record, scene): (&RecordUse, &str),
         directions: &[bool],
     ) -> Result<(), SweepError> {
-        let found = if path.is_dir() {
+        let is_folder = path.is_dir();
+        let found = if is_folder {
             Motion::in_folder(path)?
         } else {
             Motion::in_file(path)
         };
         for motion in found {
             let name = motion.name();
-            if let Some(vertical) = &motion.vertical {
+            if let Orientation::Vertical(vertical) = &motion.orientation {
                 self.left_out.push(format!("{name}: {vertical}"));
                 continue;
             }
-            for reversed in directions {
+            let uses = directions.iter().map(|reversed| {
                 let record = RecordUse {
                     reversed: *reversed,
                     ..record.clone()
                 };
-                let (record, motion) = motion.used_as(&record, scene)?;
-                self.add(&name, record, motion);
+                motion.used_as(&record, scene)
+            });
+            match uses.collect::<Result<Vec<_>, StudyError>>() {
+                Ok(uses) => {
+                    for (record, motion) in uses {
+                        self.add(&name, record, motion);
+                    }
+                }
+                // As `gap` and `run` do: a folder may hold other files than records.
+                Err(refused @ StudyError::Record { .. }) if is_folder => {
+                    self.left_out.push(format!("{name}: {}", refused.reason()));
+                    continue;
+                }
+                Err(refused) => return Err(refused.into()),
+            }
+            if motion.orientation == Orientation::Untold {
+                self.untold.push(name);
             }
         }
         Ok(())
@@ -218,7 +241,7 @@ fn own_name(source: &Source) -> String {
             Motion {
                 path: name.into(),
                 component: file.component.clone(),
-                vertical: None,
+                orientation: Orientation::Untold,
             }
             .name()
         }

@@ -215,7 +215,7 @@ impl Parts {
     }
 
     /// Runs what is missing of a shard, with all threads; `done` is told of every part how many runs it has. When somebody says
-    /// stop, parts that have begun are finished, and no other begins.
+    /// stop, runs that have begun end, and parts that are not whole are left out.
     ///
     /// # Errors
     /// What the system refuses to write.
@@ -223,7 +223,7 @@ impl Parts {
         &self,
         sweep: &Sweep,
         shard: Shard,
-        (stop, done): (&AtomicBool, &(dyn Fn(u64) + Sync)),
+        (stop, done): (&'static AtomicBool, &(dyn Fn(u64) + Sync)),
     ) -> Result<(), SweepError> {
         let missing: Vec<u64> = shard
             .of(self.manifest.n_parts())
@@ -235,7 +235,9 @@ impl Parts {
             if stop.load(Ordering::Relaxed) {
                 return Ok(());
             }
-            let batch = sweep.batch(self.manifest.runs_of(part));
+            let Some(batch) = sweep.batch_until(self.manifest.runs_of(part), stop) else {
+                return Ok(());
+            };
             write_whole(&path_of(&self.folder, part), &sweep.rows(&batch), false)?;
             done(self.n_runs(part));
             Ok(())

@@ -1,6 +1,5 @@
 //! The numbers of a run that become columns, in the names of a summary.
 
-use pounding_solver::Closings;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +34,7 @@ pub enum StructureQuantity {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PairQuantity {
-    /// Number of collisions.
+    /// Number of collisions, each from touch to parting; of impacts every bounce, the last one with the rest that follows.
     Collisions,
     /// When the first begins \[s\].
     FirstStartS,
@@ -55,8 +54,6 @@ pub enum PairQuantity {
 pub(super) struct Ran<'a> {
     pub(super) prepared: &'a Prepared,
     pub(super) outcome: &'a Outcome,
-    /// Where the least opening is asked for.
-    pub(super) closings: Option<&'a Closings>,
 }
 
 impl StructureQuantity {
@@ -73,6 +70,11 @@ impl StructureQuantity {
             | Self::DriftRatio
             | Self::TransferredMomentumNS => false,
         }
+    }
+
+    /// Whether it is left over of a peak displacement, and may be next to nothing beside it.
+    pub(super) fn is_left_over(self) -> bool {
+        self == Self::ResidualDisplacementAtEndM
     }
 
     /// Of a floor; nothing where it has no such number.
@@ -109,6 +111,11 @@ impl PairQuantity {
         self == Self::LeastOpeningM
     }
 
+    /// As for a [structure](StructureQuantity::is_left_over).
+    pub(super) fn is_left_over(self) -> bool {
+        self == Self::LeastOpeningM
+    }
+
     /// Of a pair, of which `found` happened; nothing where it has no such number.
     pub(super) fn of(self, ran: &Ran<'_>, (index, found): (usize, &PairOutcome)) -> Option<f64> {
         match self {
@@ -119,9 +126,8 @@ impl PairQuantity {
             Self::PeakForceN => found.peak_force.map(|peak| peak.value),
             Self::TotalImpulseNS => Some(found.total_impulse),
             Self::LeastOpeningM => {
-                let pair = ran.prepared.pairs()[index];
-                let closing = ran.closings?.of(pair.left);
-                Some(found.least_opening(pair.gap, closing).0)
+                let pair = &ran.prepared.pairs()[index];
+                Some(ran.outcome.least_opening(pair, found)?.0)
             }
         }
     }

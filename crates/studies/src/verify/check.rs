@@ -380,7 +380,7 @@ fn near(prepared: &Prepared, change: f64, index: usize) -> Result<Numbers, Study
     } else {
         under(prepared, change, index)
     }?;
-    let (outcome, _) = near.run_unjudged(Asked::default())?;
+    let outcome = near.run_unjudged(Asked::default())?;
     Ok(Numbers::of_exact(&near, &outcome))
 }
 

@@ -8,7 +8,9 @@ use serde_json::Value;
 
 use super::random::Random;
 use super::{contacts, motions};
-use crate::{BoucWen, Building, Columns, Contact, Damping, Method, Scene, Sdof, Storey, Structure};
+use crate::{
+    BoucWen, Building, Columns, Contact, Damping, Method, RunBudget, Scene, Sdof, Storey, Structure,
+};
 
 /// Most storeys of a building.
 const MOST_STOREYS: f64 = 12.0;
@@ -30,6 +32,7 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         structures,
         contacts: Some(contacts),
         method: Method::EXACT,
+        budget: RunBudget::default(),
     };
     in_few_digits(&scene)
 }

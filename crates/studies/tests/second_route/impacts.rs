@@ -2,56 +2,9 @@
 
 use libm::{acos, acosh, exp, pow};
 use pounding_solver::{Node, Row};
-use pounding_studies::second_route::{self, Collision, Fineness, SecondRouteError};
+use pounding_studies::second_route::Collision;
 
 use super::{FREE, close, moving, pairs, run, stereomechanical, viscoelastic};
-
-/// A ball of unit mass that falls towards a floor 1 m below.
-fn ball(restitution: f64) -> Row<pounding_solver::Elastic> {
-    let nodes = vec![moving(1.0, 0.0, FREE), Node::wall(FREE)];
-    Row::new(nodes, pairs(2, 1.0, stereomechanical(restitution))).expect("a valid row")
-}
-
-#[test]
-fn reference_bouncing_ball() {
-    let (gravity, restitution) = (9.81_f64, 0.8);
-    let response = run(&ball(restitution), &[-gravity; 42], 4.0);
-    let first = (2.0 / gravity).sqrt();
-    let speed = gravity * first;
-    // The n-th flight lasts 2 e^n times the first fall; the end is shortly before the ball rests at 4.06 s.
-    let (mut time, mut factor) = (first, 1.0);
-    let mut wanted = Vec::new();
-    while time < 4.0 {
-        wanted.push((time, (1.0 + restitution) * speed * factor));
-        factor *= restitution;
-        time += 2.0 * first * factor;
-    }
-    let found = &response.collisions[0];
-    assert_eq!(found.len(), wanted.len(), "number of impacts");
-    for (collision, (time, impulse)) in found.iter().zip(wanted) {
-        close(collision.start, time, 1e-14, "time of an impact");
-        close(collision.impulse, impulse, 1e-13, "its impulse");
-    }
-    let total: f64 = found.iter().map(|collision| collision.impulse).sum();
-    close(
-        response.structures[0].transferred_momentum,
-        total,
-        1e-15,
-        "transferred momentum",
-    );
-}
-
-#[test]
-fn extreme_a_ball_that_comes_to_rest_is_refused() {
-    let ground = [-9.81; 60];
-    let excitation = pounding_solver::Excitation::new(0.1, &ground).unwrap();
-    let end = second_route::run(&ball(0.8), excitation, 5.0, Fineness::FINE);
-    let Err(SecondRouteError::ComesToRest { pair: 0, time }) = end else {
-        panic!("{end:?}");
-    };
-    let rest = (2.0 / 9.81_f64).sqrt() * 1.8 / 0.2;
-    assert!((time - rest).abs() < 1e-6, "{time} against {rest} s");
-}
 
 /// A free impact of two masses 1 cm apart at a relative speed: its collision and both velocities after it.
 fn free_impact(ratio: f64, masses: [f64; 2], speed: f64) -> (Collision, [f64; 2]) {

@@ -1,11 +1,13 @@
 //! Tests of the second route to a reference.
 
 mod closed_forms;
+mod exact;
 mod impacts;
 mod laws;
 mod limits;
 mod loops;
 mod opensees;
+mod rest;
 mod scenes;
 mod stepping;
 mod storeys;

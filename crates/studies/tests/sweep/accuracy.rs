@@ -131,3 +131,32 @@ fn extreme_a_method_that_is_chosen_does_not_vary() {
     let text = refused.to_string();
     assert!(text.contains("asks for an accuracy"), "{text}");
 }
+
+/// Steps were chosen that cost more than exact runs, after a search that cost more still; fewer runs than measure a method have
+/// no use for another than the exact one.
+#[test]
+fn issue_the_exact_method_is_chosen_where_it_costs_less() {
+    let folder = folder("accuracy_prices");
+    let chosen = |count: u64, verdict: bool| {
+        let mut scene = scene();
+        let left = &mut scene["structures"][0]["sdof"];
+        let fields = left.as_object_mut().expect("an object");
+        fields.remove("yield_displacement_m");
+        scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 0.6}});
+        scene["duration_s"] = json!(20.0);
+        scene["record"]["generated"]["half_sine"]["time_step_s"] = json!(0.02);
+        scene["method"] = json!({"accuracy": 1e-3});
+        let mut words = with_periods(&scene);
+        words["samples"]["count"] = json!(count);
+        words["verdict"] = json!(verdict);
+        let sweep = sweep(&folder, &words);
+        let accuracy = sweep.accuracy().expect("it was asked for").clone();
+        (accuracy.method, accuracy.rows.runs)
+    };
+    // One by one elastic structures with impacts are run exactly as fast as with steps of some milliseconds.
+    assert_eq!(chosen(300, true), (Method::EXACT, 0));
+    // Side by side steps cost next to nothing, but for the exact runs of those that choose and measure.
+    let (method, measured) = chosen(300, false);
+    assert!(method != Method::EXACT && measured == 128, "{method:?}");
+    assert_eq!(chosen(190, false), (Method::EXACT, 0));
+}

@@ -10,6 +10,10 @@ use std::sync::atomic::AtomicBool;
 use pounding_studies::{Parts, Prepared, Scene, Shard, Sweep, merge};
 use serde_json::{Value, json};
 
+/// Nobody says stop, or somebody has.
+pub(crate) static GO: AtomicBool = AtomicBool::new(false);
+static STOPPED: AtomicBool = AtomicBool::new(true);
+
 /// A folder for one test.
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
@@ -272,13 +276,12 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         "samples": {"count": 300, "seed": 4, "method": "sobol"},
     });
     let sweep = sweep(&folder, &words);
-    let go = AtomicBool::new(false);
-    let fill = |out: &str, shard: Shard, stop: &AtomicBool| {
+    let fill = |out: &str, shard: Shard, stop: &'static AtomicBool| {
         let parts = Parts::open(&sweep, &folder.join(out), false).expect("parts");
         parts.fill(&sweep, shard, (stop, &|_| ())).expect("a disk");
         parts
     };
-    let whole = fill("whole.csv", Shard::WHOLE, &go);
+    let whole = fill("whole.csv", Shard::WHOLE, &GO);
     let table = folder.join("whole.csv");
     let joined = merge(&table, &[whole.folder().to_path_buf()]).expect("a table");
     assert_eq!((joined.runs, joined.failed), (300, 0));
@@ -286,7 +289,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
     let mut folders = Vec::new();
     for index in 1..=3 {
         let shard = Shard::new(index, 3).expect("a shard");
-        let parts = fill(&format!("{index}.csv"), shard, &go);
+        let parts = fill(&format!("{index}.csv"), shard, &GO);
         assert_eq!(parts.runs_there(shard), parts.runs_of(shard));
         folders.push(parts.folder().to_path_buf());
         let out = folder.join("merged.csv");
@@ -306,7 +309,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         }
     }
     // Stopped at once nothing is there; a part that is cut short is named.
-    let stopped = fill("stopped.csv", Shard::WHOLE, &AtomicBool::new(true));
+    let stopped = fill("stopped.csv", Shard::WHOLE, &STOPPED);
     assert_eq!(stopped.runs_there(Shard::WHOLE), 0);
     let part = folders[0].join("part-000000007.csv");
     let text = fs::read_to_string(&part).expect("a part");
@@ -332,9 +335,8 @@ fn limit_a_compressed_table_is_the_same_table() {
     );
     let (plain, compressed) = (folder.join("runs.csv"), folder.join("runs.csv.zst"));
     let parts = Parts::open(&sweep, &plain, false).expect("parts");
-    let go = AtomicBool::new(false);
     parts
-        .fill(&sweep, Shard::WHOLE, (&go, &|_| ()))
+        .fill(&sweep, Shard::WHOLE, (&GO, &|_| ()))
         .expect("a disk");
     let folders = [parts.folder().to_path_buf()];
     for out in [&plain, &compressed] {

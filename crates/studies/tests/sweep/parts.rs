@@ -1,12 +1,11 @@
 //! Parts of a table: how it is cut changes no byte of it.
 
 use std::fs;
-use std::sync::atomic::AtomicBool;
 
 use pounding_studies::{Parts, Shard, merge};
 use serde_json::{Value, json};
 
-use crate::{folder, scene, sweep};
+use crate::{GO, folder, scene, sweep};
 
 /// A table that another version had begun to cut otherwise goes on with its parts, and has the same bytes.
 #[test]
@@ -18,7 +17,6 @@ fn limit_a_table_cut_otherwise_has_the_same_bytes() {
         "samples": {"count": 50, "seed": 4, "method": "sobol"},
     });
     let sweep = sweep(&folder, &words);
-    let go = AtomicBool::new(false);
     let mut tables = Vec::new();
     for (name, cut) in [("usual.csv", None), ("other.csv", Some(7))] {
         let out = folder.join(name);
@@ -32,7 +30,7 @@ fn limit_a_table_cut_otherwise_has_the_same_bytes() {
         }
         for shard in [Shard::new(2, 2).expect("a shard"), Shard::WHOLE] {
             let parts = Parts::open(&sweep, &out, false).expect("they go on");
-            parts.fill(&sweep, shard, (&go, &|_| ())).expect("a disk");
+            parts.fill(&sweep, shard, (&GO, &|_| ())).expect("a disk");
             assert_eq!(parts.runs_there(shard), parts.runs_of(shard));
         }
         let first = parts.folder().join("part-000000000.csv");

@@ -1,5 +1,6 @@
 //! The header: what the values are, how many there are, and how far apart.
 
+use super::super::title::{self, holds};
 use super::Component;
 use crate::line::{Line, number};
 use crate::{Direction, Place, ReadError};
@@ -22,25 +23,48 @@ pub(super) fn is_at2(lines: &[Line<'_>]) -> bool {
         })
 }
 
-/// The title lines, the line with NPTS and DT, and the lines after it.
-pub(super) fn split<'l, 't>(
-    lines: &'l [Line<'t>],
-) -> Result<(&'l [Line<'t>], Line<'t>, &'l [Line<'t>]), ReadError> {
+/// The parts of a file.
+pub(super) struct Header<'l, 't> {
+    pub(super) titles: &'l [Line<'t>],
+    /// The line with NPTS and DT.
+    pub(super) line: Line<'t>,
+    /// What follows it, from the first number on.
+    pub(super) data: &'l [Line<'t>],
+}
+
+/// Splits a file at its line with NPTS and DT; a line such as `*** Begin data ***` below it is passed over.
+pub(super) fn split<'l, 't>(lines: &'l [Line<'t>]) -> Result<Header<'l, 't>, ReadError> {
     let index = count_line(lines).ok_or(ReadError::NoCountLine {
         searched: HEADER_LINES.min(lines.len()),
     })?;
-    Ok((&lines[..index], lines[index], &lines[index + 1..]))
+    let mut data = &lines[index + 1..];
+    if let [first, rest @ ..] = data
+        && first.bytes.trim_ascii().starts_with(b"***")
+        && holds(*first, "BEGIN")
+    {
+        data = rest;
+    }
+    Ok(Header {
+        titles: &lines[..index],
+        line: lines[index],
+        data,
+    })
 }
 
 /// The direction that PEER writes behind the last comma of the line of earthquake and station, which is the second above
 /// the numbers: `EL CENTRO ARRAY #9, 180 (USGS STATION 117)`, `Iwate, IWTH25, UD`.
 pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
-    let (titles, _, _) = split(lines).ok()?;
+    let titles = split(lines).ok()?.titles;
     let line = titles.get(titles.len().checked_sub(2)?)?;
     let text = line.text();
     let (_, behind) = text.rsplit_once(',')?;
     let word = behind.split('(').next().unwrap_or_default().trim();
-    Direction::of_component(word).filter(|_| !word.contains(' '))?;
+    Direction::of_component(word)?;
+    // The number of a channel may stand before it; other words are the name of a station.
+    let mut words = word.split_whitespace().rev().skip(1);
+    if !words.all(|word| word.bytes().all(|byte| byte.is_ascii_digit())) {
+        return None;
+    }
     Some(Component {
         name: word.to_owned(),
         place: Place::Line(line.number),
@@ -77,32 +101,23 @@ fn named(line: Line<'_>) -> Vec<String> {
     names
 }
 
-/// The number of samples and the time step \[s\].
-pub(super) fn count_and_step(line: Line<'_>) -> Result<(usize, f64), ReadError> {
+/// The number of samples and the time step, as a line gives them.
+pub(super) struct Stated<'t> {
+    pub(super) line: Line<'t>,
+    /// Above zero.
+    pub(super) count: usize,
+    /// Above zero \[s\].
+    pub(super) step: f64,
+}
+
+/// Reads a line with NPTS and DT.
+pub(super) fn count_and_step(line: Line<'_>) -> Result<Stated<'_>, ReadError> {
     let refused = || ReadError::CountLine {
         line: line.number,
         found: line.excerpt(),
     };
     let text = line.text().to_ascii_uppercase();
-    // Whether each name precedes its number or both names follow both numbers, names and numbers
-    // are in one order.
-    let numbers: Vec<&str> = text
-        .split(|letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':'))
-        .map(|word| word.trim_end_matches("SEC"))
-        .filter(|word| {
-            word.starts_with(|letter: char| {
-                letter.is_ascii_digit() || matches!(letter, '.' | '-' | '+')
-            })
-        })
-        .collect();
-    let &[first, second] = &numbers[..] else {
-        return Err(refused());
-    };
-    let (count, step) = if named(line).first().is_some_and(|name| name == "DT") {
-        (second, first)
-    } else {
-        (first, second)
-    };
+    let [count, step] = printed(&text).ok_or_else(refused)?;
     let count: usize = count.parse().map_err(|_| refused())?;
     let step = number(step.as_bytes()).ok_or_else(refused)?;
     if count == 0 {
@@ -114,7 +129,58 @@ pub(super) fn count_and_step(line: Line<'_>) -> Result<(usize, f64), ReadError> 
             found: step,
         });
     }
-    Ok((count, step))
+    Ok(Stated { line, count, step })
+}
+
+/// The numbers of NPTS and DT in a line in capitals.
+///
+/// Each stands behind its name, and behind both may follow a filter, `0 POLE @ 30. HZ`; or names and numbers are in one order,
+/// and there are no others.
+fn printed(text: &str) -> Option<[&str; 2]> {
+    let words: Vec<&str> = text
+        .split(|letter: char| letter.is_whitespace() || matches!(letter, '=' | ',' | ':'))
+        .filter(|word| !word.is_empty())
+        .map(|word| match word.strip_suffix("SEC") {
+            Some(number) if !number.is_empty() => number,
+            _ => word,
+        })
+        .collect();
+    let is_number = |word: &&&str| {
+        word.starts_with(|letter: char| {
+            letter.is_ascii_digit() || matches!(letter, '.' | '-' | '+')
+        })
+    };
+    let behind = |name: &str| {
+        let at = words.iter().rposition(|word| *word == name)?;
+        words.get(at + 1).filter(is_number).copied()
+    };
+    let numbers: Vec<&str> = words.iter().filter(is_number).copied().collect();
+    if let (Some(count), Some(step)) = (behind("NPTS"), behind("DT"))
+        && (numbers.len() == 2
+            || words.contains(&"POLE")
+            || words[words.len() - 2..].contains(&step))
+    {
+        return Some([count, step]);
+    }
+    let &[first, second] = &numbers[..] else {
+        return None;
+    };
+    let names = words.iter().find(|word| matches!(**word, "NPTS" | "DT"));
+    Some(if names == Some(&"DT") {
+        [second, first]
+    } else {
+        [first, second]
+    })
+}
+
+/// What a title such as `1559 points at equal spacing of 0.02 sec` gives.
+pub(super) fn points<'t>(titles: &[Line<'t>]) -> Option<Stated<'t>> {
+    let line = title::line_with(titles, "POINTS AT EQUAL SPACING OF")?;
+    let text = line.text();
+    let count = text.split_whitespace().next()?.parse().ok()?;
+    let behind = title::after(&text, "SPACING OF")?;
+    let step = number(behind.split_whitespace().next()?.as_bytes())?;
+    (count > 0 && step.is_finite() && step > 0.0).then_some(Stated { line, count, step })
 }
 
 /// The title line that says acceleration in g, the one next to the numbers first; none where no

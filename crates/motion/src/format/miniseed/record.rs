@@ -91,11 +91,15 @@ impl<'t> Record<'t> {
         };
         let signed = |at: usize| short(at).map(u16::cast_signed).map(f64::from);
         let (factor, multiplier) = signed(32).zip(signed(34)).ok_or_else(cut)?;
-        let (packing, exact) = blockettes(bytes, &short).ok_or_else(|| {
+        let (packing, exact) = blockettes(bytes, &short)
+            .ok_or_else(|| header(at, &bytes[..8], "a record with blockettes that are whole"))?;
+        // Old records have no blockette 1000, which tells their packing: it is Steim 1.
+        let packing = packing.or_else(|| Some([10, u8::from(big_endian), power(bytes)?]));
+        let packing = packing.ok_or_else(|| {
             header(
                 at,
                 &bytes[..8],
-                "a record with a blockette 1000 that tells its packing",
+                "a record with a blockette 1000 that tells its length, or another record behind it",
             )
         })?;
         let [encoding, order, power] = packing;
@@ -216,12 +220,21 @@ impl<'t> Record<'t> {
     }
 }
 
-/// Packing from blockette 1000 and, where there is one, the step from blockette 100. The chain must
+/// The length of a record as a power of 2, by where the next begins or the file ends.
+fn power(bytes: &[u8]) -> Option<u8> {
+    let ends = |power: &u8| {
+        let rest = bytes.get(1 << power..);
+        rest.is_some_and(|rest| rest.is_empty() || begins(rest))
+    };
+    (7..=LONGEST).find(ends)
+}
+
+/// Packing from blockette 1000 and step from blockette 100, where there are such. The chain must
 /// lead on, so it ends.
 fn blockettes(
     bytes: &[u8],
     short: &impl Fn(usize) -> Option<u16>,
-) -> Option<([u8; 3], Option<f64>)> {
+) -> Option<(Option<[u8; 3]>, Option<f64>)> {
     let mut at = usize::from(short(46)?);
     let (mut packing, mut exact) = (None, None);
     while at >= HEADER_2 {
@@ -254,7 +267,7 @@ fn blockettes(
         }
         at = next;
     }
-    Some((packing?, exact))
+    Some((packing, exact))
 }
 
 /// The step of a rate that is given as factor and multiplier, where a negative one divides.

@@ -151,6 +151,13 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
                 let allowed = "what one count of the digitiser is worth, in `unit`";
                 ("per_count", "1e-6", allowed.into())
             }
+            Err(ReadError::Velocity { found, .. }) => {
+                declared.acceleration = true;
+                let allowed = format!(
+                    "only if the values are accelerations, though {found:?} speaks for velocities"
+                );
+                ("acceleration", "true", allowed)
+            }
             Err(ReadError::ComponentNeeded { names }) => {
                 declared.component = Some("1".into());
                 ("component", "\"1\"", format!("one of {}", names.join("; ")))

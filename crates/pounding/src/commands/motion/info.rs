@@ -5,6 +5,7 @@ mod printed;
 use std::path::PathBuf;
 
 use pounding::motion::{Drift, Measures, components};
+use pounding::studies::Orientation;
 use rayon::prelude::*;
 
 use super::source::{Declared, Named, Opened, files};
@@ -53,6 +54,7 @@ struct Line {
 /// A motion and its measures.
 struct Found {
     opened: Opened,
+    orientation: Orientation,
     measures: Measures,
     drift: Option<Drift>,
 }
@@ -80,6 +82,10 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, Failure> {
             // What is asked for may be a part of the name.
             component: component.clone().map(|asked| spelt.unwrap_or(asked)),
             found: opened.map(|opened| Found {
+                orientation: Orientation::of(
+                    opened.file.component(),
+                    component.is_none().then_some(&file.path),
+                ),
                 measures: opened.record.measures(),
                 drift: opened.record.drift(),
                 opened,

@@ -30,6 +30,9 @@ pub(super) struct Declared {
     /// What one count of a digitiser is worth, in --unit.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     per_count: Option<f64>,
+    /// The values are accelerations, though the file speaks for velocities.
+    #[arg(long)]
+    acceleration: bool,
     /// What one g is worth [m/s²].
     #[arg(long, value_name = "G", default_value_t = STANDARD_GRAVITY, allow_negative_numbers = true, value_parser = positive)]
     pub(super) gravity: f64,
@@ -48,9 +51,7 @@ pub(super) struct Opened {
 impl Opened {
     /// Name of its component, as the file spells it.
     pub(super) fn component(&self) -> Option<String> {
-        let mut readings = self.file.readings().iter();
-        let component = readings.find(|one| one.what == "component");
-        component.map(|one| one.found.clone())
+        self.file.component().map(str::to_owned)
     }
 }
 
@@ -77,6 +78,7 @@ impl Declared {
             time_step: None,
             component: None,
             per_count: None,
+            acceleration: false,
             gravity: STANDARD_GRAVITY,
         };
         *self == nothing
@@ -94,6 +96,7 @@ impl Declared {
             time_step_s: self.time_step,
             component: self.component.clone(),
             per_count: self.per_count,
+            acceleration: self.acceleration,
         }
     }
 
@@ -141,11 +144,12 @@ pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, Strin
 }
 
 /// Fields of a scene and the options that stand for them; a field comes before the table that it is in.
-const OPTIONS: [(&str, &str); 18] = [
+const OPTIONS: [(&str, &str); 19] = [
     ("`record.unit`", "--unit"),
     ("`record.time_step_s`", "--time-step"),
     ("`record.component`", "--component"),
     ("`record.per_count`", "--per-count"),
+    ("`record.acceleration` as true", "--acceleration"),
     ("record.gravity_m_per_s2", "--gravity"),
     ("record.detrend", "--detrend"),
     ("record.band_pass.low_hz", "--band-pass LOW"),

@@ -144,6 +144,7 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
+    parts.extend(suite::untold(lines).map(|said| paragraph("Direction", &said)));
     let unusual = unusual(lines);
     if !unusual.is_empty() {
         parts.push(paragraph("Unusual", &unusual.join("\n")));

@@ -29,6 +29,9 @@ pub(super) fn run<S: Simd>(
             .collect();
         let (mut alone, mut waiting) = (Vec::new(), Vec::new());
         for interval in &method.intervals {
+            if method.budget.is_stopped() {
+                return;
+            }
             alone.clear();
             let scenes_of_groups = scenes.chunks_mut(Lanes::<S>::N);
             for (index, (group, scenes)) in groups.iter_mut().zip(scenes_of_groups).enumerate() {

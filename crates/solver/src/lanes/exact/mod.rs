@@ -22,7 +22,7 @@ use pair::{Scene, Side};
 
 use super::Tallies;
 use crate::exact::{LONGEST_LEAP, in_flight};
-use crate::{Clock, Elastic, Exact, Excitation, Row, RunError, Support};
+use crate::{Budget, Clock, Elastic, Exact, Excitation, Row, RunError, Support};
 
 /// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
 const FINEST: f64 = 1e-12;
@@ -39,6 +39,7 @@ pub struct ExactSideBySide {
     /// Their length \[s\], but for the last one.
     step: f64,
     pub(super) level: Level,
+    budget: Budget,
 }
 
 /// The ground between two samples of the record.
@@ -67,7 +68,14 @@ impl ExactSideBySide {
             intervals: intervals(excitation, clock.time(clock.n_steps)),
             step: excitation.time_step(),
             level: Level::new(),
+            budget: Budget::default(),
         })
+    }
+
+    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    #[must_use]
+    pub fn within(self, budget: Budget) -> Self {
+        Self { budget, ..self }
     }
 
     /// Whether a row can run side by side with others: two structures of one storey, or one and a wall, which can touch; the ground

@@ -13,7 +13,7 @@ use self::group::Group;
 use super::column::SideBySideColumn;
 use super::group::Rows;
 use super::number::Lanes;
-use super::{Shaken, Tallies};
+use super::{BETWEEN, Shaken, Tallies};
 use crate::{Row, Verlet};
 
 /// A distance within which two structures may touch for all that rounding says \[m\]: there a step looks closer.
@@ -51,8 +51,12 @@ fn steps<S: Simd, Column: SideBySideColumn>(
 ) {
     let mut done = 0;
     while let Some(end) = n_steps.iter().filter(|end| **end > done).min() {
-        let ground = &method.ground[..=*end];
-        while done < *end {
+        if method.budget.is_stopped() {
+            return;
+        }
+        let next = (*end).min(done + BETWEEN);
+        let ground = &method.ground[..=next];
+        while done < next {
             done = go_apart(groups, ground, done);
             if let [from, to] = ground[done..][..2.min(ground.len() - done)] {
                 for group in groups.iter_mut() {
@@ -63,7 +67,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
                 done += 1;
             }
         }
-        for (index, _) in n_steps.iter().enumerate().filter(|of| of.1 == end) {
+        for (index, _) in n_steps.iter().enumerate().filter(|of| *of.1 == done) {
             let group = &groups[index / Lanes::<S>::N];
             let (lane, scene) = (index % Lanes::<S>::N, first + index);
             for (node, motion) in group.motions.iter().enumerate() {

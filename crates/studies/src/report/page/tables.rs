@@ -87,6 +87,10 @@ fn storey(one: &StructureSummary) -> Vec<Cell> {
         one.residual_drift_at_end_m,
         one.residual_displacement_at_end_m,
     );
+    let off_at_end = off(one.errors.as_ref(), |errors| {
+        let of_drift = errors.residual_drift_at_end;
+        of_drift.or(errors.residual_displacement_at_end)
+    });
     let off = off(one.errors.as_ref(), |errors| {
         errors.peak_drift.or(errors.peak_displacement)
     });
@@ -95,7 +99,7 @@ fn storey(one: &StructureSummary) -> Vec<Cell> {
         Cell::new(&one.name),
         millimetres(drift).over(off.clone()),
         Cell::known(time.map(instant)),
-        millimetres(last),
+        millimetres(last).over(off_at_end),
         Cell::known(one.drift_ratio.map(percent))
             .over(off.clone().filter(|_| one.drift_ratio.is_some())),
         Cell::known(one.ductility.map(short)).over(off.filter(|_| one.ductility.is_some())),
@@ -199,7 +203,7 @@ fn pair(one: &PairSummary) -> Vec<Cell> {
     vec![
         Cell::new(format!("{} – {}", one.left, one.right)).over(Some(one.law.replace('_', " "))),
         Cell::new(short(1e3 * one.gap_m)),
-        Cell::new(opening(one.least_opening_m)),
+        Cell::new(opening(one.least_opening_m)).over(off(errors, |errors| errors.least_opening)),
         Cell::new(one.collisions.to_string()).over(counted),
         Cell::known(first.map(|first| digits(first.start_s)))
             .over(time.map(|time| format!("error {}", milliseconds(time)))),

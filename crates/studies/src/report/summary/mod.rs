@@ -184,9 +184,12 @@ pub struct StructureErrorSummary {
     /// Of the peak drift of a storey on another floor, and so of its drift ratio and ductility; absent for others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_drift: Option<f64>,
-    /// Of the displacement at the end, relative to the exact peak displacement: it may be next to nothing itself.
+    /// Of the displacement at the end, relative to itself, or to 5 % of the exact peak displacement where it is less.
     #[serde(default)]
     pub residual_displacement_at_end: Option<f64>,
+    /// The same of the drift at the end, and 5 % of the exact peak drift; absent where the storey stands on the ground.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual_drift_at_end: Option<f64>,
     /// Of the peak absolute acceleration.
     #[serde(default)]
     pub peak_acceleration: Option<f64>,
@@ -207,7 +210,7 @@ pub struct PairSummary {
     pub gap_m: f64,
     /// Contact law, as scene files spell it.
     pub law: String,
-    /// Number of collisions.
+    /// Number of collisions, each from touch to parting; of impacts every bounce, the last one with the rest that follows.
     pub collisions: usize,
     /// The first of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -274,6 +277,15 @@ pub struct PairErrorSummary {
     pub largest_impulse: Option<f64>,
     /// Of the peak pounding force.
     pub peak_force: Option<f64>,
+    /// Of the sum of all impulses.
+    #[serde(default)]
+    pub total_impulse: Option<f64>,
+    /// Of the time for which they touch, relative to itself, or to 0.25 s where it is less.
+    #[serde(default)]
+    pub touching: Option<f64>,
+    /// Of the least opening, relative to itself, or to 5 % of the larger exact peak displacement of both where it is less.
+    #[serde(default)]
+    pub least_opening: Option<f64>,
 }
 
 /// Where the energy of the row went, at the end of the run; of the motion relative to the ground.

@@ -126,6 +126,7 @@ fn structure(
                 peak_displacement: None,
                 peak_displacement_time_s: None,
                 residual_displacement_at_end: None,
+                residual_drift_at_end: None,
                 peak_acceleration: None,
                 peak_shear_force: None,
                 ..errors
@@ -168,6 +169,7 @@ fn structure_errors(errors: &StructureErrors) -> StructureErrorSummary {
         peak_displacement_time_s: finite(errors.displacement_time),
         peak_drift: errors.drift.and_then(finite),
         residual_displacement_at_end: finite(errors.last_displacement),
+        residual_drift_at_end: errors.last_drift.and_then(finite),
         peak_acceleration: finite(errors.acceleration),
         peak_shear_force: finite(errors.restoring_force),
         transferred_momentum: finite(errors.momentum),
@@ -179,9 +181,10 @@ fn pair(
     review: &Review,
     (index, measured): (usize, Option<&RunErrors>),
 ) -> PairSummary {
-    let pounding_solver::Pair { gap, law, left, .. } = prepared.pairs()[index];
+    let own = &prepared.pairs()[index];
     let found = review.outcome.of_pair(index);
-    let (opening, time) = found.least_opening(gap, review.closings.of(left));
+    let opening = review.outcome.least_opening(own, &found);
+    let (opening, time) = opening.expect("a review asks for closings");
     let PairOutcome {
         collisions,
         first,
@@ -193,8 +196,8 @@ fn pair(
     PairSummary {
         left,
         right,
-        gap_m: gap,
-        law: law.name().into(),
+        gap_m: own.gap,
+        law: own.law.name().into(),
         collisions,
         first: first.as_ref().map(collision),
         largest: largest.as_ref().map(collision),
@@ -228,6 +231,9 @@ fn pair_errors(errors: &PairErrors) -> PairErrorSummary {
         first_impulse: known(errors.first_impulse),
         largest_impulse: known(errors.largest_impulse),
         peak_force: known(errors.peak_force),
+        total_impulse: known(errors.total_impulse),
+        touching: known(errors.touching),
+        least_opening: known(errors.least_opening),
     }
 }
 

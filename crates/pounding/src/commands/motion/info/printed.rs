@@ -1,10 +1,11 @@
 //! What record files hold, as text, CSV and JSON.
 
 use pounding::motion::{Interval, Reading};
-use pounding::studies::{Cell, csv_text, digits, json_text};
+use pounding::studies::{Cell, Orientation, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
 use super::{Found, Line};
+use crate::commands::suite::said_of_untold;
 use crate::text::{NONE, cut, paragraph, percent, short, table};
 
 /// Paragraphs of one motion, a table of several.
@@ -39,6 +40,16 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
             digits(record.duration())
         ),
     ));
+    parts.push(paragraph("Direction", &direction(&found.orientation)));
+    let unusual: Vec<String> = opened
+        .file
+        .unusual()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    if !unusual.is_empty() {
+        parts.push(paragraph("Unusual", &unusual.join("\n")));
+    }
     parts.push(measures(found, gravity));
     if let Some(drift) = found.drift {
         let left = format!(
@@ -54,6 +65,17 @@ fn paragraphs(line: &Line, found: &Found, gravity: f64) -> String {
 
 const NOTES: &str = "PGV and PGD without correction of the baseline; Arias intensity with g = 9.80665 m/s²; CAV without \
                      threshold; D: while the Arias intensity grows from 5 % to 75 % and to 95 %.";
+
+/// How a motion lies, and what follows for rows.
+fn direction(orientation: &Orientation) -> String {
+    match orientation {
+        Orientation::Horizontal => "horizontal".into(),
+        Orientation::Vertical(vertical) => format!("vertical: {vertical}"),
+        Orientation::Untold => {
+            "not told, by the file or by the end of its name: it counts as horizontal".into()
+        }
+    }
+}
 
 /// One thing that was read, and where it stood.
 fn reading(one: &Reading) -> String {
@@ -120,6 +142,14 @@ fn several(lines: &[Line], gravity: f64) -> String {
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));
     }
+    parts.extend(directions(lines, of_one_file));
+    let unusual: Vec<String> = lines
+        .iter()
+        .flat_map(|line| unusual(line, of_one_file))
+        .collect();
+    if !unusual.is_empty() {
+        parts.push(paragraph("Unusual", &unusual.join("\n")));
+    }
     let drifting = |line: &&Line| line.found.as_ref().is_ok_and(|found| found.drift.is_some());
     let drifting: Vec<String> = lines
         .iter()
@@ -145,6 +175,34 @@ fn several(lines: &[Line], gravity: f64) -> String {
         ));
     }
     parts.join("\n")
+}
+
+/// Which motions are vertical, and of which nothing tells.
+fn directions(lines: &[Line], of_one_file: bool) -> Vec<String> {
+    let named = |is: fn(&Orientation) -> bool| -> Vec<String> {
+        let found = lines.iter().filter(|line| {
+            line.found
+                .as_ref()
+                .is_ok_and(|found| is(&found.orientation))
+        });
+        found.map(|line| name(line, of_one_file)).collect()
+    };
+    let vertical = named(|one| matches!(one, Orientation::Vertical(_)));
+    let said = "shakes no row of a folder";
+    let vertical = (!vertical.is_empty())
+        .then(|| paragraph("Vertical", &format!("{said}: {}", vertical.join("; "))));
+    let untold = said_of_untold(&named(|one| *one == Orientation::Untold));
+    let untold = untold.map(|said| paragraph("Direction", &said));
+    [vertical, untold].into_iter().flatten().collect()
+}
+
+/// What looks wrong in a motion, behind its name.
+fn unusual(line: &Line, of_one_file: bool) -> Vec<String> {
+    let found = line.found.iter();
+    let unusual = found.flat_map(|found| found.opened.file.unusual());
+    unusual
+        .map(|one| format!("{}: {one}", name(line, of_one_file)))
+        .collect()
 }
 
 /// The numbers of each motion that is read; the peak with the time at which it is.
@@ -229,7 +287,14 @@ fn numbers(found: &Found) -> [(&'static str, Option<f64>); 15] {
 
 /// One row per motion.
 pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
-    let words = ["file", "component", "format", "unit", "gravity_m_per_s2"];
+    let words = [
+        "file",
+        "component",
+        "direction",
+        "format",
+        "unit",
+        "gravity_m_per_s2",
+    ];
     let found = lines.iter().find_map(|line| line.found.as_ref().ok());
     let names = found.map(numbers).into_iter().flatten();
     let names: Vec<&str> = names.map(|(name, _)| name).collect();
@@ -242,6 +307,7 @@ pub(super) fn csv_of(lines: &[Line], gravity: f64) -> String {
         ];
         match &line.found {
             Ok(found) => {
+                row.push(found.orientation.word().unwrap_or_default().into());
                 row.push(found.opened.file.format().name().into());
                 row.push(found.opened.file.unit().name().into());
                 row.push(Cell::exact(gravity));
@@ -269,6 +335,9 @@ pub(super) fn json_of(lines: &[Line], gravity: f64) -> String {
             Ok(found) => {
                 let file = &found.opened.file;
                 let readings = file.readings().iter().map(reading);
+                let unusual = file.unusual().iter().map(|one| json!(one.to_string()));
+                all["direction"] = json!(found.orientation.word());
+                all["unusual"] = unusual.collect::<Value>();
                 all["format"] = json!(file.format().name());
                 all["unit"] = json!(file.unit().name());
                 all["readings"] = readings.collect::<Value>();

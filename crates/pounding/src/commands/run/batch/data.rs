@@ -4,6 +4,7 @@ use pounding::studies::{Cell, PairSummary, Scene, StructureSummary, csv_text, js
 use serde_json::json;
 
 use super::Line;
+use crate::commands::suite;
 
 /// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
 fn of_structure(one: &StructureSummary) -> Vec<(&'static str, f64)> {
@@ -104,6 +105,7 @@ pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
         Ok(found) => json!({
             "record": line.motion,
             "reversed": line.reversed,
+            "direction": suite::direction(line),
             "pga_m_per_s2": found.pga,
             "scale_factor": found.scale,
             "largest_error": found.error,

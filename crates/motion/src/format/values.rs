@@ -1,11 +1,11 @@
-//! The values: split on blanks where that works, and cut at fixed columns where numbers touch.
+//! Values that stand in lines of any number: split on blanks where that works, and cut at fixed columns where numbers touch.
 
-use crate::ReadError;
+use super::columns::{Largest, Numbers};
 use crate::line::{Line, number};
+use crate::{Place, ReadError};
 
-/// The values of the lines after the header, and the number of the line that holds the last of
-/// them.
-pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<(Vec<f64>, usize), ReadError> {
+/// The values of the lines after a header, up to one that does not begin with a number.
+pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<Numbers, ReadError> {
     let filled = lines.iter().filter(|line| !line.is_blank());
     let lines: Vec<Line<'_>> = filled
         .copied()
@@ -15,36 +15,35 @@ pub(super) fn read(header: Line<'_>, lines: &[Line<'_>]) -> Result<(Vec<f64>, us
     // points.
     let touching = lines
         .iter()
-        .flat_map(|line| pieces(line.bytes))
+        .flat_map(|line| line.pieces())
         .any(|piece| points(piece).count() > 1);
     let tail = if touching { common_tail(&lines) } else { None };
 
     let mut values = Vec::new();
+    let mut largest = Largest::default();
     for line in &lines {
-        let fields = tail.map_or_else(
-            || pieces(line.bytes).collect(),
-            |tail| columns(line.bytes, tail),
-        );
+        let fields = tail.map_or_else(|| line.pieces().collect(), |tail| columns(line.bytes, tail));
         for (index, field) in fields.into_iter().enumerate() {
-            values.push(line.finite(index + 1, field)?);
+            let value = line.finite(index + 1, field)?;
+            largest.see(value, field);
+            values.push(value);
         }
     }
     let last_line = lines.last().map_or(header.number, |line| line.number);
-    Ok((values, last_line))
+    Ok(Numbers {
+        values,
+        end: Place::Line(last_line),
+        digit: largest.digit(),
+    })
 }
 
 /// Whether a line goes on with the values; `*** End Data ***` does not, `NaN` does and is refused
 /// later.
 fn begins_with_number(line: Line<'_>) -> bool {
-    pieces(line.bytes).next().is_some_and(|piece| {
+    line.pieces().next().is_some_and(|piece| {
         let like_a_number = matches!(piece[0], b'0'..=b'9' | b'.' | b'+' | b'-');
         like_a_number && piece.iter().any(u8::is_ascii_digit) || number(piece).is_some()
     })
-}
-
-fn pieces(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(u8::is_ascii_whitespace)
-        .filter(|piece| !piece.is_empty())
 }
 
 fn points(bytes: &[u8]) -> impl Iterator<Item = usize> {

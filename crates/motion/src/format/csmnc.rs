@@ -1,0 +1,85 @@
+//! CSMNC of China: some fifteen lines of titles, then values in columns.
+
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, values};
+use crate::line::{Line, number};
+use crate::{Place, ReadError};
+
+/// Lines in which titles are looked for.
+const TITLES: usize = 25;
+
+/// What the line of number and step holds.
+const SPACED: &str = "EQUALLY SPACED INTERVALS OF:";
+
+pub(super) const READER: Reader = Reader {
+    format: Format::Csmnc,
+    recognises: |file| {
+        let titles = titles(file);
+        title::line_with(titles, SPACED).is_some_and(|line| title::holds(line, "NO. OF POINTS:"))
+    },
+    components: |file| Ok(component(file).into_iter().collect()),
+    read: |file, _| read(file),
+};
+
+/// The titles, up to the line of the network below that of number and step.
+fn titles<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
+    let searched = &file.lines[..file.lines.len().min(TITLES)];
+    let is_title = |line: &Line<'_>| {
+        line.bytes.iter().any(u8::is_ascii_uppercase) && number_first(*line).is_none()
+    };
+    let last = searched.iter().rposition(is_title);
+    &searched[..last.map_or(0, |last| last + 1)]
+}
+
+/// The number that a line with more than one number begins with.
+fn number_first(line: Line<'_>) -> Option<f64> {
+    let mut pieces = line.pieces();
+    let first = pieces.next().and_then(number);
+    first.filter(|_| pieces.next().is_some_and(|piece| number(piece).is_some()))
+}
+
+/// The direction of a title such as `COMP. EW`.
+fn component(file: &File<'_>) -> Option<Component> {
+    let (line, name) = title::value_of(titles(file), "COMP.")?;
+    Some(Component {
+        name: title::words(&name),
+        place: Place::Line(line.number),
+    })
+}
+
+fn read(file: &File<'_>) -> Result<Draft, ReadError> {
+    let titles = titles(file);
+    let last = *needed(titles.last(), None, "its titles")?;
+    let line_of = |key: &'static str| title::line_with(titles, key).ok_or(ReadError::NoKey { key });
+    let line = line_of(SPACED)?;
+    let unit = line_of("UNIT:")?;
+    if !title::holds(unit, "ACCELERATION") {
+        return Err(ReadError::NotAcceleration {
+            place: Place::Line(unit.number),
+            found: unit.excerpt(),
+            instead: "the file of accelerations of the record",
+        });
+    }
+    let text = line.text();
+    let behind = |word| title::after(&text, word).and_then(title::first_number);
+    let step = behind(SPACED).and_then(|step| number(step.as_bytes()));
+    let numbers = values::read(last, &file.lines[titles.len()..])?;
+    let peak = title::value_of(titles, "PEAK VALUE:");
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(title::count(
+            line,
+            behind("NO. OF POINTS:").unwrap_or_default(),
+        )?),
+        time_step: Some(Spacing::Even(title::time_step(line, step)?)),
+        scale: Scale::Unit(title::stated_unit(
+            unit,
+            title::after(&unit.text(), "UNIT:").unwrap_or_default(),
+        )?),
+        peak: peak.and_then(|(line, text)| title::peak(line, &text)),
+        provenance: title::provenance(titles),
+        remarks: Vec::new(),
+    })
+}

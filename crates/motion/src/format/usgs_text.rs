@@ -1,0 +1,82 @@
+//! Text of the US Geological Survey of the 1980s: blocks of seven titles and values, of which those of acceleration are read.
+
+use super::title::{self, needed};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, values};
+use crate::line::{Line, number};
+use crate::{Place, ReadError};
+
+/// Lines of titles of a block, and that of its rate among them, the last but one.
+const TITLES: usize = 7;
+const RATE: usize = 5;
+
+pub(super) const READER: Reader = Reader {
+    format: Format::UsgsText,
+    recognises: |file| is_block(&file.lines, 0),
+    components: |file| Ok(components(file)),
+    read,
+};
+
+/// Whether a block begins here: rate and kind stand on its sixth line, number and units on its seventh.
+fn is_block(lines: &[Line<'_>], index: usize) -> bool {
+    let Some(titles) = lines.get(index..index + TITLES) else {
+        return false;
+    };
+    title::holds(titles[RATE], "SAMPLES/SEC=")
+        && title::holds(titles[RATE], "DATA TYPE=")
+        && title::holds(titles[TITLES - 1], "NO OF POINTS=")
+}
+
+/// The blocks of accelerations.
+fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
+    let mut blocks = super::blocks(&file.lines, |index| is_block(&file.lines, index));
+    blocks.retain(|block| title::holds(block[RATE], "DATA TYPE=AC"));
+    blocks
+}
+
+fn components(file: &File<'_>) -> Vec<Component> {
+    let component = |block: &[Line<'_>]| {
+        let line = title::line_with(&block[..TITLES], "COMPONENT=").unwrap_or(block[1]);
+        let text = line.text();
+        Component {
+            name: title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
+            place: Place::Line(line.number),
+        }
+    };
+    channels(file).into_iter().map(component).collect()
+}
+
+fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
+    let channels = channels(file);
+    let line = file.lines[RATE];
+    let Some(block) = channels.get(index) else {
+        return Err(ReadError::NotAcceleration {
+            place: Place::Line(line.number),
+            found: line.excerpt(),
+            instead: "the file with DATA TYPE=AC",
+        });
+    };
+    let (titles, data) = block.split_at(TITLES);
+    let rate_text = titles[RATE].text();
+    let rate = title::after(&rate_text, "SAMPLES/SEC=").and_then(title::first_number);
+    let rate = rate.and_then(|rate| number(rate.as_bytes()));
+    let last = titles[TITLES - 1];
+    let text = last.text();
+    let count = title::after(&text, "NO OF POINTS=").and_then(title::first_number);
+    let unit = needed(title::after(&text, "UNITS="), Some(last), "its units")?;
+    let numbers = values::read(last, data)?;
+    Ok(Draft {
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
+        count: Some(title::count(last, count.unwrap_or_default())?),
+        time_step: Some(Spacing::Even(title::time_step(
+            titles[RATE],
+            rate.map(|rate| 1.0 / rate),
+        )?)),
+        // Of accelerations, velocities and displacements: the first.
+        scale: Scale::Unit(title::stated_unit(last, unit)?),
+        peak: None,
+        provenance: title::provenance(titles),
+        remarks: Vec::new(),
+    })
+}

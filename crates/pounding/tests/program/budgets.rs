@@ -1,0 +1,217 @@
+//! Work that ends: what a run may cost, and Ctrl-C.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use insta::assert_snapshot;
+use serde_json::{Value, json};
+
+use crate::{folder, good_scene, pounding, quiet, refusal};
+
+/// Two structures under a pulse that drives them together, in contact by this law.
+fn scene(law: &Value) -> Value {
+    let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
+    json!({
+        "name": "two",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+        "duration_s": 20.0,
+        "structures": [structure("left", 0.5), structure("right", 0.3)],
+        "contacts": [{"gap_m": 0.01, "law": law}],
+    })
+}
+
+fn kelvin_voigt(impact_damping_ratio: f64) -> Value {
+    json!({"kelvin_voigt": {"impact_stiffness_n_per_m": 9e7, "impact_damping_ratio": impact_damping_ratio}})
+}
+
+fn write(folder: &Path, name: &str, json: &Value) {
+    fs::write(folder.join(name), json.to_string()).expect("a disk");
+}
+
+/// Starts the program, presses Ctrl-C after a while, and returns what it said, if it ended within a second.
+#[cfg(unix)]
+fn interrupted(folder: &Path, arguments: &[&str], ready: impl Fn() -> bool) -> Output {
+    let child = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    while !ready() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    std::thread::sleep(Duration::from_millis(700));
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &id]).status();
+    assert!(sent.expect("kill is there").success());
+    let since = Instant::now();
+    let output = child.wait_with_output().expect("it ends");
+    // A second, on a machine that does ten things at once.
+    assert!(
+        since.elapsed() < Duration::from_secs(10),
+        "{:?}",
+        since.elapsed()
+    );
+    output
+}
+
+/// Ctrl-C waited for runs that had begun: a sweep with one value 1e12 had to be killed.
+#[cfg(unix)]
+#[test]
+fn issue_a_sweep_ends_though_a_run_of_it_does_not() {
+    let folder = folder("budgets_sweep");
+    write(
+        &folder,
+        "sweep.json",
+        &json!({
+            "scene": scene(&kelvin_voigt(0.1)),
+            "vary": [{"field": "contacts[0].law.kelvin_voigt.impact_damping_ratio", "values": [1e9, 0.1]}],
+            "budget": {"pieces": 1e30},
+        }),
+    );
+    let parts = folder.join("sweep.csv.parts");
+    let ended = interrupted(&folder, &["sweep", "sweep.json"], || parts.exists());
+    let said = String::from_utf8_lossy(&ended.stderr);
+    assert_eq!(ended.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("error: stopped by Ctrl-C: "), "{said}");
+    assert!(
+        !parts.join("part-000000000.csv").exists(),
+        "it was not finished"
+    );
+}
+
+/// So did the runs of a folder of records; one run alone ends with its process.
+#[cfg(unix)]
+#[test]
+fn issue_runs_end_though_one_of_them_does_not() {
+    let folder = folder("budgets_runs");
+    let mut endless = scene(&kelvin_voigt(1e9));
+    endless["budget"] = json!({"pieces": 1e30});
+    write(&folder, "scene.json", &endless);
+    let records = folder.join("records");
+    fs::create_dir_all(&records).expect("a disk");
+    let pulse: String = (0..40)
+        .map(|index| format!("{},{}\n", index as f64 / 100.0, 4 * (index % 20)))
+        .collect();
+    fs::write(
+        records.join("one.csv"),
+        format!("time_s,acceleration_m_per_s2\n{pulse}"),
+    )
+    .expect("a disk");
+    for arguments in [
+        &["run", "scene.json", "--records", "records"][..],
+        &["run", "scene.json"],
+        &["check", "scene.json"],
+        &["advise", "scene.json"],
+    ] {
+        let ended = interrupted(&folder, arguments, || true);
+        assert!(!ended.status.success(), "{arguments:?}");
+    }
+}
+
+/// A row that needs more than it may have took the others with it.
+#[test]
+fn issue_a_row_over_its_budget_fails_and_the_others_go_on() {
+    let folder = folder("budgets_rows");
+    write(
+        &folder,
+        "sweep.json",
+        &json!({
+            "scene": scene(&kelvin_voigt(0.1)),
+            "vary": [{"field": "contacts[0].law.kelvin_voigt.impact_damping_ratio", "values": [0.1, 1e4, 1e12, 0.2]}],
+            "budget": {"pieces": 5000},
+        }),
+    );
+    let ended = pounding(&folder, &["sweep", "sweep.json"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    let table = fs::read_to_string(folder.join("sweep.csv")).expect("a table");
+    let failed = table
+        .lines()
+        .skip(1)
+        .map(|row| row.rsplit(',').next().unwrap_or_default());
+    let failed: Vec<_> = failed.map(|reason| !reason.is_empty()).collect();
+    assert_eq!(failed, [false, true, true, false], "{table}");
+    assert!(table.contains("`budget.pieces`"), "{table}");
+}
+
+/// A thousand sub-steps were not counted: such a run took 5.8 GB.
+#[test]
+fn issue_sub_steps_count_among_the_steps() {
+    let folder = folder("budgets_substeps");
+    let mut scene = scene(&json!({"stereomechanical": {"restitution": 0.0}}));
+    scene["method"] = json!({"central_difference": {
+        "time_step_s": 1e-5, "start": "consistent", "impacts": "velocity_jump", "contact_substeps": 1000,
+    }});
+    write(&folder, "scene.json", &scene);
+    let refused = refusal(&pounding(&folder, &["run", "scene.json"]));
+    assert_snapshot!(refused);
+    scene["method"]["central_difference"]["time_step_s"] = json!(1e-3);
+    scene["budget"] = json!({"steps": 1e8});
+    write(&folder, "scene.json", &scene);
+    let ended = pounding(&folder, &["run", "scene.json", "--no-error"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+}
+
+/// `check` of a mass near the largest number went on without end.
+#[test]
+fn issue_masses_near_the_largest_number_end() {
+    let folder = folder("budgets_mass");
+    fs::write(folder.join("record.csv"), quiet(40)).expect("a disk");
+    for structure in [0, 1] {
+        let mut scene = good_scene();
+        scene["structures"][structure]["sdof"]["mass_kg"] = json!(1.7e308);
+        scene["structures"][1 - structure]["sdof"]["initial_velocity_m_per_s"] = json!(0.3);
+        scene["duration_s"] = json!(2.0);
+        write(&folder, "scene.json", &scene);
+        let ended = pounding(&folder, &["check", "scene.json"]);
+        assert!(ended.code < 2, "{}", ended.stderr);
+    }
+}
+
+#[test]
+fn extreme_budgets_of_nothing_are_refused() {
+    let folder = folder("budgets_nothing");
+    let mut messages = Vec::new();
+    for budget in [
+        json!({"pieces": 0}),
+        json!({"steps": 1e10}),
+        json!({"seconds": -1}),
+        json!({"events": 3}),
+    ] {
+        let mut scene = scene(&kelvin_voigt(0.1));
+        scene["budget"] = budget;
+        write(&folder, "scene.json", &scene);
+        messages.push(refusal(&pounding(&folder, &["run", "scene.json"])));
+    }
+    let mut hurried = scene(&kelvin_voigt(1e3));
+    hurried["budget"] = json!({"seconds": 1e-9});
+    write(&folder, "scene.json", &hurried);
+    messages.push(refusal(&pounding(&folder, &["run", "scene.json"])));
+    assert_snapshot!(messages.join("\n"));
+}
+
+/// A pipe that nobody fills, and a device without an end, as a scene or sweep.
+#[cfg(unix)]
+#[test]
+fn issue_what_is_no_file_is_refused_at_once() {
+    let folder = folder("budgets_files");
+    let made = Command::new("mkfifo")
+        .arg(folder.join("pipe.json"))
+        .status();
+    assert!(made.expect("mkfifo is there").success());
+    let mut messages = Vec::new();
+    for file in ["pipe.json", "/dev/zero"] {
+        for command in ["run", "check", "sweep"] {
+            messages.push(refusal(&pounding(&folder, &[command, file])));
+        }
+    }
+    assert!(
+        messages
+            .iter()
+            .all(|message| message.contains("it is a pipe or a device")),
+        "{messages:?}"
+    );
+}

@@ -1,0 +1,239 @@
+//! What a run may cost: it ends within its budget, with the same bits as without one, or says which number to change.
+
+use std::sync::atomic::AtomicBool;
+
+use pounding_contact::{ContactLaw, KelvinVoigt, Stereomechanical};
+use pounding_solver::{
+    Budget, Clock, Elastic, Exact, ExactSideBySide, Excitation, Histories, Integrator, Peaks, Row,
+    RowsOf, RunError, SideBySide, Tallies, Work,
+};
+
+use crate::common::{METHODS, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs};
+use crate::lanes::SETTINGS;
+
+const EXACT: Integrator = Integrator::Exact(Exact {
+    tolerance: 1e-16,
+    simultaneous_impacts: pounding_solver::SimultaneousImpacts::Together,
+});
+/// Stopped before it begins.
+static STOPPED: AtomicBool = AtomicBool::new(true);
+const STOP: Budget = Budget {
+    pieces: Budget::PIECES,
+    seconds: None,
+    stop: Some(&STOPPED),
+};
+/// More steps than there are between two looks at the budget.
+const LONG: Clock = Clock {
+    time_step: 1e-4,
+    n_steps: 40_000,
+};
+
+fn two(law: ContactLaw) -> Row<Elastic> {
+    let nodes = vec![elastic(WEAK), elastic(STIFF)];
+    Row::new(nodes, pairs(2, 0.01, law)).expect("a row")
+}
+
+fn run(
+    method: Integrator,
+    row: &Row<Elastic>,
+    (clock, budget): (Clock, Budget),
+) -> Result<Work, RunError> {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    method.run(row, excitation, clock.within(budget), &mut ())
+}
+
+fn pieces(pieces: f64) -> Budget {
+    Budget {
+        pieces,
+        ..Budget::default()
+    }
+}
+
+fn kelvin_voigt(impact_damping_ratio: f64) -> ContactLaw {
+    ContactLaw::KelvinVoigt(KelvinVoigt {
+        impact_stiffness: 9e7,
+        impact_damping_ratio,
+    })
+}
+
+/// Ctrl-C did not end a run that had begun.
+#[test]
+fn issue_whoever_stops_ends_a_run_of_every_method() {
+    let row = two(VISCOELASTIC);
+    for (name, method) in METHODS.into_iter().chain([("exact", EXACT)]) {
+        let ended = run(method, &row, (LONG, STOP));
+        assert!(
+            matches!(ended, Err(RunError::Stopped { .. })),
+            "{name}: {ended:?}"
+        );
+        let hurried = Budget {
+            seconds: Some(0.0),
+            ..Budget::default()
+        };
+        let ended = run(method, &row, (LONG, hurried));
+        assert!(
+            matches!(ended, Err(RunError::TooLong { .. })),
+            "{name}: {ended:?}"
+        );
+    }
+}
+
+/// Nor one side by side with others: those are not told.
+#[test]
+fn issue_whoever_stops_ends_runs_side_by_side() {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    let row = two(VISCOELASTIC);
+    let mut tallies = Tallies::default();
+    for (budget, told) in [(Budget::default(), true), (STOP, false)] {
+        let together = SideBySide::new(SETTINGS, excitation, LONG).expect("valid");
+        let rows = [&row; 3];
+        let steps = [LONG.n_steps; 3];
+        let ran = together
+            .within(budget)
+            .run(RowsOf::Elastic(&rows), &steps, &mut tallies);
+        assert!(
+            ran && (0..3).all(|scene| tallies.is_told(scene) == told),
+            "told: {told}"
+        );
+        let settings = Exact {
+            tolerance: 1e-8,
+            ..Exact::default()
+        };
+        let together = ExactSideBySide::new(settings, excitation, LONG).expect("valid");
+        tallies.begin(1, (2, 1));
+        together.within(budget).run(&[(0, &row)], &mut tallies);
+        assert_eq!(tallies.is_told(0), told);
+    }
+}
+
+/// Steps side by side are looked at in parts: the bits stay those of each scene alone, whatever its length.
+#[test]
+fn limit_long_runs_side_by_side_have_the_bits_of_each_alone() {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    let row = two(VISCOELASTIC);
+    let lengths = [1, 65_535, 65_536, 65_537, 100_000, 131_072];
+    let clock = |n_steps| Clock {
+        time_step: 5e-5,
+        n_steps,
+    };
+    let methods = [
+        SETTINGS.into(),
+        pounding_solver::Stepping::Verlet(pounding_solver::Verlet {
+            impacts: pounding_solver::VerletImpacts::VelocityJump,
+        }),
+    ];
+    for method in methods {
+        let together = SideBySide::new(method, excitation, clock(131_072)).expect("valid");
+        let mut tallies = Tallies::default();
+        assert!(together.run(RowsOf::Elastic(&[&row; 6]), &lengths, &mut tallies));
+        for (scene, length) in lengths.into_iter().enumerate() {
+            let mut peaks = Peaks::new(2);
+            let alone = Integrator::from(method).run(&row, excitation, clock(length), &mut peaks);
+            alone.expect("the run ends");
+            for node in 0..2 {
+                let peak = peaks.of(node).displacement.value;
+                assert!(
+                    !tallies.is_told(scene)
+                        || tallies.displacement(scene, node).to_bits() == peak.to_bits(),
+                    "{method:?}, {length} steps, structure {node}"
+                );
+            }
+            assert!(length == 1 || tallies.is_told(scene), "{length} steps");
+        }
+    }
+}
+
+/// ξ̄ = 1e7 took ten seconds, 1e8 over forty.
+#[test]
+fn issue_a_contact_damped_without_measure_is_refused_before_it_runs() {
+    let clock = clock(0.01, 10.0);
+    for ratio in [1e7, 1e8, 1e12, 1e300] {
+        let ended = run(EXACT, &two(kelvin_voigt(ratio)), (clock, Budget::default()));
+        let refused = matches!(
+            ended,
+            Err(RunError::TooDamped {
+                left: 0,
+                right: 1,
+                ..
+            })
+        );
+        assert!(refused, "{ratio:e}: {ended:?}");
+    }
+    // One that needs few pieces runs, one that needs more than it may have ends.
+    for (ratio, allowed, ends) in [(1e2, 1e7, true), (1e4, 1e7, true), (1e4, 5e3, false)] {
+        let ended = run(EXACT, &two(kelvin_voigt(ratio)), (clock, pieces(allowed)));
+        let over = matches!(
+            ended,
+            Err(RunError::TooManyPieces { .. } | RunError::TooDamped { .. })
+        );
+        assert!(
+            if ends { ended.is_ok() } else { over },
+            "{ratio:e}, {allowed:e}: {ended:?}"
+        );
+    }
+}
+
+/// A budget changes no run that ends within it; one that does not ends where it is spent.
+#[test]
+fn limit_a_budget_changes_no_bit() {
+    let samples = ground();
+    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
+    let (row, clock) = (two(VISCOELASTIC), clock(0.01, 10.0));
+    let histories = |budget: Option<Budget>| {
+        let mut histories = Histories::new(2, 0.01, 10.0);
+        let work = match budget {
+            None => EXACT.run(&row, excitation, clock, &mut histories),
+            Some(budget) => EXACT.run(&row, excitation, clock.within(budget), &mut histories),
+        };
+        (work, histories)
+    };
+    let (work, wanted) = histories(None);
+    let needed = work.expect("the run ends").segments as f64;
+    let within = Budget {
+        seconds: Some(1e6),
+        ..pieces(needed)
+    };
+    assert_eq!(histories(Some(within)).1, wanted);
+    let (spent, _) = histories(Some(pieces(needed - 100.0)));
+    let ended = matches!(spent, Err(RunError::TooManyPieces { time, .. }) if time > 9.0);
+    assert!(ended, "{needed} pieces: {spent:?}");
+}
+
+/// A row of 100 000 was taken up.
+#[test]
+fn issue_a_row_without_measure_is_refused_before_it_runs() {
+    let row =
+        |n: usize| Row::new(vec![elastic(WEAK); n], pairs(n, 0.1, VISCOELASTIC)).expect("a row");
+    let clock = clock(0.01, 10.0);
+    let ended = run(EXACT, &row(100_000), (clock, Budget::default()));
+    assert!(matches!(ended, Err(RunError::TooLarge { .. })), "{ended:?}");
+    let ended = run(EXACT, &row(1000), (clock, Budget::default()));
+    assert!(ended.is_ok(), "{ended:?}");
+}
+
+/// Two hundred that press against each other took over 240 s.
+#[test]
+fn issue_long_rows_at_rest_against_each_other_took_the_cube_of_their_number() {
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
+    let n = 200;
+    let structure = |index: usize| {
+        let (mass, stiffness, strength) = WEAK;
+        elastic((
+            mass,
+            stiffness * (1.0 + 0.1 * (index * 7 % 13) as f64),
+            strength,
+        ))
+    };
+    let nodes = (0..n).map(structure).collect();
+    let row = Row::new(nodes, pairs(n, 0.0, law)).expect("a row");
+    let ended = run(EXACT, &row, (clock(0.01, 2.0), pieces(1e6)));
+    // Within its budget it ends as any other does.
+    let fair = matches!(
+        ended,
+        Ok(_) | Err(RunError::TooManyPieces { .. } | RunError::NoProgress { .. })
+    );
+    assert!(fair, "{ended:?}");
+}

@@ -1,0 +1,228 @@
+//! Neighbours that come to rest against each other.
+
+use libm::sin;
+use pounding_solver::{Elastic, ElastoPlastic, Hysteretic, Levels, Node, Pair, Row};
+
+use super::exact::agree;
+use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, ground};
+use super::{FREE, close, moving, pairs, run, stereomechanical};
+
+/// A ball of unit mass that falls towards a floor 1 m below.
+fn ball(restitution: f64) -> Row<pounding_solver::Elastic> {
+    let nodes = vec![moving(1.0, 0.0, FREE), Node::wall(FREE)];
+    Row::new(nodes, pairs(2, 1.0, stereomechanical(restitution))).expect("a valid row")
+}
+
+#[test]
+fn reference_bouncing_ball() {
+    let (gravity, restitution) = (9.81_f64, 0.8);
+    let response = run(&ball(restitution), &[-gravity; 42], 4.0);
+    let first = (2.0 / gravity).sqrt();
+    let speed = gravity * first;
+    // The n-th flight lasts 2 e^n times the first fall; the end is shortly before the ball rests at 4.06 s.
+    let (mut time, mut factor) = (first, 1.0);
+    let mut wanted = Vec::new();
+    while time < 4.0 {
+        wanted.push((time, (1.0 + restitution) * speed * factor));
+        factor *= restitution;
+        time += 2.0 * first * factor;
+    }
+    let found = &response.collisions[0];
+    assert_eq!(found.len(), wanted.len(), "number of impacts");
+    for (collision, (time, impulse)) in found.iter().zip(wanted) {
+        close(collision.start, time, 1e-14, "time of an impact");
+        close(collision.impulse, impulse, 1e-13, "its impulse");
+    }
+    let total: f64 = found.iter().map(|collision| collision.impulse).sum();
+    close(
+        response.structures[0].transferred_momentum,
+        total,
+        1e-15,
+        "transferred momentum",
+    );
+}
+
+#[test]
+fn reference_a_ball_at_rest() {
+    let (gravity, restitution) = (9.81_f64, 0.8);
+    let response = run(&ball(restitution), &[-gravity; 62], 6.0);
+    let found = &response.collisions[0];
+    let (rest, impacts) = found.split_last().expect("collisions");
+    let over = (2.0 / gravity).sqrt() * (1.0 + restitution) / (1.0 - restitution);
+    close(rest.start, over, 1e-13, "end of the bounces");
+    close(rest.end, 6.0, 0.0, "end of the run");
+    close(rest.peak_force.unwrap(), gravity, 1e-15, "its weight");
+    assert!(impacts.iter().all(|impact| impact.peak_force.is_none()));
+    // Bounces end once what follows takes less than 1e-12 s: over · eⁿ.
+    let n = impacts.len() as f64;
+    let wanted = libm::log(1e-12 / over) / libm::log(restitution);
+    assert!((n - wanted).abs() < 2.0, "{n} impacts, {wanted}");
+    // It has neither fallen nor risen in the end.
+    let impulse: f64 = found.iter().map(|collision| collision.impulse).sum();
+    close(impulse, gravity * 6.0, 1e-14, "impulse");
+    let ball = response.structures[0];
+    close(ball.transferred_momentum, impulse, 1e-14, "momentum");
+    close(ball.end_displacement, 1.0, 1e-14, "the floor");
+    assert!(ball.end_velocity == 0.0, "{}", ball.end_velocity);
+}
+
+/// The left of two neighbours without a gap hits the right one, and they swing together for half a period.
+#[test]
+fn reference_two_structures_swing_together() {
+    let (masses, stiffnesses, speed) = ([3e5, 1e5], [4e7, 6e7], 0.3_f64);
+    let nodes = vec![
+        moving(
+            masses[0],
+            speed,
+            Elastic {
+                stiffness: stiffnesses[0],
+            },
+        ),
+        moving(
+            masses[1],
+            0.0,
+            Elastic {
+                stiffness: stiffnesses[1],
+            },
+        ),
+    ];
+    let row = Row::new(nodes, pairs(2, 0.0, stereomechanical(0.0))).expect("a valid row");
+    let mass = masses[0] + masses[1];
+    let common = speed * masses[0] / mass;
+    let omega = ((stiffnesses[0] + stiffnesses[1]) / mass).sqrt();
+    let half = std::f64::consts::PI / omega;
+    // They press with what the stiffer one lacks to swing as slowly as both together.
+    let press = (masses[0] * stiffnesses[1] - masses[1] * stiffnesses[0]) / mass * common / omega;
+    let response = run(&row, &[0.0], half + 0.01);
+    let [impact, rest] = response.collisions[0][..] else {
+        panic!("{:?}", response.collisions);
+    };
+    close(impact.impulse, masses[1] * common, 1e-15, "impact");
+    assert!(impact.start == 0.0 && rest.start == 0.0, "at once");
+    close(rest.end, half, 1e-13, "parting");
+    close(rest.peak_force.unwrap(), press, 1e-14, "largest force");
+    close(rest.impulse, press * 2.0 / omega, 1e-13, "impulse");
+    for (index, structure) in response.structures.iter().enumerate() {
+        let peak = structure.displacement;
+        close(peak.value, common / omega, 1e-14, "peak");
+        close(peak.time, 0.5 * half, 1e-12, "its time");
+        // Both swing on alone.
+        let alone = (stiffnesses[index] / masses[index]).sqrt();
+        let end = -common / alone * sin(alone * 0.01);
+        close(structure.end_displacement, end, 1e-12, "end");
+    }
+}
+
+/// Columns that yield at a part of their stiffness times a metre.
+fn structure(mass: f64, period: f64, yields: f64) -> Node<ElastoPlastic> {
+    let omega = 2.0 * std::f64::consts::PI / period;
+    let stiffness = mass * omega * omega;
+    let column = ElastoPlastic {
+        stiffness,
+        yield_force: yields * stiffness,
+    };
+    Node::structure(mass, 0.1 * omega * mass, column)
+}
+
+fn wall() -> Node<ElastoPlastic> {
+    Node::wall(ElastoPlastic {
+        stiffness: 1.0,
+        yield_force: 1.0,
+    })
+}
+
+fn chain() -> Vec<Node<ElastoPlastic>> {
+    vec![
+        structure(1e5, 0.8, 0.05),
+        structure(3e5, 0.3, 0.02),
+        structure(2e5, 0.5, f64::INFINITY),
+    ]
+}
+
+/// Pairs of all neighbours, each with its gap and restitution.
+fn contacts(of: &[(f64, f64)]) -> Vec<Pair> {
+    let pair = |(left, &(gap, restitution)): (usize, &(f64, f64))| Pair {
+        left,
+        right: left + 1,
+        gap,
+        law: stereomechanical(restitution),
+    };
+    of.iter().enumerate().map(pair).collect()
+}
+
+/// Asserts that both routes agree and that neighbours press at rest in so many of the pairs.
+#[track_caller]
+fn agree_at_rest<Column: Hysteretic>(row: &Row<Column>, n_resting: usize, what: &str) {
+    let met = agree(row, 4.0, what);
+    let resting = met.iter().filter(|pair| pair.force > 0.0).count();
+    assert_eq!(resting, n_resting, "{what}: {met:?}");
+}
+
+#[test]
+fn reference_two_structures_stick_together() {
+    for (gap, restitution) in [(0.01, 0.0), (0.0, 0.0), (0.01, 0.3)] {
+        let row = Row::new(chain()[..2].to_vec(), contacts(&[(gap, restitution)]));
+        let what = format!("{gap} m, {restitution}");
+        agree_at_rest(&row.expect("a valid row"), 1, &what);
+    }
+}
+
+#[test]
+fn reference_a_chain_of_three_sticks_together() {
+    let row = Row::new(chain(), contacts(&[(0.01, 0.0), (0.005, 0.0)]));
+    agree_at_rest(&row.expect("a valid row"), 2, "three");
+}
+
+#[test]
+fn reference_a_structure_between_walls_rests_on_both() {
+    let nodes = vec![wall(), structure(1e5, 0.5, 0.02), wall()];
+    for restitution in [0.0, 0.4] {
+        let of = contacts(&[(0.003, restitution), (0.005, restitution)]);
+        let row = Row::new(nodes.clone(), of).expect("a valid row");
+        agree_at_rest(&row, 2, &format!("{restitution}"));
+    }
+}
+
+/// A structure between walls without gaps, which the exact method does not follow: the walls carry all of the ground's
+/// push, whichever leans on it.
+#[test]
+fn limit_an_enclosed_structure_does_not_move() {
+    let nodes = vec![wall(), structure(1e5, 0.5, 0.02), wall()];
+    let row = Row::new(nodes, contacts(&[(0.0, 0.0), (0.0, 0.5)])).expect("a valid row");
+    let samples = ground();
+    let response = run(&row, &samples, 6.0);
+    let enclosed = response.structures[1];
+    assert!(enclosed.displacement.value.abs() < 1e-15, "{enclosed:?}");
+    let largest = samples
+        .iter()
+        .map(|sample| sample.abs())
+        .fold(0.0, f64::max);
+    let forces = response.collisions.iter().flatten();
+    let force = forces.filter_map(|one| one.peak_force).fold(0.0, f64::max);
+    close(force, 1e5 * largest, 1e-12, "largest force");
+}
+
+#[test]
+fn reference_towers_rest_on_several_levels() {
+    for restitution in [0.0, 0.5] {
+        let of = TOWERS.map(elastic);
+        let law = stereomechanical(restitution);
+        let row = buildings(&of[..2], (ALPHA, BETA), (0.004, law));
+        agree_at_rest(&row, 2, &format!("{restitution}"));
+    }
+}
+
+/// Neighbours at rest whose grounds move differently share their motion in space.
+#[test]
+fn reference_neighbours_at_rest_are_shaken_in_turn() {
+    let row = Row::new(chain(), contacts(&[(0.01, 0.0), (0.005, 0.0)])).expect("a valid row");
+    let row = row.delayed(vec![0.0, 0.07, 0.15]).expect("valid arrivals");
+    agree_at_rest(&row, 2, "three");
+    let of = TOWERS.map(elastic);
+    let row: Row<Elastic> = buildings(&of[..2], (ALPHA, BETA), (0.004, stereomechanical(0.0)));
+    let levels = Levels::new(&[TOWERS[0].len(), TOWERS[1].len()]);
+    let arrival = |node: usize| [0.0, 0.06][levels.place(node).0];
+    let arrivals = (0..levels.n_nodes()).map(arrival).collect();
+    let row = row.delayed(arrivals).expect("valid arrivals");
+    agree_at_rest(&row, 2, "towers");
+}
