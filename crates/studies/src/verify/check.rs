@@ -197,19 +197,14 @@ impl Checked {
             vec![0.0; all.len()]
         } else {
             begin(Stage::Condition);
-            condition(prepared, &exact, begin)
+            condition(prepared, (&exact, &all), begin)
         };
-        let judged = all.iter().zip(conditions).map(|(two, condition)| {
-            let known = Known {
-                condition,
-                distance: two.distance,
-            };
-            Disagreement {
-                two: *two,
-                condition,
-                allowed: known.allowed_from(ALLOWED),
-                own: 0.0,
-            }
+        let judged = all.iter().zip(conditions);
+        let judged = judged.map(|(two, condition)| Disagreement {
+            two: *two,
+            condition,
+            allowed: allowed(two, condition),
+            own: 0.0,
         });
         let mut judged: Vec<_> = judged.collect();
         if judged.iter().any(Disagreement::is_wrong) {
@@ -339,35 +334,36 @@ fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
     found
 }
 
-/// How far every number of an exact run moves per relative change of the record; infinite where touches come and go.
-fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec<f64> {
-    let mut found = vec![f64::INFINITY; truth.beside(truth).len()];
+/// How far every number of an exact run moves per relative change of the record; infinite where touches come and go. No further
+/// than it takes to allow all distances, where it does.
+fn condition(
+    prepared: &Prepared,
+    (truth, all): (&Numbers, &[Two]),
+    begin: &dyn Fn(Stage),
+) -> Vec<f64> {
+    let mut found = vec![f64::INFINITY; all.len()];
     for change in CHANGES {
-        let mut largest = vec![0.0_f64; found.len()];
+        let mut largest = vec![0.0_f64; all.len()];
         for index in 0..=N_NEAR + 1 {
             begin(Stage::Condition);
-            let near = if index > N_NEAR {
-                stretched(prepared, change)
-            } else {
-                under(prepared, change, index)
-            };
-            let near = near.and_then(|near| {
-                let outcome = near.run_unjudged(Asked::default())?;
-                Ok(Numbers::of_exact(&near, &outcome))
-            });
-            match near {
+            match near(prepared, change, index) {
                 Ok(near) => {
-                    let all = truth.beside(&near);
-                    for (largest, two) in largest.iter_mut().zip(&all) {
-                        *largest = largest.max(two.distance);
+                    for (largest, two) in largest.iter_mut().zip(truth.beside(&near)) {
+                        *largest = largest.max(two.distance / change);
                     }
                 }
                 Err(_) => largest.fill(f64::INFINITY),
             }
+            let explains = |(two, condition): (&Two, &f64)| {
+                condition.is_finite() && two.distance <= allowed(two, *condition)
+            };
+            if all.iter().zip(&largest).all(explains) {
+                return largest;
+            }
         }
         for (found, largest) in found.iter_mut().zip(largest) {
             if found.is_infinite() {
-                *found = largest / change;
+                *found = largest;
             }
         }
         if found.iter().all(|one| one.is_finite()) {
@@ -375,6 +371,26 @@ fn condition(prepared: &Prepared, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec
         }
     }
     found
+}
+
+/// The exact run under a record near the scene's.
+fn near(prepared: &Prepared, change: f64, index: usize) -> Result<Numbers, StudyError> {
+    let near = if index > N_NEAR {
+        stretched(prepared, change)
+    } else {
+        under(prepared, change, index)
+    }?;
+    let outcome = near.run_unjudged(Asked::default())?;
+    Ok(Numbers::of_exact(&near, &outcome))
+}
+
+/// The distance of two numbers that their condition allows.
+fn allowed(two: &Two, condition: f64) -> f64 {
+    let known = Known {
+        condition,
+        distance: two.distance,
+    };
+    known.allowed_from(ALLOWED)
 }
 
 /// The scene under its record with samples further apart.
