@@ -40,11 +40,10 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     course: Course,
     recorder: &mut R,
 ) -> Result<Work, RunError> {
-    let clock = course.clock;
     settings.check()?;
-    let (dt, alpha) = (clock.time_step, settings.alpha);
+    let (clock, alpha) = (course.clock, settings.alpha);
+    let (dt, gamma) = (clock.time_step, 0.5 - alpha);
     let beta = 0.25 * (1.0 - alpha) * (1.0 - alpha);
-    let gamma = 0.5 - alpha;
     let guard = course.begin(row.nodes().len());
     let shaking = Shaking::new(row, excitation, clock);
     // Divided by 1+α, so that Newton sees the forces at the end of the step as they are.

@@ -189,6 +189,25 @@ impl Number {
     }
 }
 
+impl PairErrors {
+    /// Compares what happened to a pair, by its index, in a run and in the exact one.
+    fn of([run, exact]: [&Outcome; 2], (index, pair): (usize, &Pair)) -> Self {
+        let of_pair = |outcome: &Outcome| outcome.collisions_of(index).copied().collect::<Vec<_>>();
+        let opening = |outcome: &Outcome| {
+            let opening = outcome.least_opening(pair, &outcome.of_pair(index))?;
+            Some(opening.0)
+        };
+        let peaks = [pair.left, pair.right].map(|node| exact.peaks.of(node).displacement.value);
+        let least = LEAST_PART * peaks[0].abs().max(peaks[1].abs());
+        Self {
+            least_opening: opening(run)
+                .zip(opening(exact))
+                .map(|(run, exact)| relative_to(run, exact, exact.abs().max(least))),
+            ..Self::between(&of_pair(run), &of_pair(exact))
+        }
+    }
+}
+
 impl RunErrors {
     /// Compares a run of a scene with the exact one.
     pub fn between(run: &Outcome, exact: &Outcome, prepared: &Prepared) -> Self {
@@ -213,17 +232,14 @@ impl RunErrors {
                     relative(run.value, exact.value)
                 }
             };
+            let drifts = of_run.storey_drift.zip(of_exact.storey_drift);
+            let below = prepared.floors().below(index);
+            let left_over_drift = |below| left_over(index, Some(below), of_exact.drift().value);
             StructureErrors {
                 displacement: peak(of_run.displacement, of_exact.displacement),
-                drift: of_run
-                    .storey_drift
-                    .zip(of_exact.storey_drift)
-                    .map(|(run, exact)| peak(run, exact)),
+                drift: drifts.map(|(run, exact)| peak(run, exact)),
                 last_displacement: left_over(index, None, of_exact.displacement.value),
-                last_drift: prepared
-                    .floors()
-                    .below(index)
-                    .map(|below| left_over(index, Some(below), of_exact.drift().value)),
+                last_drift: below.map(left_over_drift),
                 acceleration: peak(run.accelerations[index], exact.accelerations[index]),
                 displacement_time: (of_run.displacement.time - of_exact.displacement.time).abs(),
                 restoring_force: peak(of_run.restoring_force, of_exact.restoring_force),
@@ -234,22 +250,7 @@ impl RunErrors {
                 ),
             }
         };
-        let pair = |(index, pair): (usize, &Pair)| {
-            let of_pair =
-                |outcome: &Outcome| outcome.collisions_of(index).copied().collect::<Vec<_>>();
-            let opening = |outcome: &Outcome| {
-                let opening = outcome.least_opening(pair, &outcome.of_pair(index))?;
-                Some(opening.0)
-            };
-            let peaks = [pair.left, pair.right].map(|node| exact.peaks.of(node).displacement.value);
-            let least = LEAST_PART * peaks[0].abs().max(peaks[1].abs());
-            PairErrors {
-                least_opening: opening(run)
-                    .zip(opening(exact))
-                    .map(|(run, exact)| relative_to(run, exact, exact.abs().max(least))),
-                ..PairErrors::between(&of_pair(run), &of_pair(exact))
-            }
-        };
+        let pair = |of: (usize, &Pair)| PairErrors::of([run, exact], of);
         Self {
             structures: walls.iter().enumerate().map(structure).collect(),
             pairs: prepared.pairs().iter().enumerate().map(pair).collect(),

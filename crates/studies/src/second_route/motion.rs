@@ -75,17 +75,7 @@ impl Motion {
             };
         }
         self.lean(dy);
-        for (pair, phase) in model.pairs.iter().zip(&phases.pairs) {
-            let rests = matches!(phase.contact, Contact::Resting { .. });
-            let [rate, closing] = if rests {
-                [0.0; 2]
-            } else {
-                let of = |structure: usize| dy[velocity(structure)];
-                [y[pair.deformation + 1], of(pair.left) - of(pair.right)]
-            };
-            dy[pair.deformation] = rate;
-            dy[pair.deformation + 1] = closing;
-        }
+        self.close(y, dy);
         for index in 0..model.structures.len() {
             let slope = &mut dy[velocity(index)];
             *slope = if model.is_wall(index) {
@@ -100,6 +90,21 @@ impl Motion {
             for slope in dy {
                 *slope *= pace;
             }
+        }
+    }
+
+    /// Derivatives of deformations and their rates, from accelerations in space.
+    fn close(&self, y: &[f64], dy: &mut [f64]) {
+        for (pair, phase) in self.model.pairs.iter().zip(&self.phases.pairs) {
+            let rests = matches!(phase.contact, Contact::Resting { .. });
+            let [rate, closing] = if rests {
+                [0.0; 2]
+            } else {
+                let of = |structure: usize| dy[velocity(structure)];
+                [y[pair.deformation + 1], of(pair.left) - of(pair.right)]
+            };
+            dy[pair.deformation] = rate;
+            dy[pair.deformation + 1] = closing;
         }
     }
 

@@ -1,5 +1,6 @@
 //! What the second route reports.
 
+use super::impact::SHORTEST;
 use super::model::{displacement, velocity};
 use super::motion::Motion;
 use super::state::State;
@@ -132,8 +133,7 @@ impl Record {
     /// A pair begins to press, with a force that may jump there.
     pub(super) fn touch(&mut self, pair: usize, time: f64, force: f64) {
         let collisions = &mut self.response.collisions[pair];
-        let struck =
-            |last: &Collision| last.peak_force.is_none() && last.end.total_cmp(&time).is_eq();
+        let struck = |last: &Collision| last.peak_force.is_none() && time - last.end < SHORTEST;
         if collisions.last().is_some_and(struck) {
             // The rest after an impact belongs to it.
             self.open[pair] = Some(collisions.len() - 1);

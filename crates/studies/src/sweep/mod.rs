@@ -98,6 +98,9 @@ impl Sweep {
     ///
     /// # Errors
     /// Those of [`Self::read`], without the name of the file.
+    ///
+    /// # Panics
+    /// Never: a budget is numbers and their names, which JSON holds.
     pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path) -> Result<Self, SweepError> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;

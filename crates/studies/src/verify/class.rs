@@ -1,6 +1,6 @@
 //! What is in a scene: classes by which a campaign counts.
 
-use pounding_contact::ContactLaw;
+use pounding_contact::Stereomechanical;
 
 use crate::{Columns, Generated, Outcome, Scene, Source, Structure};
 
@@ -109,10 +109,8 @@ impl Class {
         let contacts = || scene.contacts.iter().flatten();
         let impulsive = contacts().filter(|one| !one.law.is_compliant()).count();
         let restitution = |e: f64| {
-            contacts().any(|one| match one.law {
-                ContactLaw::Stereomechanical(law) => law.restitution.total_cmp(&e).is_eq(),
-                _ => false,
-            })
+            let has = |law: Stereomechanical| law.restitution.total_cmp(&e).is_eq();
+            contacts().any(|one| one.law.impulsive().is_some_and(has))
         };
         let walls = scene.structures.iter();
         let walls = walls.filter(|one| matches!(one, Structure::Wall)).count();
