@@ -172,8 +172,7 @@ fn issue_what_looks_wrong_in_a_file_is_said() {
     let found: Vec<_> = unusual.filter_map(|one| one["found"].as_str()).collect();
     assert!(found.contains(&step) && found.contains(&peak), "{found:?}");
 
-    let velocity =
-        "# time (s) N-S (cm/s) E-W (cm/s) U-D (cm/s)\n0.0 1 2 3\n0.01 -1 -2 -3\n0.02 1 2 3\n";
+    let velocity = "# time (s) N-S (cm/s) E-W (cm/s) U-D (cm/s)\n0.0 1.0 2.0 3.0\n0.01 -1.0 -2.0 -3.0\n0.02 1.0 2.0 3.0\n";
     write("velocity.bbp", velocity);
     let asked = [
         "motion",

@@ -252,6 +252,7 @@ fn extreme_parts_of_another_sweep() {
 #[test]
 fn limit_records_are_those_of_run() {
     let folder = suite("sweep_records");
+    fs::remove_file(folder.join("records").join("spectra.V3")).expect("a file");
     let words = "scene = \"towers.toml\"\nrecords = \"records\"\ndirections = \"both\"\noutputs.structures = [\"peak_displacement_m\", \
                  \"peak_acceleration_m_per_s2\", \"transferred_momentum_n_s\"]\noutputs.pairs = [\"collisions\", \"largest_impulse_n_s\", \"least_opening_m\"]\n";
     fs::write(folder.join("sweep.toml"), words).expect("a file");
