@@ -66,7 +66,7 @@ impl Side {
 impl Block {
     /// Tells of every pair inside, by its place, what its lighter side needs (of equal ones the left), in as many steps as there
     /// are nodes: what is lighter grows from its end of the block.
-    pub(super) fn from_lighter_sides(
+    pub(super) fn tell_lighter_sides(
         &self,
         side: impl Fn(usize) -> Side,
         mut tell: impl FnMut(usize, Lighter),

@@ -86,7 +86,7 @@ fn clear_rounding(block: &Block, (members, contacts): (&[Member], &mut [Contact]
             let need = need.filter(|need| !need.is_nan()).unwrap_or(f64::INFINITY);
             Side { weight: need, need }
         };
-        block.from_lighter_sides(side, |index, least| {
+        block.tell_lighter_sides(side, |index, least| {
             let (Lighter::Left(least) | Lighter::Right(least)) = least;
             let force = &mut contacts[block.within + index].force[order * p];
             if force.abs() <= ROUNDING * least {

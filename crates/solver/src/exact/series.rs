@@ -95,7 +95,7 @@ fn resting_forces(
         weight: members[node].mass,
         need: storey::need(members, node, (p, n)),
     };
-    block.from_lighter_sides(side, |index, found| {
+    block.tell_lighter_sides(side, |index, found| {
         contacts[block.within + index].force[n] = match found {
             Lighter::Left(need) => left - need,
             Lighter::Right(need) => right + need,
