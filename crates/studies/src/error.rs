@@ -182,12 +182,16 @@ fn counted_from_one(error: &csv::Error) -> String {
 impl StudyError {
     /// Whether somebody ended the run.
     pub fn is_stopped(&self) -> bool {
-        match self {
-            Self::Run { source, .. } => matches!(source, RunError::Stopped { .. }),
-            Self::NoReference(source) => source.is_stopped(),
-            Self::InFile { source, .. } => source.is_stopped(),
-            _ => false,
+        if let Self::NoReference(source) | Self::InFile { source, .. } = self {
+            return source.is_stopped();
         }
+        matches!(
+            self,
+            Self::Run {
+                source: RunError::Stopped { .. },
+                ..
+            }
+        )
     }
 
     /// The message without the name of a record file, beside which it stands.
