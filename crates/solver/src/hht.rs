@@ -73,8 +73,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         balance(row, &mut scratch, (slopes, at_ends), time, &mut work)?;
         arrive(&mut scratch, (clock, step))?;
         commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
-            let load =
-                |index: usize| load::<_, R>(row, node, ends[index], at_ends[index].under(node));
+            let load = |at: usize| load::<_, R>(row, node, ends[at], at_ends[at].under(node));
             let (start, end) = (load(0), load(1));
             // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.
             let before = earlier[node].replace(start);

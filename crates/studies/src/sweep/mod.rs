@@ -105,8 +105,7 @@ impl Sweep {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
-            let budget = serde_json::to_value(budget).expect("numbers and their names");
-            scene.insert("budget".into(), budget);
+            scene.insert("budget".into(), serde_json::json!(budget));
         }
         let vary = placed(&file, &read.scene)?;
         let asked = accuracy::asked(&read.scene);
