@@ -403,11 +403,14 @@ fn stretched(prepared: &Prepared, change: f64) -> Result<Prepared, StudyError> {
 
 impl Failure {
     fn of(error: &StudyError) -> Self {
-        let kind = match error {
-            StudyError::Run { source, .. } => variant(source),
-            StudyError::Broken { source, .. } => variant(source),
-            StudyError::Scene { source, .. } => variant(source),
-            other => variant(other),
+        let kind = if let StudyError::Run { source, .. } = error {
+            variant(source)
+        } else if let StudyError::Broken { source, .. } = error {
+            variant(source)
+        } else if let StudyError::Scene { source, .. } = error {
+            variant(source)
+        } else {
+            variant(error)
         };
         Self {
             kind,

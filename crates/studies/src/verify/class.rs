@@ -1,8 +1,6 @@
 //! What is in a scene: classes by which a campaign counts.
 
-use pounding_contact::ContactLaw;
-
-use crate::{Columns, Generated, Outcome, Scene, Source, Structure};
+use crate::{Columns, Contact, Generated, Outcome, Scene, Source, Structure};
 
 /// Something that a scene has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -109,10 +107,10 @@ impl Class {
         let contacts = || scene.contacts.iter().flatten();
         let impulsive = contacts().filter(|one| !one.law.is_compliant()).count();
         let restitution = |e: f64| {
-            contacts().any(|one| match one.law {
-                ContactLaw::Stereomechanical(law) => law.restitution.total_cmp(&e).is_eq(),
-                _ => false,
-            })
+            let of = |one: &Contact| one.law.impulsive().map(|law| law.restitution);
+            contacts()
+                .filter_map(of)
+                .any(|one| one.total_cmp(&e).is_eq())
         };
         let walls = scene.structures.iter();
         let walls = walls.filter(|one| matches!(one, Structure::Wall)).count();
