@@ -1,8 +1,6 @@
 //! What is in a scene: classes by which a campaign counts.
 
-use pounding_contact::Stereomechanical;
-
-use crate::{Columns, Generated, Outcome, Scene, Source, Structure};
+use crate::{Columns, Contact, Generated, Outcome, Scene, Source, Structure};
 
 /// Something that a scene has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -109,8 +107,10 @@ impl Class {
         let contacts = || scene.contacts.iter().flatten();
         let impulsive = contacts().filter(|one| !one.law.is_compliant()).count();
         let restitution = |e: f64| {
-            let has = |law: Stereomechanical| law.restitution.total_cmp(&e).is_eq();
-            contacts().any(|one| one.law.impulsive().is_some_and(has))
+            let of = |one: &Contact| one.law.impulsive().map(|law| law.restitution);
+            contacts()
+                .filter_map(of)
+                .any(|one| one.total_cmp(&e).is_eq())
         };
         let walls = scene.structures.iter();
         let walls = walls.filter(|one| matches!(one, Structure::Wall)).count();

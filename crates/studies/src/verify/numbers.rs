@@ -287,14 +287,25 @@ impl Numbers {
     }
 }
 
-/// The touches in the order of their starts; of an impact and the rest that it begins, the impact first.
+/// The touches in the order of their starts; an impact and the rest that it begins are one, which has no force.
 fn in_order(mut touches: Vec<Meeting>) -> Vec<Meeting> {
     let rests = |one: &Meeting| one.peak_force.is_some();
     touches.sort_by(|one, other| {
         let starts = one.start.total_cmp(&other.start);
         starts.then(rests(one).cmp(&rests(other)))
     });
-    touches
+    let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
+    for next in touches {
+        match all.last_mut() {
+            Some(last) if !rests(last) && rests(&next) && last.start >= next.start => {
+                last.end = next.end;
+                last.lasts = next.lasts;
+                last.impulse += next.impulse;
+            }
+            _ => all.push(next),
+        }
+    }
+    all
 }
 
 /// The largest of some touches.
