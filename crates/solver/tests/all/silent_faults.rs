@@ -270,11 +270,8 @@ fn issue_what_walls_enclose_without_a_gap_rests() {
                 "{n}, e {restitution}: {found}, {wanted}"
             );
             for node in 0..n_nodes {
-                assert_eq!(
-                    peaks.of(node).displacement.value,
-                    0.0,
-                    "{n}, e {restitution}"
-                );
+                let moved = peaks.of(node).displacement.value.abs() > 0.0;
+                assert!(!moved, "{n}, e {restitution}");
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use pounding::motion::{AccelerationUnit, Declared, ReadError, read_declared};
+use pounding::motion::{AccelerationUnit, Accelerogram, Declared, ReadError, read_declared};
 use pounding::studies::{STANDARD_GRAVITY, digits};
 use serde_json::json;
 
@@ -123,18 +123,7 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
         // What is declared below only finds out what else is missing.
         let (field, example, allowed) = match read_declared(bytes, &declared) {
             Ok(file) if missing.is_empty() => {
-                let format = file.format().name();
-                let record = file.into_record(STANDARD_GRAVITY);
-                let record = record.map_err(|error| error.to_string())?;
-                let (time, peak) = record.peak();
-                let holds = format!(
-                    "{format}, {} samples, {} s apart, peak {} m/s² at {} s",
-                    record.samples().len(),
-                    digits(record.time_step()),
-                    short(peak),
-                    digits(time)
-                );
-                return Ok((Some(holds), missing));
+                return Ok((Some(held(file)?), missing));
             }
             Ok(_) => return Ok((None, missing)),
             Err(ReadError::UnitNotStated) => {
@@ -180,6 +169,21 @@ fn read(bytes: &[u8]) -> Result<(Option<String>, Vec<Missing>), String> {
             allowed,
         });
     }
+}
+
+/// What a record holds, in words.
+fn held(file: Accelerogram) -> Result<String, String> {
+    let format = file.format().name();
+    let record = file.into_record(STANDARD_GRAVITY);
+    let record = record.map_err(|error| error.to_string())?;
+    let (time, peak) = record.peak();
+    Ok(format!(
+        "{format}, {} samples, {} s apart, peak {} m/s² at {} s",
+        record.samples().len(),
+        digits(record.time_step()),
+        short(peak),
+        digits(time)
+    ))
 }
 
 /// A record as seen from the folder of a scene: in it, below it, or not far beside it; nothing where that is no help.
