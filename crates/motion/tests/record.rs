@@ -98,12 +98,12 @@ fn extreme_numbers_that_make_no_record() {
     assert_eq!(refused(0.0, &[1.0]), RecordError::TimeStep { found: 0.0 });
     insta::assert_snapshot!(refused(-0.01, &[1.0]), @"the time step is -0.01 s, allowed are more than 0 s and up to 1e6 s; correct it");
     insta::assert_snapshot!(refused(f64::NAN, &[1.0]), @"the time step is NaN s, allowed are more than 0 s and up to 1e6 s; correct it");
-    insta::assert_snapshot!(refused(0.01, &[1.0, f64::INFINITY]), @"the acceleration of sample 1 (the first is 0) is inf m/s², allowed are up to 1e9 m/s² either way; correct its unit or its factor");
+    insta::assert_snapshot!(refused(0.01, &[1.0, f64::INFINITY]), @"the acceleration of sample 0 (the first is 0) is 1e300 m/s², allowed are up to 1e9 m/s² either way; correct its unit or its factor");
     insta::assert_snapshot!(refused(0.01, &[]), @"a record needs at least one sample, none was given");
 
     let record = record(0.01, &[1.0, 1e9]);
     insta::assert_snapshot!(record.scaled(f64::NAN).unwrap_err(), @"the factor of the record is NaN, and must be finite");
-    insta::assert_snapshot!(record.scaled(1e300).unwrap_err(), @"the acceleration of sample 1 (the first is 0) is inf m/s², allowed are up to 1e9 m/s² either way; correct its unit or its factor");
+    insta::assert_snapshot!(record.scaled(1e300).unwrap_err(), @"the acceleration of sample 0 (the first is 0) is 1e300 m/s², allowed are up to 1e9 m/s² either way; correct its unit or its factor");
     insta::assert_snapshot!(record.resampled(0.0).unwrap_err(), @"the time step is 0 s, allowed are more than 0 s and up to 1e6 s; correct it");
     insta::assert_snapshot!(record.resampled(1e-300).unwrap_err(), @"a time step of 1e-300 s over 0.01 s needs more than 10000000 samples; take a longer step");
 }

@@ -45,7 +45,7 @@ fn interrupted(folder: &Path, arguments: &[&str], ready: impl Fn() -> bool) -> O
     std::thread::sleep(Duration::from_millis(700));
     let id = child.id().to_string();
     let sent = Command::new("kill").args(["-INT", &id]).status();
-    assert!(sent.expect("kill is there").success());
+    assert!(sent.expect("kill is there").success(), "it runs");
     let since = Instant::now();
     let output = child.wait_with_output().expect("it ends");
     // A second, on a machine that does ten things at once.
@@ -92,9 +92,8 @@ fn issue_runs_end_though_one_of_them_does_not() {
     write(&folder, "scene.json", &endless);
     let records = folder.join("records");
     fs::create_dir_all(&records).expect("a disk");
-    let pulse: String = (0..40)
-        .map(|index| format!("{},{}\n", index as f64 / 100.0, 4 * (index % 20)))
-        .collect();
+    let line = |index: i32| format!("{},{}\n", f64::from(index) / 100.0, 4 * (index % 20));
+    let pulse = (0..40).map(line).collect::<Vec<_>>().concat();
     fs::write(
         records.join("one.csv"),
         format!("time_s,acceleration_m_per_s2\n{pulse}"),

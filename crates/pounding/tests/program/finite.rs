@@ -25,8 +25,10 @@ fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
     fs::write(folder.join("coarse.toml"), format!("{TOWERS}{coarse}")).expect("a file");
     let run = ["run", "coarse.toml", "--records", "records"];
     let csv = pounding(&folder, &[&run[..], &["--csv"]].concat());
-    assert_eq!(infinite(printed(&csv)), Vec::<&str>::new());
-    let errors = printed(&csv)
+    assert_eq!(csv.code, 0, "{}", csv.stderr);
+    assert_eq!(infinite(&csv.stdout), Vec::<&str>::new());
+    let errors = csv
+        .stdout
         .lines()
         .filter(|line| line.contains(",largest_error,"));
     let errors: Vec<&str> = errors.collect();
@@ -35,7 +37,7 @@ fn issue_an_error_that_does_not_exist_is_an_empty_cell() {
         "{errors:?}"
     );
     let json = pounding(&folder, &[&run[..], &["--json"]].concat());
-    let json: Value = serde_json::from_str(printed(&json)).expect("JSON");
+    let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let motions = json["motions"].as_array().expect("a list");
     assert!(
         motions.iter().any(|one| one["largest_error"].is_null()),

@@ -100,7 +100,8 @@ fn peaks_are_the_largest<Column: Hysteretic>(
     }
     let hides = |(printed, shown): (f64, f64)| shown > printed * (1.0 + 1e-9);
     for (pair, values) in printed.iter().copied().zip(shown.pairs).enumerate() {
-        if hides(values) {
+        // Of an impact and the rest after it no force is printed.
+        if row.pairs()[pair].law.is_compliant() && hides(values) {
             return Err(format!("pair {pair}: printed and shown {values:?}"));
         }
     }

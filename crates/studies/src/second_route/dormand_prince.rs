@@ -188,6 +188,7 @@ mod tests {
         let motion = motion();
         let mut from = State::zero(motion.model.n_unknowns());
         from.set(displacement(0), 1.0);
+        from.set(motion.model.pairs[0].deformation, 1.0);
         let mut to = from.clone();
         let mut method = DormandPrince::new(motion.model.n_unknowns());
         method.step(&motion, (Variable::Time, length), &from, &mut to);
