@@ -5,7 +5,6 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::runs::printed;
 use crate::suites::{TOWERS, suite};
 use crate::sweeps::{scene, sweep, with_sweep};
 use crate::{folder, pounding, refusal};
