@@ -170,7 +170,7 @@ fn extreme_motions_that_cannot_be() {
         time_step: f64::MAX,
     };
     assert!(
-        matches!(tiny.record(), Err(RecordError::Frequency { .. })),
+        matches!(tiny.record(), Err(RecordError::TimeStep { .. })),
         "{tiny:?}"
     );
 }

@@ -98,7 +98,7 @@ fn extreme_numbers_that_make_no_record() {
     assert_eq!(refused(0.0, &[1.0]), RecordError::TimeStep { found: 0.0 });
     insta::assert_snapshot!(refused(-0.01, &[1.0]), @"the time step is -0.01 s, allowed are more than 0 s and up to 1e6 s; correct it");
     insta::assert_snapshot!(refused(f64::NAN, &[1.0]), @"the time step is NaN s, allowed are more than 0 s and up to 1e6 s; correct it");
-    insta::assert_snapshot!(refused(0.01, &[1.0, f64::INFINITY]), @"the acceleration of sample 0 (the first is 0) is 1e300 m/s², allowed are up to 1e9 m/s² either way; correct its unit or its factor");
+    insta::assert_snapshot!(refused(0.01, &[1.0, f64::INFINITY]), @"the acceleration of sample 1 (the first is 0) is inf m/s², allowed are up to 1e9 m/s² either way; correct its unit or its factor");
     insta::assert_snapshot!(refused(0.01, &[]), @"a record needs at least one sample, none was given");
 
     let record = record(0.01, &[1.0, 1e9]);
