@@ -19,9 +19,9 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Ten million: the pieces of 1000 structures over 100 s of a record, and up to 20 s of a processor.
+    /// Ten million: the pieces of 1000 structures over 100 s of a record, and some 20 s of a processor in contact.
     ///
-    /// The largest scenes of the studies need 1e5. A piece takes 0.1 µs in flight and 2 µs in contact, with all recorders.
+    /// The largest scenes of the studies need 1e5.
     pub const PIECES: f64 = 1e7;
 
     /// Whether somebody wants runs to end.
