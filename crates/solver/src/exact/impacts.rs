@@ -104,8 +104,7 @@ impl Chain {
             let mut grown = false;
             for pair in 0..n {
                 let wanted = -self.restitutions[pair] * self.rates[pair];
-                let wants = self.closing[pair] && !self.active[pair] && self.after[pair] > wanted;
-                if wants && !self.is_between_walls(pair) {
+                if self.closing[pair] && !self.active[pair] && self.after[pair] > wanted {
                     self.active[pair] = true;
                     grown = true;
                 }
@@ -127,17 +126,6 @@ impl Chain {
             last += 1;
         }
         (first, last)
-    }
-
-    /// Whether the blocks on both sides of a pair have a wall: no impulse moves these towards each other.
-    fn is_between_walls(&self, pair: usize) -> bool {
-        let (first, left) = self.block(pair);
-        let (right, last) = self.block(pair + 1);
-        let holds = |from: usize, to: usize| {
-            let masses = &self.masses[from..=to];
-            masses.iter().any(|mass| mass.is_infinite())
-        };
-        holds(first, left) && holds(right, last)
     }
 
     /// Change of the rate that an active pair asks for, ≥ 0.
