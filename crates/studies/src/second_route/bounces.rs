@@ -28,7 +28,7 @@ impl Runner {
         }
         let again = |of: &Bounces| time - of.last < SHORTEST && of.count >= MOST_BOUNCES;
         let mut stops: Vec<bool> = self.bounces.iter().map(again).collect();
-        let (state, phases) = (self.state.clone(), self.motion.phases.clone());
+        let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
         let impulses = loop {
             let model = &self.motion.model;
             let impulses = impact::collide(model, &mut self.state.high, &touching, &stops);
@@ -64,7 +64,15 @@ impl Runner {
         self.scales.enlarge(&self.motion.model, &self.state.high);
         let sizes = self.scales.sizes();
         let least = |pair: usize| NOISE * sizes[self.motion.model.impulse(pair)];
-        self.record.impacts(&self.motion, (&impulses, least), time);
+        let least: Vec<_> = (0..impulses.len()).map(least).collect();
+        for &pair in &touching {
+            // An impact that a pair at rest passes on is a touch of its own.
+            if impulses[pair] > least[pair] && phases.presses(pair) {
+                self.part(pair, time);
+                phases.pairs[pair].contact = Contact::IDLE;
+            }
+        }
+        self.record.impacts(&self.motion, (&impulses, &least), time);
         self.begin_or_end(&phases, time);
     }
 
@@ -94,10 +102,8 @@ impl Runner {
 
     /// Records which pairs begin to press at rest, and which no longer do.
     fn begin_or_end(&mut self, before: &super::phases::Phases, time: f64) {
-        let presses = |contact| matches!(contact, Contact::Resting { presses: true, .. });
         for pair in 0..before.pairs.len() {
-            let pressed = presses(before.pairs[pair].contact);
-            match (pressed, self.motion.presses(pair)) {
+            match (before.presses(pair), self.motion.phases.presses(pair)) {
                 (false, true) => self.touch(pair, time),
                 (true, false) => self.part(pair, time),
                 (true, true) | (false, false) => {}

@@ -138,6 +138,12 @@ impl Phases {
         }
     }
 
+    /// Whether a pair is at rest with a force.
+    pub(super) fn presses(&self, pair: usize) -> bool {
+        let contact = self.pairs[pair].contact;
+        matches!(contact, Contact::Resting { presses: true, .. })
+    }
+
     /// Turns a structure, and with it a storey that stands on the ground.
     pub(super) fn turn(&mut self, structure: usize, model: &Model, unknowns: &[f64]) {
         let phase = &mut self.structures[structure];

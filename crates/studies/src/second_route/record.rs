@@ -167,12 +167,12 @@ impl Record {
     pub(super) fn impacts(
         &mut self,
         motion: &Motion,
-        (impulses, least): (&[f64], impl Fn(usize) -> f64),
+        (impulses, least): (&[f64], &[f64]),
         time: f64,
     ) {
         let impacts = impulses.iter().copied().enumerate();
         let impacts: Vec<_> = impacts
-            .filter(|&(pair, impulse)| impulse > least(pair))
+            .filter(|&(pair, impulse)| impulse > least[pair])
             .collect();
         for &(pair, impulse) in &impacts {
             self.response.collisions[pair].push(Collision {

@@ -24,13 +24,6 @@ const PROBE: f64 = 1e-6;
 const STEADY: f64 = 1e-8;
 
 impl Motion {
-    pub(super) fn presses(&self, pair: usize) -> bool {
-        matches!(
-            self.phases.pairs[pair].contact,
-            Contact::Resting { presses: true, .. }
-        )
-    }
-
     /// Whether any pair is at rest.
     pub(super) fn rests(&self) -> bool {
         let mut pairs = self.phases.pairs.iter();
@@ -46,10 +39,10 @@ impl Motion {
         };
         let mut next = 0;
         std::iter::from_fn(move || {
-            let first = (next..pairs.len()).find(|&pair| self.presses(pair))?;
+            let first = (next..pairs.len()).find(|&pair| self.phases.presses(pair))?;
             let mut rest = first + 1..pairs.len();
             next = rest
-                .find(|&pair| !(self.presses(pair) && goes_on(pair)))
+                .find(|&pair| !(self.phases.presses(pair) && goes_on(pair)))
                 .unwrap_or(pairs.len());
             Some(first..next)
         })
@@ -239,7 +232,7 @@ impl Motion {
         }
         self.slope(NOW, y, scratch);
         for &pair in &resting {
-            if self.presses(pair) {
+            if self.phases.presses(pair) {
                 let rising = sign(self.resting_force_rate(pair, y, scratch)[0]);
                 self.phases.pairs[pair].contact = Contact::Resting {
                     presses: true,

@@ -7,7 +7,7 @@ use super::impact::NOISE;
 use super::law::Law;
 use super::model::{Model, TIME, displacement, velocity};
 use super::motion::{Motion, NOW, Segment};
-use super::phases::Phases;
+use super::phases::{Contact, Phases};
 use super::plan::{self, Plan};
 use super::record::{Record, Response};
 use super::scales::Scales;
@@ -20,6 +20,9 @@ const MOST_EVENTS: usize = 5_000;
 
 /// Most times a step is shortened before the tolerance counts as out of reach.
 const MOST_REJECTIONS: usize = 60;
+
+/// Distance of a pair, as a part of the displacements of both, from which on their difference knows it well.
+const FAR: f64 = 1e-2;
 
 /// A run under way.
 #[derive(Debug, Clone)]
@@ -110,6 +113,7 @@ impl Runner {
             }
             self.scales.enlarge(&self.motion.model, &self.state.high);
         }
+        self.measure();
         // The acceleration of the ground may jump.
         self.rest(self.now());
         self.observe();
@@ -117,6 +121,35 @@ impl Runner {
             self.advance()?;
         }
         Ok(())
+    }
+
+    /// Takes the deformations of pairs far apart, and their rates, from displacements and velocities again: impacts round each of the
+    /// unknowns by itself, and over many of them a gap would become another one.
+    fn measure(&mut self) {
+        let Self {
+            motion,
+            state,
+            scales,
+            ..
+        } = self;
+        let model = &motion.model;
+        for (index, pair) in model.pairs.iter().enumerate() {
+            let [left, right] =
+                [pair.left, pair.right].map(|index| model.structures[index].arrival);
+            let apart = matches!(motion.phases.pairs[index].contact, Contact::Apart);
+            let size =
+                scales.sizes()[displacement(pair.left)] + scales.sizes()[displacement(pair.right)];
+            let distance = -state.high[pair.deformation];
+            if apart && left.total_cmp(&right).is_eq() && distance > FAR * size {
+                for (own, unknown, gap) in [
+                    (0, displacement as fn(usize) -> usize, pair.gap),
+                    (1, velocity, 0.0),
+                ] {
+                    let difference = state.difference(unknown(pair.left), unknown(pair.right));
+                    state.set(pair.deformation + own, difference - gap);
+                }
+            }
+        }
     }
 
     /// The response, after the last segment.

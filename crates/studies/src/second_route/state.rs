@@ -33,4 +33,9 @@ impl State {
         self.high[index] = sum;
         self.low[index] = (base - (sum - part)) + (added - part);
     }
+
+    /// One unknown less another one, with what rounding took from both.
+    pub(super) fn difference(&self, one: usize, other: usize) -> f64 {
+        (self.high[one] - self.high[other]) + (self.low[one] - self.low[other])
+    }
 }

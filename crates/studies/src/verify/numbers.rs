@@ -126,6 +126,10 @@ struct Meeting {
     lasts: f64,
     /// What rounding leaves open of the start, where the run says \[s\].
     uncertainty: Option<f64>,
+    /// Whether it is a rest after bounces.
+    follows: bool,
+    /// Whether it is one of the bounces before a rest that may count as it.
+    bounces: bool,
 }
 
 /// Everything that is compared of a run.
@@ -156,6 +160,8 @@ impl Numbers {
                 lasts: one.end - one.start,
                 peak_force: one.peak_force,
                 uncertainty: one.uncertainty,
+                follows: false,
+                bounces: false,
             });
             in_order(all.collect())
         };
@@ -183,6 +189,8 @@ impl Numbers {
                 lasts: one.end - one.start,
                 peak_force: one.peak_force,
                 uncertainty: None,
+                follows: false,
+                bounces: false,
             });
             in_order(all.collect())
         });
@@ -287,26 +295,41 @@ impl Numbers {
     }
 }
 
-/// The touches in the order of their starts; an impact and the rest that it begins are one, which has no force.
+/// The touches in the order of their starts; bounces that end in rest just after are one touch with it: how many there are is a matter
+/// of where a route ends them.
 fn in_order(mut touches: Vec<Meeting>) -> Vec<Meeting> {
-    let rests = |one: &Meeting| one.peak_force.is_some();
+    let rests = |one: &Meeting| one.peak_force.is_some() || one.lasts > 0.0;
     touches.sort_by(|one, other| {
         let starts = one.start.total_cmp(&other.start);
         starts.then(rests(one).cmp(&rests(other)))
     });
     let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
-    for next in touches {
-        match all.last_mut() {
-            Some(last) if !rests(last) && rests(&next) && last.start >= next.start => {
-                last.end = next.end;
-                last.lasts = next.lasts;
-                last.impulse += next.impulse;
-            }
-            _ => all.push(next),
+    for mut next in touches {
+        while rests(&next)
+            && let Some(last) = all.pop_if(|last| !rests(last) && next.start - last.start <= TAIL)
+        {
+            next = Meeting {
+                impulse: last.impulse + next.impulse,
+                peak_force: None,
+                follows: true,
+                ..next
+            };
         }
+        if rests(&next) {
+            let soon = |last: &&mut Meeting| next.start - last.start <= 2.0 * TAIL;
+            let impacts = all.iter_mut().rev().take_while(soon);
+            impacts.for_each(|last| last.bounces = !rests(last));
+        }
+        all.push(next);
     }
     all
 }
+
+/// Bounces that begin within this of the rest that ends them are one touch with it \[s\].
+const TAIL: f64 = 1e-9;
+
+/// The time within which either route ends bounces \[s\].
+const SHORTEST: f64 = 1e-12;
 
 /// The largest of some touches.
 #[derive(Debug, Clone, Copy, Default)]
@@ -377,7 +400,7 @@ impl Meeting {
     /// Whether rounding decides that neighbours touch at all.
     fn is_graze(&self, largest: f64) -> bool {
         let brief = |uncertainty: f64| self.lasts > 0.0 && self.lasts <= 2.0 * uncertainty;
-        self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
+        self.bounces || self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
     }
 
     fn beside(&self, other: Option<&Self>, (place, largest): (Place, Largest)) -> Vec<Two> {
@@ -398,7 +421,14 @@ impl Meeting {
             })
         };
         let all = [
-            two(Compared::Start, |one| Some(one.start), 1.0),
+            two(Compared::Start, |one| Some(one.start), 1.0).map(|two| Two {
+                distance: if self.follows {
+                    (two.distance - SHORTEST).max(0.0)
+                } else {
+                    two.distance
+                },
+                ..two
+            }),
             two(Compared::End, |one| one.end, 1.0),
             two(Compared::Impulse, |one| Some(one.impulse), largest.impulse),
             two(Compared::PoundingForce, |one| one.peak_force, largest.force),
@@ -410,27 +440,29 @@ impl Meeting {
 /// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\].
 const SAME: f64 = 1e-7;
 
-/// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the next one
-/// that begins at the same time.
+/// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the one
+/// that begins nearest to it of those that begin at the same time.
 fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize>> {
     if first.len() == second.len() {
         return (0..first.len()).map(Some).collect();
     }
     let mut next = 0;
     let mut all = Vec::with_capacity(first.len());
-    for one in first {
-        let reach = SAME + one.uncertainty.unwrap_or(0.0).min(SAME);
-        while second
-            .get(next)
-            .is_some_and(|other| other.start < one.start - reach)
-        {
-            next += 1;
-        }
-        let same = second
-            .get(next)
-            .is_some_and(|other| other.start <= one.start + reach);
-        all.push(same.then_some(next));
-        next += usize::from(same);
+    for (index, one) in first.iter().enumerate() {
+        let same = nearest(second, next, one.start);
+        let same = same.filter(|&same| nearest(first, index, second[same].start) == Some(index));
+        next = same.map_or(next, |same| same + 1);
+        all.push(same);
     }
     all
+}
+
+/// The touch from a number on that begins nearest to an instant \[s\], if it begins at the same time.
+fn nearest(touches: &[Meeting], from: usize, time: f64) -> Option<usize> {
+    let apart = |one: &Meeting| (one.start - time).abs();
+    let later = from + touches[from..].partition_point(|one| one.start < time);
+    let near = later.saturating_sub(1).max(from)..touches.len().min(later + 1);
+    let nearest =
+        near.min_by(|one, other| apart(&touches[*one]).total_cmp(&apart(&touches[*other])));
+    nearest.filter(|&nearest| apart(&touches[nearest]) <= SAME)
 }
