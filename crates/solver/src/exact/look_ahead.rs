@@ -258,12 +258,13 @@ impl Contact {
     /// Deformation and rate of a pair that is apart.
     fn at(&self, time: f64) -> (f64, f64) {
         let series = &self.series;
-        let x = series.power.root((time - series.origin).max(0.0));
+        // A touch is where the series has it: the time since an origin just before it has lost its digits.
         let at = if time < self.meets {
-            x - series.offset
+            series.power.root((time - series.origin).max(0.0)) - series.offset
         } else {
             self.meets_at
         };
+        let x = series.offset + at;
         let (deformation, slope) = value_and_slope(&series.coefficients[..series.len], at);
         let rate = match series.power {
             Power::One => slope,

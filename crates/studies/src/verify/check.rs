@@ -2,14 +2,13 @@
 
 use std::path::Path;
 
-use pounding_motion::Record;
 use pounding_solver::Pair;
 
 use super::class::{Class, rests};
+use super::condition::{Data, allowed};
 use super::numbers::{Compared, Numbers, Place, Two};
-use crate::prepared::{Asked, Audited};
+use crate::prepared::Audited;
 use crate::second_route::Fineness;
-use crate::trade::{Known, under};
 use crate::{Prepared, Scene, StudyError};
 
 /// Distance of the routes that is always allowed: relative \[–\], of instants \[s\].
@@ -17,11 +16,6 @@ pub const ALLOWED: f64 = 1e-12;
 /// Residual of the energy of an exact run that is always allowed \[–\].
 pub const RESIDUAL: f64 = 1e-11;
 
-/// Relative changes of the record by which a condition is measured: the second one where the first makes touches come or go.
-const CHANGES: [f64; 2] = [1e-9, 1e-12];
-/// Records with other samples under which it is measured; more of them find a larger one, and allow more. One more has its samples
-/// further apart, as if all structures were faster.
-const N_NEAR: usize = 8;
 /// Other settings of the second route, under which its own rounding is another one.
 const OTHERWISE: [Fineness; 2] = [
     Fineness {
@@ -178,7 +172,12 @@ impl Checked {
             (None, Ok(second)) => {
                 let exact = Numbers::of_exact(&prepared, &outcome);
                 let second = Numbers::of_second_route(&prepared, &second);
-                checked.compare(&prepared, (exact, second, residual), begin)
+                let data = Data {
+                    prepared: &prepared,
+                    scene,
+                    base,
+                };
+                checked.compare(&data, (exact, second, residual), begin)
             }
         };
         checked
@@ -186,7 +185,7 @@ impl Checked {
 
     fn compare(
         &mut self,
-        prepared: &Prepared,
+        data: &Data<'_>,
         (mut exact, mut second, residual): (Numbers, Numbers, Option<Disagreement>),
         begin: &dyn Fn(Stage),
     ) -> Verdict {
@@ -197,7 +196,7 @@ impl Checked {
             vec![0.0; all.len()]
         } else {
             begin(Stage::Condition);
-            condition(prepared, (&exact, &all), begin)
+            data.condition((&exact, &all), begin)
         };
         let judged = all.iter().zip(conditions);
         let judged = judged.map(|(two, condition)| Disagreement {
@@ -209,9 +208,9 @@ impl Checked {
         let mut judged: Vec<_> = judged.collect();
         if judged.iter().any(Disagreement::is_wrong) {
             begin(Stage::SecondRoute);
-            own_rounding(prepared, &exact, &mut judged);
+            own_rounding(data.prepared, &exact, &mut judged);
         }
-        self.story = story(prepared, (&exact, &second), &judged);
+        self.story = story(data.prepared, (&exact, &second), &judged);
         judged.extend(residual);
         for (largest, what) in self.largest.iter_mut().zip(Compared::ALL) {
             let own = judged.iter().filter(|one| one.two.what == what);
@@ -332,73 +331,6 @@ fn worst(all: &[&Disagreement]) -> Vec<Disagreement> {
     let mut found: Vec<_> = Compared::ALL.into_iter().filter_map(of).collect();
     found.sort_by(|one, other| off(other).total_cmp(&off(one)));
     found
-}
-
-/// How far every number of an exact run moves per relative change of the record; infinite where touches come and go. No further
-/// than it takes to allow all distances, where it does.
-fn condition(
-    prepared: &Prepared,
-    (truth, all): (&Numbers, &[Two]),
-    begin: &dyn Fn(Stage),
-) -> Vec<f64> {
-    let mut found = vec![f64::INFINITY; all.len()];
-    for change in CHANGES {
-        let mut largest = vec![0.0_f64; all.len()];
-        for index in 0..=N_NEAR + 1 {
-            begin(Stage::Condition);
-            match near(prepared, change, index) {
-                Ok(near) => {
-                    for (largest, two) in largest.iter_mut().zip(truth.beside(&near)) {
-                        *largest = largest.max(two.distance / change);
-                    }
-                }
-                Err(_) => largest.fill(f64::INFINITY),
-            }
-            let explains = |(two, condition): (&Two, &f64)| {
-                condition.is_finite() && two.distance <= allowed(two, *condition)
-            };
-            if all.iter().zip(&largest).all(explains) {
-                return largest;
-            }
-        }
-        for (found, largest) in found.iter_mut().zip(largest) {
-            if found.is_infinite() {
-                *found = largest;
-            }
-        }
-        if found.iter().all(|one| one.is_finite()) {
-            break;
-        }
-    }
-    found
-}
-
-/// The exact run under a record near the scene's.
-fn near(prepared: &Prepared, change: f64, index: usize) -> Result<Numbers, StudyError> {
-    let near = if index > N_NEAR {
-        stretched(prepared, change)
-    } else {
-        under(prepared, change, index)
-    }?;
-    let outcome = near.run_unjudged(Asked::default())?;
-    Ok(Numbers::of_exact(&near, &outcome))
-}
-
-/// The distance of two numbers that their condition allows.
-fn allowed(two: &Two, condition: f64) -> f64 {
-    let known = Known {
-        condition,
-        distance: two.distance,
-    };
-    known.allowed_from(ALLOWED)
-}
-
-/// The scene under its record with samples further apart.
-fn stretched(prepared: &Prepared, change: f64) -> Result<Prepared, StudyError> {
-    prepared.under(|record| {
-        let step = record.time_step() * (1.0 + change);
-        Record::new(step, record.samples().to_vec(), record.source())
-    })
 }
 
 impl Failure {

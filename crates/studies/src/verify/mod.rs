@@ -8,6 +8,7 @@
 mod campaign;
 mod check;
 mod class;
+mod condition;
 mod contacts;
 mod generator;
 mod motions;

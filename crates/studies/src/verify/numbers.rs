@@ -126,16 +126,15 @@ struct Meeting {
     lasts: f64,
     /// What rounding leaves open of the start, where the run says \[s\].
     uncertainty: Option<f64>,
-    /// Whether it is a rest after bounces.
-    follows: bool,
-    /// Whether it is one of the bounces before a rest that may count as it.
-    bounces: bool,
 }
 
 /// Everything that is compared of a run.
 #[derive(Debug, Clone)]
 pub(super) struct Numbers {
     floors: Vec<OfFloor>,
+    /// Floors that are hit from both sides at once, some time: what of that is one net impulse, and what one after the other, is a
+    /// matter of where a route stops to tell them apart, and the transferred momentum with it.
+    pinched: Vec<bool>,
     /// The touches of every pair in their order.
     pairs: Vec<Vec<Meeting>>,
 }
@@ -160,16 +159,12 @@ impl Numbers {
                 lasts: one.end - one.start,
                 peak_force: one.peak_force,
                 uncertainty: one.uncertainty,
-                follows: false,
-                bounces: false,
             });
-            in_order(all.collect())
+            all.collect()
         };
         let pairs = prepared.pairs().iter().enumerate();
-        Self {
-            floors: (0..prepared.floors().all().len()).map(floor).collect(),
-            pairs: pairs.map(touches).collect(),
-        }
+        let floors = (0..prepared.floors().all().len()).map(floor);
+        Self::new(prepared, floors.collect(), pairs.map(touches).collect())
     }
 
     pub(super) fn of_second_route(prepared: &Prepared, response: &Response) -> Self {
@@ -189,15 +184,36 @@ impl Numbers {
                 lasts: one.end - one.start,
                 peak_force: one.peak_force,
                 uncertainty: None,
-                follows: false,
-                bounces: false,
             });
-            in_order(all.collect())
+            all.collect()
         });
-        Self {
-            floors: floors.collect(),
-            pairs: touches.collect(),
+        Self::new(prepared, floors.collect(), touches.collect())
+    }
+
+    fn new(prepared: &Prepared, floors: Vec<OfFloor>, mut pairs: Vec<Vec<Meeting>>) -> Self {
+        for touches in &mut pairs {
+            touches.sort_by(|one, other| one.start.total_cmp(&other.start));
         }
+        let pinched = |floor| {
+            let all = || prepared.pairs().iter().zip(&pairs);
+            let left = all().find(|(pair, _)| pair.right == floor);
+            let right = all().find(|(pair, _)| pair.left == floor);
+            left.zip(right)
+                .is_some_and(|((_, left), (_, right))| are_at_once(left, right))
+        };
+        let pinched = (0..floors.len()).map(pinched).collect();
+        let pairs = pairs.into_iter().map(as_one).collect();
+        Self {
+            floors,
+            pinched,
+            pairs,
+        }
+    }
+
+    /// Magnitude of the largest displacement \[m\].
+    pub(super) fn largest_displacement(&self) -> f64 {
+        let displacements = self.floors.iter().map(|floor| floor.displacement);
+        displacements.fold(0.0, f64::max)
     }
 
     /// Every number of this run beside that of another one of the same scene.
@@ -206,7 +222,12 @@ impl Numbers {
         let momenta = self.floors.iter().map(|floor| floor.momentum);
         let largest = momenta.fold(0.0, f64::max);
         for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
-            all.extend(first.beside(second, (Place::Floor(index), largest)));
+            let mut numbers = first.beside(second, (Place::Floor(index), largest));
+            if self.pinched[index] || other.pinched[index] {
+                let [.., momentum] = &mut numbers;
+                momentum.distance = 0.0;
+            }
+            all.extend(numbers);
         }
         for (pair, (first, second)) in self.pairs.iter().zip(&other.pairs).enumerate() {
             let largest = Largest::of(first);
@@ -295,41 +316,35 @@ impl Numbers {
     }
 }
 
-/// The touches in the order of their starts; bounces that end in rest just after are one touch with it: how many there are is a matter
-/// of where a route ends them.
-fn in_order(mut touches: Vec<Meeting>) -> Vec<Meeting> {
-    let rests = |one: &Meeting| one.peak_force.is_some() || one.lasts > 0.0;
-    touches.sort_by(|one, other| {
-        let starts = one.start.total_cmp(&other.start);
-        starts.then(rests(one).cmp(&rests(other)))
-    });
+/// Touches in the order of their starts, those that follow each other within [`TOGETHER`] as one: how many bounces end in rest, and
+/// which of several floors that meet at once hits first, is a matter of where a route stops to tell them apart.
+fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
     let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
-    for mut next in touches {
-        while rests(&next)
-            && let Some(last) = all.pop_if(|last| !rests(last) && next.start - last.start <= TAIL)
-        {
-            next = Meeting {
-                impulse: last.impulse + next.impulse,
-                peak_force: None,
-                follows: true,
-                ..next
-            };
+    let mut latest = f64::NEG_INFINITY;
+    for next in touches {
+        match all.last_mut() {
+            Some(last) if next.start - latest <= TOGETHER => last.add(&next),
+            Some(_) | None => all.push(next),
         }
-        if rests(&next) {
-            let soon = |last: &&mut Meeting| next.start - last.start <= 2.0 * TAIL;
-            let impacts = all.iter_mut().rev().take_while(soon);
-            impacts.for_each(|last| last.bounces = !rests(last));
-        }
-        all.push(next);
+        latest = next.start;
     }
     all
 }
 
-/// Bounces that begin within this of the rest that ends them are one touch with it \[s\].
-const TAIL: f64 = 1e-9;
+/// Whether impacts of two pairs, in their order, ever happen at once.
+fn are_at_once(one: &[Meeting], other: &[Meeting]) -> bool {
+    let mut next = 0;
+    let impacts = one.iter().filter(|one| one.peak_force.is_none());
+    impacts.map(|one| one.start).any(|time| {
+        next += other[next..].partition_point(|other| other.start < time - TOGETHER);
+        let near = other[next..].iter();
+        let mut near = near.take_while(|other| other.start <= time + TOGETHER);
+        near.any(|other| other.peak_force.is_none())
+    })
+}
 
-/// The time within which either route ends bounces \[s\].
-const SHORTEST: f64 = 1e-12;
+/// Touches of a pair that begin within this of the one before are compared as one with it \[s\].
+const TOGETHER: f64 = 1e-9;
 
 /// The largest of some touches.
 #[derive(Debug, Clone, Copy, Default)]
@@ -397,10 +412,19 @@ impl OfFloor {
 const ROUNDING: f64 = 1e-12;
 
 impl Meeting {
+    /// Takes a touch that follows at once as part of this one; an impact has no force.
+    fn add(&mut self, next: &Self) {
+        let (one, other) = (self.peak_force, next.peak_force);
+        self.peak_force = one.zip(other).map(|(one, other)| one.max(other));
+        self.lasts = self.lasts.max(next.start + next.lasts - self.start);
+        self.end = self.end.zip(next.end).map(|(one, other)| one.max(other));
+        self.impulse += next.impulse;
+    }
+
     /// Whether rounding decides that neighbours touch at all.
     fn is_graze(&self, largest: f64) -> bool {
         let brief = |uncertainty: f64| self.lasts > 0.0 && self.lasts <= 2.0 * uncertainty;
-        self.bounces || self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
+        self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
     }
 
     fn beside(&self, other: Option<&Self>, (place, largest): (Place, Largest)) -> Vec<Two> {
@@ -421,14 +445,7 @@ impl Meeting {
             })
         };
         let all = [
-            two(Compared::Start, |one| Some(one.start), 1.0).map(|two| Two {
-                distance: if self.follows {
-                    (two.distance - SHORTEST).max(0.0)
-                } else {
-                    two.distance
-                },
-                ..two
-            }),
+            two(Compared::Start, |one| Some(one.start), 1.0),
             two(Compared::End, |one| one.end, 1.0),
             two(Compared::Impulse, |one| Some(one.impulse), largest.impulse),
             two(Compared::PoundingForce, |one| one.peak_force, largest.force),

@@ -1,0 +1,141 @@
+//! How far the numbers of an exact run move with the data of its scene.
+
+use std::path::Path;
+
+use pounding_motion::Record;
+
+use super::check::{ALLOWED, Stage};
+use super::numbers::{Numbers, Two};
+use super::random::Random;
+use crate::prepared::Asked;
+use crate::trade::{Known, under};
+use crate::{Prepared, Scene, Structure, StudyError};
+
+/// Relative changes of the data; the smaller ones where the first does not explain a distance. Of a motion that bounces apart the first
+/// is too large to show by how much.
+const CHANGES: [f64; 3] = [1e-9, 1e-12, 1e-14];
+/// Records with other samples; more of them find a larger condition, and allow more.
+const N_RECORDS: usize = 8;
+/// Scenes with other masses, columns and gaps.
+const N_SCENES: usize = 6;
+/// Everything that is tried with a change: the scaled record and those above, and a record with its samples further apart, as if all
+/// structures were faster.
+const N_NEAR: usize = 1 + N_RECORDS + 1 + N_SCENES;
+
+/// A scene whose data are changed.
+pub(super) struct Data<'a> {
+    pub prepared: &'a Prepared,
+    pub scene: &'a Scene,
+    /// The folder that its record is looked for from.
+    pub base: &'a Path,
+}
+
+impl Data<'_> {
+    /// How far every number of an exact run moves per relative change of the data; infinite where touches come and go. No further
+    /// than it takes to allow all distances, where it does.
+    pub(super) fn condition(
+        &self,
+        (truth, all): (&Numbers, &[Two]),
+        begin: &dyn Fn(Stage),
+    ) -> Vec<f64> {
+        let mut found = vec![0.0_f64; all.len()];
+        for change in CHANGES {
+            let mut largest = vec![0.0_f64; all.len()];
+            for index in 0..N_NEAR {
+                begin(Stage::Condition);
+                match self.near(change, index, truth.largest_displacement()) {
+                    Ok(near) => {
+                        for (largest, two) in largest.iter_mut().zip(truth.beside(&near)) {
+                            *largest = largest.max(two.distance / change);
+                        }
+                    }
+                    Err(_) => largest.fill(f64::INFINITY),
+                }
+                let explains = |(two, (found, largest)): (&Two, (&f64, &f64))| {
+                    two.distance <= ALLOWED
+                        || (largest.is_finite()
+                            && two.distance <= allowed(two, found.max(*largest)))
+                };
+                if all.iter().zip(found.iter().zip(&largest)).all(explains) {
+                    return largest
+                        .iter()
+                        .zip(found)
+                        .map(|(one, found)| found.max(*one))
+                        .collect();
+                }
+            }
+            for (found, largest) in found.iter_mut().zip(largest) {
+                *found = if found.is_finite() {
+                    found.max(largest)
+                } else {
+                    largest
+                };
+            }
+        }
+        found
+    }
+
+    /// The exact run with other data.
+    fn near(&self, change: f64, index: usize, largest: f64) -> Result<Numbers, StudyError> {
+        let near = if index <= N_RECORDS {
+            under(self.prepared, change, index)
+        } else if index == N_RECORDS + 1 {
+            self.stretched(change)
+        } else {
+            let scene = changed(self.scene, change, index, largest);
+            Prepared::new(&scene, self.base)
+        }?;
+        let outcome = near.run_unjudged(Asked::default())?;
+        Ok(Numbers::of_exact(&near, &outcome))
+    }
+
+    /// The scene under its record with samples further apart.
+    fn stretched(&self, change: f64) -> Result<Prepared, StudyError> {
+        self.prepared.under(|record| {
+            let step = record.time_step() * (1.0 + change);
+            Record::new(step, record.samples().to_vec(), record.source())
+        })
+    }
+}
+
+/// The scene with other masses, columns and gaps: as if all of them were written down with an error, gaps with one of the largest
+/// displacement \[m\], too. What has no gap keeps having none.
+fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
+    let mut random = Random::new(0, index);
+    let mut factor = || 1.0 + change * random.within(-1.0, 1.0);
+    let mut scene = scene.clone();
+    for structure in &mut scene.structures {
+        match structure {
+            Structure::Sdof(sdof) => {
+                sdof.mass_kg *= factor();
+                sdof.stiffness_n_per_m *= factor();
+                sdof.yield_force_n = sdof.yield_force_n.map(|force| force * factor());
+            }
+            Structure::Building(building) => {
+                for storey in &mut building.storeys {
+                    storey.mass_kg *= factor();
+                    storey.columns.stiffness_n_per_m *= factor();
+                    let yields = &mut storey.columns.yield_force_n;
+                    *yields = yields.map(|force| force * factor());
+                }
+            }
+            Structure::Wall => {}
+        }
+    }
+    for contact in scene.contacts.iter_mut().flatten() {
+        if contact.gap_m > 0.0 {
+            let moved = contact.gap_m + largest * (factor() - 1.0);
+            contact.gap_m = (moved * factor()).max(0.5 * contact.gap_m);
+        }
+    }
+    scene
+}
+
+/// The distance of two numbers that their condition allows.
+pub(super) fn allowed(two: &Two, condition: f64) -> f64 {
+    let known = Known {
+        condition,
+        distance: two.distance,
+    };
+    known.allowed_from(ALLOWED)
+}
