@@ -147,8 +147,9 @@ impl<R: Recorder> Run<'_, R> {
             start: time,
             end,
             power,
-            // What happens within rounding of the start happens at the start.
-            length: if end > time { watch.length } else { 0.0 },
+            // To the instant that the clock can tell, not to the event itself: the ground and what flies alone are there, too, and each
+            // event would shift the body in time against them.
+            length: power.root(end - time),
             len,
             events: watch.events,
         };
