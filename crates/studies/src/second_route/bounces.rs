@@ -21,7 +21,7 @@ pub(super) struct Bounces {
 impl Runner {
     /// Impacts of all impulsive pairs that touch now; then they rest or part.
     pub(super) fn collide(&mut self, time: f64) {
-        let touching = impact::touching(&self.motion, &self.state.high, &self.scales, time);
+        let touching = impact::touching(&self.motion, &self.state.high);
         for &pair in &touching {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);

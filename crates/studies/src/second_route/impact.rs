@@ -5,16 +5,16 @@
 //! −(1+e) u⁻ ≥ 0, so the impulses that solve W P = −(1+e) u⁻ are ≥ 0 without a search.
 
 use super::law::Law;
-use super::model::{Model, displacement};
+use super::model::Model;
 use super::motion::Motion;
 use super::phases::Contact;
-use super::scales::Scales;
 
 /// Rounds in which a pair gives back its restitution; what still approaches then is stopped.
 const MOST_ROUNDS: usize = 50;
 
-/// Distance, as a part of the gap and the displacements, below which a pair touches together with another.
-const TOGETHER: f64 = 1e-13;
+/// Time in which the fastest of some pairs that touch would close the gap of one that touches together with them \[s\]: what the clock
+/// within a sample can just tell.
+const AT_ONCE: f64 = 1e-17;
 
 /// Bounces whose geometric remainder is shorter are over \[s\].
 pub(super) const SHORTEST: f64 = 1e-12;
@@ -26,21 +26,17 @@ pub(super) const NOISE: f64 = 1e-14;
 ///
 /// A pair does that will have closed before the clock can tell, as fast as the fastest of them approaches: neighbours that
 /// have just stopped each other part so slowly that the next impact finds them together.
-pub(super) fn touching(motion: &Motion, y: &[f64], scales: &Scales, time: f64) -> Vec<usize> {
+pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
     let model = &motion.model;
     let impulsive = |index: &usize| matches!(model.pairs[*index].law, Law::Impulsive { .. });
     let closed = |index: usize| model.deformation(index, y) >= 0.0;
     let touches = |&index: &usize| {
-        let pair = model.pairs[index];
-        let size = |structure: usize| scales.sizes()[displacement(structure)];
-        let size = pair.gap + size(pair.left) + size(pair.right);
-        let nearest = (TOGETHER * size).min(SHORTEST * model.rate(index, y));
         let rests = matches!(motion.phases.pairs[index].contact, Contact::Resting { .. });
-        rests || closed(index) || model.deformation(index, y) >= -nearest
+        rests || closed(index)
     };
     let pairs = || (0..model.pairs.len()).filter(impulsive);
     let rates = pairs().filter(touches).map(|index| model.rate(index, y));
-    let soon = f64::EPSILON * time * rates.fold(0.0, f64::max);
+    let soon = AT_ONCE * rates.fold(0.0, f64::max);
     pairs()
         .filter(|index| touches(index) || model.deformation(*index, y) >= -soon)
         .collect()
