@@ -311,6 +311,25 @@ pub enum RunError {
     },
 }
 
+impl RunError {
+    /// The same of a run whose clock has shown less than the time since its start by so much \[s\].
+    pub(crate) fn later(mut self, by: f64) -> Self {
+        if let Self::BouncesWithoutEnd { time, .. }
+        | Self::CrawlsInContact { time, .. }
+        | Self::NoSeries { time, .. }
+        | Self::ClosedIn { time, .. }
+        | Self::NoProgress { time, .. }
+        | Self::OutOfNumbers { time, .. }
+        | Self::TooManyPieces { time, .. }
+        | Self::TooLong { time, .. }
+        | Self::Stopped { time } = &mut self
+        {
+            *time += by;
+        }
+        self
+    }
+}
+
 /// Refuses a setting whose `found` value is not `valid`.
 pub(crate) fn require(
     valid: bool,

@@ -77,15 +77,20 @@ impl<'a> Excitation<'a> {
     /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it, where the motion arrives at some
     /// time \[s\], ≥ 0; the ground rests before.
     pub(crate) fn segment(&self, time: f64, arrival: f64) -> Segment {
+        self.segment_since(0.0, time, arrival)
+    }
+
+    /// The same of a clock that shows 0 at an instant \[s\], and of its time.
+    pub(crate) fn segment_since(&self, zero: f64, time: f64, arrival: f64) -> Segment {
         let n = self.samples.len();
-        let Some(index) = last_sample(time, (self.time_step, arrival), n) else {
+        let start = |index: usize| (index as f64 * self.time_step + arrival) - zero;
+        let Some(index) = last_sample(time, self.time_step, n, start) else {
             return Segment {
                 value: 0.0,
                 slope: 0.0,
-                end: arrival,
+                end: arrival - zero,
             };
         };
-        let start = |index: usize| index as f64 * self.time_step + arrival;
         let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1))
         else {
             return Segment {

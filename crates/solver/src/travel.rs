@@ -163,7 +163,8 @@ impl Travel {
     /// next sample arrives there.
     pub(crate) fn cubic_ground(&self, node: usize, time: f64) -> [f64; 4] {
         let arrival = self.arrivals[node];
-        let last = last_sample(time, (self.time_step, arrival), self.samples.len() - 1);
+        let arrives = |index: usize| index as f64 * self.time_step + arrival;
+        let last = last_sample(time, self.time_step, self.samples.len() - 1, arrives);
         last.map_or([0.0; 4], |index| {
             let start = index as f64 * self.time_step + arrival;
             self.cubic(index, time - start)
@@ -181,23 +182,23 @@ impl Travel {
 }
 
 /// The last sample that has arrived at a time, of which none comes after the one numbered `most`; nothing before the
-/// first.
+/// first. They arrive `time_step` after each other.
 pub(crate) fn last_sample(
     time: f64,
-    (time_step, arrival): (f64, f64),
+    time_step: f64,
     most: usize,
+    arrives: impl Fn(usize) -> f64,
 ) -> Option<usize> {
-    let arrives = |index: usize| index as f64 * time_step + arrival;
     if time < arrives(0) {
         return None;
     }
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "time >= arrival; beyond the last sample nothing follows"
+        reason = "time >= the first arrival; beyond the last sample nothing follows"
     )]
     // Not beyond the last sample: a count that no number of samples reaches could not be raised.
-    let mut index = (((time - arrival) / time_step) as usize).min(most);
+    let mut index = (((time - arrives(0)) / time_step) as usize).min(most);
     while index < most && arrives(index + 1) <= time {
         index += 1;
     }

@@ -138,6 +138,15 @@ impl Contact {
         }
     }
 
+    /// The same on a clock that shows less.
+    pub(super) fn set_back(&mut self, by: f64) {
+        self.time -= by;
+        self.crossed -= by;
+        self.meets -= by;
+        self.hit -= by;
+        self.series.origin -= by;
+    }
+
     /// Whether its grounds move towards each other, and apart.
     pub(super) fn opens(&self) -> bool {
         self.grounds == Grounds::Apart

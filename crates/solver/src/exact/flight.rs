@@ -188,6 +188,15 @@ impl Leap {
 }
 
 impl Ahead {
+    /// The same on a clock that shows less.
+    pub(super) fn set_back(&mut self, by: f64) {
+        self.flight = self.flight.later(-by);
+        self.end -= by;
+        if let Some(turn) = &mut self.turn {
+            turn.time -= by;
+        }
+    }
+
     /// Whether the way goes on from here after a turn that changed nothing.
     pub(super) fn goes_on(&self, time: f64, state: &State) -> bool {
         let turns = |turn: Turn| turn.time.total_cmp(&time).is_eq();
@@ -269,7 +278,8 @@ impl<R: Recorder> Run<'_, R> {
     /// The ground between the sample at exactly this instant and the next one, where the run goes on for so long.
     fn interval_from(&self, time: f64) -> Option<Interval> {
         let step = self.excitation.time_step();
-        let position = (time / step).round();
+        let zero = self.clock.zero;
+        let position = (self.clock.absolute(time) / step).round();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -284,8 +294,8 @@ impl<R: Recorder> Run<'_, R> {
             [value, last] => (*value, *last),
             _ => return None,
         };
-        let to = (position + 1.0) * step;
-        let starts = (position * step).total_cmp(&time).is_eq();
+        let to = (position + 1.0) * step - zero;
+        let starts = (position * step - zero).total_cmp(&time).is_eq();
         (starts && to <= self.end).then(|| Interval {
             from: time,
             to,
@@ -336,9 +346,10 @@ impl<R: Recorder> Run<'_, R> {
             let Some(ahead) = member.ahead.take() else {
                 continue;
             };
-            let flight = ahead.flight;
-            let mut report = |(start_time, end_time): (f64, f64), [start, end]: [State; 2]| {
+            let (flight, clock) = (ahead.flight, &self.clock);
+            let mut report = |ends: (f64, f64), [start, end]: [State; 2]| {
                 self.work.segments += 1;
+                let (start_time, end_time) = (clock.absolute(ends.0), clock.absolute(ends.1));
                 self.recorder.span(&Span {
                     structure,
                     start_time,
@@ -348,7 +359,7 @@ impl<R: Recorder> Run<'_, R> {
                     impulse_from_left: 0.0,
                     impulse_from_right: 0.0,
                     below: None,
-                    path: Path::Flight(flight),
+                    path: Path::Flight(flight.later(clock.zero)),
                 });
             };
             let State {

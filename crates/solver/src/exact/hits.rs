@@ -123,6 +123,7 @@ impl<R: Recorder> Run<'_, R> {
         let Some(travel) = &self.travel else {
             return Vec::new();
         };
+        let time = self.clock.absolute(time);
         let velocity = |node: usize| travel.ground(node, time).velocity;
         let wall = nodes.clone().find(|node| self.members[*node].is_wall());
         let middle = 0.5 * (velocity(nodes.start) + velocity(nodes.end - 1));

@@ -14,7 +14,9 @@ impl<R: Recorder> Run<'_, R> {
             return;
         }
         let body = &self.bodies[first];
-        let (x, full, advanced) = (body.position(time), time >= body.end, time > body.start);
+        let (x, full) = (body.position(time), time >= body.end);
+        // Recorders know no piece that is shorter than their clock can tell.
+        let advanced = self.clock.absolute(time) > self.clock.absolute(body.start);
         for place in self.groups.nodes_of(first) {
             self.landed[self.groups.node(place)] = true;
         }
@@ -118,10 +120,11 @@ impl<R: Recorder> Run<'_, R> {
         let storey = member.storey.as_ref();
         let below = storey.map(|storey| &self.members[storey.below]);
         let impulse = |pair| integral(force(pair), body.power, x);
+        let [start_time, end_time] = [body.start, time].map(|time| self.clock.absolute(time));
         let span = Span {
             structure: node,
-            start_time: body.start,
-            end_time: time,
+            start_time,
+            end_time,
             start: member.state,
             end,
             impulse_from_left: impulse(left),
@@ -134,9 +137,9 @@ impl<R: Recorder> Run<'_, R> {
                 [start, (&below.state).into()]
             }),
             path: match &member.ahead {
-                Some(ahead) => Path::Flight(ahead.flight),
+                Some(ahead) => Path::Flight(ahead.flight.later(self.clock.zero)),
                 None => Path::Series(Series {
-                    origin: body.start,
+                    origin: start_time,
                     power: body.power,
                     displacement: &member.displacement[..body.len],
                     velocity: &member.velocity[..body.len],

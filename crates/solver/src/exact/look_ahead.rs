@@ -52,6 +52,7 @@ impl<R: Recorder> Run<'_, R> {
         let scale = match travel {
             None => scale,
             Some(travel) => {
+                let time = self.clock.absolute(time);
                 let ground = |node: usize| travel.ground(node, time).displacement.abs();
                 scale + (ground(left) + ground(left + 1))
             }
@@ -118,7 +119,8 @@ impl<R: Recorder> Run<'_, R> {
             let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
             let start = bodies[0].start.max(bodies[1].start);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
-            let [opening, others @ ..] = travel.cubic_opening([left, left + 1], start);
+            let [opening, others @ ..] =
+                travel.cubic_opening([left, left + 1], self.clock.absolute(start));
             let bound = |sum: f64, c: &f64| sum * length + c.abs();
             closest += opening + length * others.iter().rev().fold(0.0, bound);
         }
@@ -177,7 +179,7 @@ impl<R: Recorder> Run<'_, R> {
         let Some(travel) = &self.travel else {
             return 0;
         };
-        let cubic = travel.cubic_ground(node, begin);
+        let cubic = travel.cubic_ground(node, self.clock.absolute(begin));
         let mut ground = [0.0; CAPACITY];
         ground[..cubic.len()].copy_from_slice(&cubic);
         let len = match power {

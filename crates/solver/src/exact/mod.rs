@@ -14,6 +14,7 @@
 
 mod bend;
 mod body;
+mod clock;
 mod contact;
 mod cost;
 mod flight;
@@ -38,6 +39,7 @@ use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Tou
 
 use body::Body;
 pub(crate) use body::in_flight;
+use clock::LocalClock;
 use contact::{Contact, Grounds};
 use flight::Flights;
 pub(crate) use flight::LONGEST as LONGEST_LEAP;
@@ -89,6 +91,8 @@ struct Run<'a, R> {
     travel: Option<Travel>,
     /// The piece of the ground motion that was last asked for, when, and of which arrival.
     ground: ([f64; 2], Segment),
+    clock: LocalClock,
+    /// End of the run, on that clock.
     end: f64,
     members: Vec<Member>,
     contacts: Vec<Contact>,
@@ -157,6 +161,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         flights: Flights::new(&members, excitation.time_step()),
         travel: row.travel(excitation),
         ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
+        clock: LocalClock::new(excitation.time_step()),
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),
         settled: vec![false; contacts.len()],
@@ -175,8 +180,10 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         recorder,
     };
     run.check_cost(budget.pieces)?;
-    run.run()?;
-    Ok(run.work)
+    match run.run() {
+        Ok(()) => Ok(run.work),
+        Err(error) => Err(error.later(run.clock.zero)),
+    }
 }
 
 /// Node on the ground of every node's building.
@@ -212,6 +219,8 @@ impl<R: Recorder> Run<'_, R> {
             self.work.events += 1;
             self.land_all(time);
             now = self.fly(time);
+            let by = self.set_clock(now);
+            now -= by;
             self.go_on(now)?;
         }
     }
@@ -220,7 +229,10 @@ impl<R: Recorder> Run<'_, R> {
     fn segment(&mut self, time: f64, arrival: f64) -> Segment {
         let at = [time, arrival];
         if self.ground.0.map(f64::to_bits) != at.map(f64::to_bits) {
-            self.ground = (at, self.excitation.segment(time, arrival));
+            let segment = self
+                .excitation
+                .segment_since(self.clock.zero, time, arrival);
+            self.ground = (at, segment);
         }
         self.ground.1
     }
@@ -244,7 +256,7 @@ impl<R: Recorder> Run<'_, R> {
             .as_ref()
             .filter(|_| self.contacts[pair].opens())?;
         let left = self.lefts[pair];
-        Some(travel.opening([left, left + 1], time))
+        Some(travel.opening([left, left + 1], self.clock.absolute(time)))
     }
 
     /// Deformation and rate of a pair whose sides move like this over their grounds.
@@ -307,9 +319,10 @@ impl<R: Recorder> Run<'_, R> {
         let accelerations = [left, left + 1].map(|node| self.members[node].state.acceleration);
         let mut closing = accelerations[0] - accelerations[1];
         if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
-            closing += 2.0 * travel.cubic_opening([left, left + 1], time)[2];
+            closing += 2.0 * travel.cubic_opening([left, left + 1], self.clock.absolute(time))[2];
         }
         let motion = (contact.rate, closing);
+        let time = self.clock.absolute(time);
         let uncertainty = Touch::uncertainty(time, ROUNDING * contact.scale, motion);
         self.recorder.touch(&Touch {
             pair,

@@ -236,7 +236,7 @@ impl<R: Recorder> Run<'_, R> {
             pair,
             left,
             right: left + 1,
-            time,
+            time: self.clock.absolute(time),
             impulse: hit.impulses[index],
             before: Velocities {
                 left: hit.before[index],
@@ -349,6 +349,7 @@ impl<R: Recorder> Run<'_, R> {
         let left = self.lefts[pair];
         let opens = self.contacts[pair].opens();
         let carried = self.travel.as_ref().filter(|_| opens).map(|travel| {
+            let time = self.clock.absolute(time);
             let [first, last] = [left, left + 1].map(|node| travel.ground(node, time).velocity);
             first - last
         });
@@ -413,6 +414,12 @@ impl<R: Recorder> Run<'_, R> {
 
     /// Measures the rounding of an expanded body; clears forces at rest that are nothing else.
     pub(super) fn clean(&mut self, first: usize, time: f64, power: Power) {
+        // Where grounds move apart their positions have the rounding of the whole time.
+        let time = if self.travel.is_some() {
+            self.clock.absolute(time)
+        } else {
+            time
+        };
         let system = (&mut self.members[..], &mut self.contacts[..]);
         clean(self.groups.of(first), system, time, power.order());
     }

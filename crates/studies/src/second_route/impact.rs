@@ -12,34 +12,21 @@ use super::phases::Contact;
 /// Rounds in which a pair gives back its restitution; what still approaches then is stopped.
 const MOST_ROUNDS: usize = 50;
 
-/// Time in which the fastest of some pairs that touch would close the gap of one that touches together with them \[s\]: what the clock
-/// within a sample can just tell.
-const AT_ONCE: f64 = 1e-17;
-
 /// Bounces whose geometric remainder is shorter are over \[s\].
 pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Part of what a velocity or an impulse is a sum of that is rounding.
 pub(super) const NOISE: f64 = 1e-14;
 
-/// Impulsive pairs that touch at a time \[s\], from left to right.
-///
-/// A pair does that will have closed before the clock can tell, as fast as the fastest of them approaches: neighbours that
-/// have just stopped each other part so slowly that the next impact finds them together.
+/// Impulsive pairs that touch, from left to right.
 pub(super) fn touching(motion: &Motion, y: &[f64]) -> Vec<usize> {
     let model = &motion.model;
-    let impulsive = |index: &usize| matches!(model.pairs[*index].law, Law::Impulsive { .. });
-    let closed = |index: usize| model.deformation(index, y) >= 0.0;
     let touches = |&index: &usize| {
         let rests = matches!(motion.phases.pairs[index].contact, Contact::Resting { .. });
-        rests || closed(index)
+        let impulsive = matches!(model.pairs[index].law, Law::Impulsive { .. });
+        impulsive && (rests || model.deformation(index, y) >= 0.0)
     };
-    let pairs = || (0..model.pairs.len()).filter(impulsive);
-    let rates = pairs().filter(touches).map(|index| model.rate(index, y));
-    let soon = AT_ONCE * rates.fold(0.0, f64::max);
-    pairs()
-        .filter(|index| touches(index) || model.deformation(*index, y) >= -soon)
-        .collect()
+    (0..model.pairs.len()).filter(touches).collect()
 }
 
 /// Jumps the velocities of touching pairs, those marked `plastic` without restitution; the impulse of every pair \[N·s\].
