@@ -58,6 +58,8 @@ pub(super) struct Contact {
     pub(super) scale: f64,
     /// A touch has been found and is still to be resolved.
     pub(super) touching: bool,
+    /// It is closed without a rate, and opens from now on.
+    pub(super) parts: bool,
     /// The contact force has just faded: the relative acceleration is zero.
     pub(super) faded: bool,
     /// Orders in time, from that of the acceleration on, in which the neighbours move alike as they begin to touch.
@@ -113,6 +115,7 @@ impl Contact {
             rate,
             scale: 0.0,
             touching: false,
+            parts: false,
             faded: false,
             alike: 0,
             peaked: false,

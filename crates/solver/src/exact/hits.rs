@@ -25,6 +25,8 @@ pub(super) struct Hit {
     pub(super) rates: Vec<f64>,
     /// Pairs that were at rest until now.
     pub(super) rested: Vec<bool>,
+    /// Pairs that are closed without a rate, and open.
+    pub(super) parts: Vec<bool>,
     /// Pairs that come to rest instead of bouncing on.
     pub(super) plastic: Vec<bool>,
     /// Impulse of every pair.
@@ -113,6 +115,7 @@ impl<R: Recorder> Run<'_, R> {
             before: members.iter().map(|member| member.state.velocity).collect(),
             rates: contacts.iter().map(|contact| contact.rate).collect(),
             rested: contacts.iter().map(rests).collect(),
+            parts: contacts.iter().map(|contact| contact.parts).collect(),
             plastic: contacts.iter().map(again).collect(),
             impulses: vec![0.0; contacts.len()],
         }

@@ -2,7 +2,8 @@
 //!
 //! With r the rate of deformation before, P the impulse and r⁺ the rate after: 0 ≤ −(r⁺ + e r) ⟂ P ≥ 0 over the touching
 //! pairs that do not separate, P = 0 elsewhere, repeated while a touching pair approaches. Each round changes the
-//! kinetic energy by −½ Σ P (1 − e) r ≤ 0. The matrix that links impulses and rates is an M-matrix: growing the set of
+//! kinetic energy by −½ Σ P (1 − e) r ≤ 0. A pair that has stopped in a round touches no longer in the next: where floors are caught
+//! between two neighbours that is the limit of their impacts one after the other. The matrix that links impulses and rates is an M-matrix: growing the set of
 //! pairs with an impulse finds the solution. Impulses and rates are sums of terms of one sign, so that nothing cancels
 //! at extreme mass ratios.
 
@@ -32,6 +33,9 @@ pub(super) struct Chain {
     /// Rate of deformation of every pair \[m/s\].
     pub(super) rates: Vec<f64>,
     pub(super) restitutions: Vec<f64>,
+    /// Whether a pair that neither approaches nor separates passes on what it is hit by; one that parts is taken by itself once it
+    /// approaches, as if its gap were open already.
+    pub(super) passes_on: Vec<bool>,
     /// Impulse of every pair \[N·s\].
     pub(super) impulses: Vec<f64>,
     active: Vec<bool>,
@@ -46,6 +50,7 @@ impl Chain {
         self.velocities.clear();
         self.rates.clear();
         self.restitutions.clear();
+        self.passes_on.clear();
         self.impulses.clear();
     }
 
@@ -94,8 +99,11 @@ impl Chain {
     fn round(&mut self, plastic: bool) {
         let n = self.rates.len();
         self.closing.clear();
-        self.closing
-            .extend(self.rates.iter().map(|rate| plastic || *rate >= 0.0));
+        let closes = |(rate, passes_on): (&f64, &bool)| {
+            plastic || *rate > 0.0 || (*rate >= 0.0 && *passes_on)
+        };
+        let pairs = self.rates.iter().zip(&self.passes_on);
+        self.closing.extend(pairs.map(closes));
         self.active.clear();
         self.active
             .extend(self.rates.iter().map(|rate| *rate > 0.0));
@@ -260,8 +268,9 @@ mod tests {
     use proptest::prelude::*;
 
     fn chain(masses: &[f64], velocities: &[f64], restitution: f64) -> Chain {
-        let rates = velocities.windows(2).map(|v| v[0] - v[1]).collect();
+        let rates: Vec<_> = velocities.windows(2).map(|v| v[0] - v[1]).collect();
         Chain {
+            passes_on: rates.iter().map(|rate| rate.abs() <= 0.0).collect(),
             masses: masses.to_vec(),
             velocities: velocities.to_vec(),
             rates,

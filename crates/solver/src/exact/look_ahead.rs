@@ -302,7 +302,7 @@ impl Contact {
     pub(super) fn touch(&mut self, time: f64, rate: f64) {
         (self.deformation, self.time, self.meets) = (0.0, time, f64::INFINITY);
         self.rate = rate;
-        self.touching = true;
+        (self.touching, self.parts) = (true, false);
     }
 }
 

@@ -156,6 +156,9 @@ impl<R: Recorder> Run<'_, R> {
             };
             chain.restitutions.push(restitution);
         }
+        let passes_on = hit.rates.iter().zip(&hit.parts);
+        let passes_on = passes_on.map(|(rate, parts)| *rate >= 0.0 && !(*rate > 0.0 || *parts));
+        chain.passes_on.extend(passes_on);
         chain.collide(self.settings.simultaneous_impacts);
         for (member, velocity) in members.iter_mut().zip(&chain.velocities) {
             member.state.velocity = *velocity;
@@ -301,6 +304,8 @@ impl<R: Recorder> Run<'_, R> {
             if self.may_press(pair) && self.press(pair).is_none() && !self.is_held(pair) {
                 self.join(hit, pair, time);
             }
+            let parts = self.may_press(pair) && matches!(self.press(pair), Some((_, false)));
+            self.contacts[pair].parts = parts;
         }
         self.regroup();
         Ok(())
