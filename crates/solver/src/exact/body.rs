@@ -1,6 +1,7 @@
 //! Pieces of the floors that move together, and their launch.
 
 use crate::exact::Run;
+use crate::exact::clock::Past;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{self, Member};
 use crate::exact::series;
@@ -11,7 +12,8 @@ use crate::{Recorder, RunError};
 /// The piece of the motion under way of floors that move together.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
-    pub(super) start: f64,
+    pub(super) start: Past,
+    /// When it ends, on the clock.
     pub(super) end: f64,
     pub(super) power: Power,
     /// Length of the piece in x, t = start + x^p.
@@ -37,7 +39,7 @@ impl Body {
     /// At t = 0.
     pub(super) fn at_start() -> Self {
         Self {
-            start: 0.0,
+            start: Past::default(),
             end: 0.0,
             power: Power::One,
             length: 0.0,
@@ -47,11 +49,11 @@ impl Body {
     }
 
     /// x at a time of the piece.
-    pub(super) fn position(&self, time: f64) -> f64 {
-        if time >= self.end {
+    pub(super) fn position(&self, now: Past) -> f64 {
+        if now.time() >= self.end {
             self.length
         } else {
-            self.power.root((time - self.start).max(0.0))
+            self.power.root(now.since(self.start).max(0.0))
         }
     }
 }
@@ -103,7 +105,8 @@ impl<R: Recorder> Run<'_, R> {
     /// Begins the next piece of a body that has landed.
     pub(super) fn launch(&mut self, first: usize, time: f64) -> Result<(), RunError> {
         if time >= self.end {
-            (self.bodies[first].start, self.bodies[first].end) = (time, f64::INFINITY);
+            let body = &mut self.bodies[first];
+            (body.start, body.end) = (self.clock.past(time), f64::INFINITY);
             return Ok(());
         }
         self.find_partings(first);
@@ -142,9 +145,8 @@ impl<R: Recorder> Run<'_, R> {
         } else {
             (time + power.time(watch.length)).min(stop)
         };
-        let body = &mut self.bodies[first];
-        *body = Body {
-            start: time,
+        self.bodies[first] = Body {
+            start: self.clock.past(time),
             end,
             power,
             // To the instant that the clock can tell, not to the event itself: the ground and what flies alone are there, too, and each

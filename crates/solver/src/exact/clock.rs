@@ -7,35 +7,80 @@ use crate::Recorder;
 use crate::exact::Run;
 
 /// A clock that shows 0 at an instant after the start.
+///
+/// What is ahead is known as a time on it, and set back with it, without rounding; what has passed as a [`Past`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LocalClock {
     /// The instant at which it shows 0 \[s\], a whole number of units.
-    pub(super) zero: f64,
+    zero: f64,
     /// A power of two \[s\]: what the clock is set back by has no rounding, however often.
     unit: f64,
+}
+
+/// An instant that a clock has told.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Past {
+    /// Where that clock showed 0 \[s\].
+    zero: f64,
+    /// What it showed \[s\].
+    time: f64,
 }
 
 /// The least unit \[s\]: no run has too many of it to count.
 const LEAST: f64 = 1.0 / 1_048_576.0;
 
+impl Past {
+    /// Time since an earlier instant \[s\].
+    pub(super) fn since(self, earlier: Self) -> f64 {
+        (self.time - earlier.time) + (self.zero - earlier.zero)
+    }
+
+    /// Time since the start of the run, as recorders tell it \[s\].
+    pub(super) fn absolute(self) -> f64 {
+        self.zero + self.time
+    }
+
+    /// What its clock showed \[s\].
+    pub(super) fn time(self) -> f64 {
+        self.time
+    }
+}
+
 impl LocalClock {
     /// Of a run whose samples are a time \[s\] apart.
     pub(super) fn new(time_step: f64) -> Self {
+        // Its power of two: the number without its fraction.
+        let unit = f64::from_bits(time_step.to_bits() & f64::INFINITY.to_bits());
         Self {
             zero: 0.0,
-            // Its power of two: the number without its fraction.
-            unit: f64::from_bits(time_step.to_bits() & f64::INFINITY.to_bits()).max(LEAST),
+            unit: unit.max(LEAST),
         }
+    }
+
+    /// The instant at which it shows 0 \[s\].
+    pub(super) fn zero(&self) -> f64 {
+        self.zero
+    }
+
+    /// An instant that it shows.
+    pub(super) fn past(&self, time: f64) -> Past {
+        let zero = self.zero;
+        Past { zero, time }
+    }
+
+    /// What it would have shown at an instant that another one told \[s\].
+    pub(super) fn shown(&self, past: Past) -> f64 {
+        past.since(self.past(0.0))
     }
 
     /// Time since the start of the run, as recorders and errors tell it \[s\].
     pub(super) fn absolute(&self, time: f64) -> f64 {
-        self.zero + time
+        self.past(time).absolute()
     }
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Sets the clock back to less than a unit, and all instants that are known; returns by how much \[s\].
+    /// Sets the clock back to less than a unit, and all instants ahead; returns by how much \[s\].
     ///
     /// It depends on the instant alone: what a body does has the same bits whatever others do.
     pub(super) fn set_clock(&mut self, now: f64) -> f64 {
@@ -48,7 +93,6 @@ impl<R: Recorder> Run<'_, R> {
         // Of another clock.
         self.ground.0 = [f64::NAN; 2];
         for body in &mut self.bodies {
-            body.start -= by;
             body.end -= by;
         }
         for contact in &mut self.contacts {

@@ -2,6 +2,7 @@
 
 use pounding_contact::{Action, ContactLaw, Form, Power as Exponent, Term};
 
+use crate::exact::clock::Past;
 use crate::exact::member::Member;
 use crate::exact::noise::noise;
 use crate::exact::roots::CAPACITY;
@@ -95,7 +96,7 @@ pub(super) struct Contact {
 pub(super) struct Deformation {
     pub(super) coefficients: [f64; CAPACITY],
     pub(super) len: usize,
-    pub(super) origin: f64,
+    pub(super) origin: Past,
     pub(super) offset: f64,
     pub(super) power: Power,
 }
@@ -128,7 +129,7 @@ impl Contact {
             series: Deformation {
                 coefficients: [0.0; CAPACITY],
                 len: 0,
-                origin: 0.0,
+                origin: Past::default(),
                 offset: 0.0,
                 power: Power::One,
             },
@@ -147,7 +148,6 @@ impl Contact {
         self.crossed -= by;
         self.meets -= by;
         self.hit -= by;
-        self.series.origin -= by;
     }
 
     /// Whether its grounds move towards each other, and apart.

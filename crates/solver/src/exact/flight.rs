@@ -256,20 +256,22 @@ impl Interval {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Flies from this instant on as far as nothing happens but turns; returns the instant from which the general method
-    /// goes on.
+    /// Sets the clock to this instant and flies on as far as nothing happens but turns; returns the instant from which the general
+    /// method goes on.
     pub(super) fn fly(&mut self, time: f64) -> f64 {
-        let mut now = time;
+        let mut now = time - self.set_clock(time);
+        let mut flown = false;
         if self.flights.whole && self.flies() {
             while !self.guard.is_over(self.spent())
                 && let Some(interval) = self.interval_from(now)
                 && self.leap(&interval)
             {
                 self.land_flights(&interval);
-                now = interval.to;
+                now = interval.to - self.set_clock(interval.to);
+                flown = true;
             }
         }
-        if now > time {
+        if flown {
             self.find_deformations(now);
         }
         now
@@ -278,7 +280,7 @@ impl<R: Recorder> Run<'_, R> {
     /// The ground between the sample at exactly this instant and the next one, where the run goes on for so long.
     fn interval_from(&self, time: f64) -> Option<Interval> {
         let step = self.excitation.time_step();
-        let zero = self.clock.zero;
+        let zero = self.clock.zero();
         let position = (self.clock.absolute(time) / step).round();
         #[expect(
             clippy::cast_possible_truncation,
@@ -359,7 +361,7 @@ impl<R: Recorder> Run<'_, R> {
                     impulse_from_left: 0.0,
                     impulse_from_right: 0.0,
                     below: None,
-                    path: Path::Flight(flight.later(clock.zero)),
+                    path: Path::Flight(flight.later(clock.zero())),
                 });
             };
             let State {

@@ -14,9 +14,9 @@ impl<R: Recorder> Run<'_, R> {
             return;
         }
         let body = &self.bodies[first];
-        let (x, full) = (body.position(time), time >= body.end);
-        // Recorders know no piece that is shorter than their clock can tell.
-        let advanced = self.clock.absolute(time) > self.clock.absolute(body.start);
+        let now = self.clock.past(time);
+        let (x, full) = (body.position(now), time >= body.end);
+        let advanced = now.since(body.start) > 0.0;
         for place in self.groups.nodes_of(first) {
             self.landed[self.groups.node(place)] = true;
         }
@@ -120,7 +120,7 @@ impl<R: Recorder> Run<'_, R> {
         let storey = member.storey.as_ref();
         let below = storey.map(|storey| &self.members[storey.below]);
         let impulse = |pair| integral(force(pair), body.power, x);
-        let [start_time, end_time] = [body.start, time].map(|time| self.clock.absolute(time));
+        let (start_time, end_time) = (body.start.absolute(), self.clock.absolute(time));
         let span = Span {
             structure: node,
             start_time,
@@ -137,7 +137,7 @@ impl<R: Recorder> Run<'_, R> {
                 [start, (&below.state).into()]
             }),
             path: match &member.ahead {
-                Some(ahead) => Path::Flight(ahead.flight.later(self.clock.zero)),
+                Some(ahead) => Path::Flight(ahead.flight.later(self.clock.zero())),
                 None => Path::Series(Series {
                     origin: start_time,
                     power: body.power,

@@ -7,6 +7,7 @@ use std::cmp::Ordering;
 
 use crate::exact::Run;
 use crate::exact::body::Body;
+use crate::exact::clock::{LocalClock, Past};
 use crate::exact::contact::{Contact, Link};
 use crate::exact::noise::noise;
 use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
@@ -31,9 +32,10 @@ impl<R: Recorder> Run<'_, R> {
                 let sides = [left, left + 1].map(|node| self.motion(node, time));
                 self.closing(pair, time, sides)
             }
-            Link::Apart => contact.at(time),
+            Link::Apart => contact.at(self.clock.past(time)),
             Link::Touching(_) => {
-                let at = |series: &[f64]| value(&series[..body.len], body.position(time));
+                let x = body.position(self.clock.past(time));
+                let at = |series: &[f64]| value(&series[..body.len], x);
                 (at(&contact.deformations), at(&contact.rates))
             }
         };
@@ -78,7 +80,7 @@ impl<R: Recorder> Run<'_, R> {
             return (&member.state).into();
         }
         let body = &self.bodies[self.groups.body_of[node]];
-        let x = body.position(time);
+        let x = body.position(self.clock.past(time));
         Motion {
             displacement: value(&member.displacement[..body.len], x),
             velocity: value(&member.velocity[..body.len], x),
@@ -98,7 +100,7 @@ impl<R: Recorder> Run<'_, R> {
         let firsts = [self.groups.body_of[left], self.groups.body_of[left + 1]];
         let [a, b] = firsts.map(|first| &self.bodies[first]);
         let rooted = a.power == Power::Four && b.power == Power::Four;
-        match a.start.total_cmp(&b.start) {
+        match a.start.since(b.start).total_cmp(&0.0) {
             Ordering::Less if rooted => Some(firsts[0]),
             Ordering::Greater if rooted => Some(firsts[1]),
             Ordering::Less | Ordering::Equal | Ordering::Greater => None,
@@ -117,7 +119,8 @@ impl<R: Recorder> Run<'_, R> {
         let mut closest = most(left, 1.0) + most(left + 1, -1.0) - self.gaps[pair];
         if let Some(travel) = self.travel.as_ref().filter(|_| self.contacts[pair].opens()) {
             let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
-            let start = bodies[0].start.max(bodies[1].start);
+            let starts = bodies.map(|body| self.clock.shown(body.start));
+            let start = starts[0].max(starts[1]);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
             let [opening, others @ ..] =
                 travel.cubic_opening([left, left + 1], self.clock.absolute(start));
@@ -131,7 +134,7 @@ impl<R: Recorder> Run<'_, R> {
     fn displacement_from(
         &self,
         node: usize,
-        (begin, offset): (f64, f64),
+        (begin, offset): (Past, f64),
         power: Power,
         series: &mut [f64; CAPACITY],
     ) -> usize {
@@ -143,7 +146,7 @@ impl<R: Recorder> Run<'_, R> {
             }
             return body.len;
         }
-        shift(&mut series[..body.len], begin - body.start);
+        shift(&mut series[..body.len], begin.since(body.start));
         match power {
             Power::One => body.len,
             Power::Four if offset > 0.0 => compose(series, body.len, offset),
@@ -155,7 +158,7 @@ impl<R: Recorder> Run<'_, R> {
     fn sides_from(
         &self,
         pair: usize,
-        begin: (f64, f64),
+        begin: (Past, f64),
         power: Power,
     ) -> ([[f64; CAPACITY]; 2], usize) {
         let (mut sides, mut len) = ([[0.0; CAPACITY]; 2], 0);
@@ -172,14 +175,14 @@ impl<R: Recorder> Run<'_, R> {
     fn add_ground(
         &self,
         node: usize,
-        (begin, offset): (f64, f64),
+        (begin, offset): (Past, f64),
         power: Power,
         series: &mut [f64; CAPACITY],
     ) -> usize {
         let Some(travel) = &self.travel else {
             return 0;
         };
-        let cubic = travel.cubic_ground(node, self.clock.absolute(begin));
+        let cubic = travel.cubic_ground(node, begin.absolute());
         let mut ground = [0.0; CAPACITY];
         ground[..cubic.len()].copy_from_slice(&cubic);
         let len = match power {
@@ -210,13 +213,14 @@ impl<R: Recorder> Run<'_, R> {
         let bodies = [left, left + 1].map(|node| &self.bodies[self.groups.body_of[node]]);
         let end = bodies[0].end.min(bodies[1].end);
         let rooted = bodies.iter().find(|body| body.power == Power::Four);
-        let (origin, power) = rooted.map_or((time, Power::One), |body| (body.start, Power::Four));
-        let offset = power.root(time - origin);
+        let now = self.clock.past(time);
+        let (origin, power) = rooted.map_or((now, Power::One), |body| (body.start, Power::Four));
+        let offset = power.root(now.since(origin));
         // Before its own start a series may be far beyond its reach: then both are taken from now on.
-        let late = |body: &&Body| body.power == Power::One && body.start > origin;
+        let late = |body: &&Body| body.power == Power::One && body.start.since(origin) > 0.0;
         let from_now = power == Power::Four && bodies.iter().any(late);
         let begin = if from_now {
-            (time, offset)
+            (now, offset)
         } else {
             (origin, 0.0)
         };
@@ -245,7 +249,8 @@ impl<R: Recorder> Run<'_, R> {
         contact.series.coefficients = coefficients;
         (contact.series.len, contact.series.origin) = (len, origin);
         (contact.series.offset, contact.series.power) = (offset, power);
-        let length = power.root(end - origin) - offset;
+        let length = power.root(self.clock.past(end).since(origin)) - offset;
+        let origin = self.clock.shown(origin);
         let touch = first_rise(&coefficients[..len], length);
         contact.meets_at = touch.unwrap_or(length);
         contact.meets = match touch {
@@ -258,11 +263,11 @@ impl<R: Recorder> Run<'_, R> {
 
 impl Contact {
     /// Deformation and rate of a pair that is apart.
-    fn at(&self, time: f64) -> (f64, f64) {
+    fn at(&self, now: Past) -> (f64, f64) {
         let series = &self.series;
         // A touch is where the series has it: the time since an origin just before it has lost its digits.
-        let at = if time < self.meets {
-            series.power.root((time - series.origin).max(0.0)) - series.offset
+        let at = if now.time() < self.meets {
+            series.power.root(now.since(series.origin).max(0.0)) - series.offset
         } else {
             self.meets_at
         };
@@ -294,8 +299,8 @@ impl Contact {
     }
 
     /// Rate of deformation at the touch ahead, also where time cannot tell it apart from now.
-    pub(super) fn rate_at_touch(&self) -> f64 {
-        self.at(self.meets).1
+    pub(super) fn rate_at_touch(&self, clock: LocalClock) -> f64 {
+        self.at(clock.past(self.meets)).1
     }
 
     /// The pair touches now.

@@ -182,7 +182,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
     run.check_cost(budget.pieces)?;
     match run.run() {
         Ok(()) => Ok(run.work),
-        Err(error) => Err(error.later(run.clock.zero)),
+        Err(error) => Err(error.later(run.clock.zero())),
     }
 }
 
@@ -219,8 +219,6 @@ impl<R: Recorder> Run<'_, R> {
             self.work.events += 1;
             self.land_all(time);
             now = self.fly(time);
-            let by = self.set_clock(now);
-            now -= by;
             self.go_on(now)?;
         }
     }
@@ -231,7 +229,7 @@ impl<R: Recorder> Run<'_, R> {
         if self.ground.0.map(f64::to_bits) != at.map(f64::to_bits) {
             let segment = self
                 .excitation
-                .segment_since(self.clock.zero, time, arrival);
+                .segment_since(self.clock.zero(), time, arrival);
             self.ground = (at, segment);
         }
         self.ground.1
@@ -291,7 +289,7 @@ impl<R: Recorder> Run<'_, R> {
         self.groups
             .body_of
             .iter()
-            .all(|&first| self.bodies[first].start >= self.end)
+            .all(|&first| self.clock.shown(self.bodies[first].start) >= self.end)
     }
 
     /// Ends every piece that ends at this instant, and those of the pairs that touch then.
@@ -304,7 +302,7 @@ impl<R: Recorder> Run<'_, R> {
         for pair in 0..self.contacts.len() {
             if self.contacts[pair].meets <= time {
                 let left = self.lefts[pair];
-                let rate = self.contacts[pair].rate_at_touch();
+                let rate = self.contacts[pair].rate_at_touch(self.clock);
                 self.land(self.groups.body_of[left], time);
                 self.land(self.groups.body_of[left + 1], time);
                 self.contacts[pair].touch(time, rate);
