@@ -17,6 +17,8 @@ impl<R: Recorder> Run<'_, R> {
         let now = self.clock.past(time);
         let (x, full) = (body.position(now), time >= body.end);
         let advanced = now.since(body.start) > 0.0;
+        // What is known of the start holds as long as rounding could deny it.
+        let later = now.absolute() > body.start.absolute();
         for place in self.groups.nodes_of(first) {
             self.landed[self.groups.node(place)] = true;
         }
@@ -35,6 +37,8 @@ impl<R: Recorder> Run<'_, R> {
             };
             if advanced {
                 self.report(node, (first, time), x, end);
+            }
+            if later {
                 let member = &mut self.members[node];
                 (member.balanced, member.peaked) = (false, false);
                 if let Some(storey) = &mut member.storey {

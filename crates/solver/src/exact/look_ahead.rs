@@ -39,9 +39,12 @@ impl<R: Recorder> Run<'_, R> {
                 (at(&contact.deformations), at(&contact.rates))
             }
         };
+        let later = self.clock.absolute(time) > self.clock.absolute(contact.time);
         let contact = &mut self.contacts[pair];
         (contact.deformation, contact.rate, contact.time) = (deformation, rate, time);
-        (contact.faded, contact.peaked) = (false, false);
+        if later {
+            (contact.faded, contact.peaked) = (false, false);
+        }
     }
 
     /// Takes a deformation that is not small from the displacements.
