@@ -210,7 +210,9 @@ impl<R: Recorder> Run<'_, R> {
             if time >= self.end && self.bodies_at_end() {
                 return Ok(());
             }
-            at_once = if time > now { 0 } else { at_once + 1 };
+            // By the clock of recorders: what is shorter is no progress.
+            let later = self.clock.absolute(time) > self.clock.absolute(now);
+            at_once = if later { 0 } else { at_once + 1 };
             self.guard.look(time, self.spent())?;
             if at_once > most_at_once {
                 let events = self.work.events;

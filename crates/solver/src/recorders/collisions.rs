@@ -166,7 +166,7 @@ impl Recorder for Collisions {
             collision.end = span.end_time;
         }
         // Some methods push between the ends only, and some once more after parting: a mean force is all that is known.
-        let known = if start == 0.0 && end == 0.0 {
+        let known = if start == 0.0 && end == 0.0 && span.duration() > 0.0 {
             -span.impulse_from_right / span.duration()
         } else {
             end

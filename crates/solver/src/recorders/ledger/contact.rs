@@ -250,7 +250,12 @@ impl Touching {
 fn pulls(pair: usize, push: &Push) -> Result<(), LedgerError> {
     let (start, end) = push.times;
     let allowed = PULL * push.forces.0.abs().max(push.forces.1.abs());
-    let mean = push.impulse / (end - start);
+    // A piece that is shorter than clocks can tell has no mean force.
+    let mean = if end > start {
+        push.impulse / (end - start)
+    } else {
+        0.0
+    };
     for (time, found) in [(start, push.forces.0), (end, push.forces.1), (end, mean)] {
         if found < -allowed {
             return Err(LedgerError::Tension { pair, time, found });
