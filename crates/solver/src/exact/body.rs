@@ -271,7 +271,9 @@ impl<R: Recorder> Run<'_, R> {
         (power, len): (Power, usize),
     ) -> Result<(), RunError> {
         let (left, right) = self.forces_on(node);
-        let force = |pair: Option<usize>| pair.map_or(0.0, |pair| self.contacts[pair].force[0]);
+        // As at its end: what rounding leaves of a force that fades does not pull.
+        let force =
+            |pair: Option<usize>| pair.map_or(0.0, |pair| self.contacts[pair].force[0].max(0.0));
         let (left, right) = (force(left), -force(right));
         let member = &mut self.members[node];
         member.state.acceleration = member.acceleration[0];

@@ -152,6 +152,7 @@ impl Contact {
                 push.impulse
             };
             side.pushed += push.impulse.abs();
+            let transferred = side.pushed + self.impacts;
             side.work += push.work;
             self.loss -= push.work;
             let collision = self.collision.get_or_insert(Touching {
@@ -163,7 +164,7 @@ impl Contact {
                 exchanged: 0.0,
             });
             collision.end = push.times.1;
-            pulls(pair, push)?;
+            pulls(pair, push, transferred)?;
         }
         self.separate(push.exact);
         let [left, right] = &self.sides;
@@ -246,12 +247,12 @@ impl Touching {
     }
 }
 
-/// Neighbours push, they do not pull.
-fn pulls(pair: usize, push: &Push) -> Result<(), LedgerError> {
+/// Neighbours push, they do not pull; they have `transferred` impulses \[N·s\] so far.
+fn pulls(pair: usize, push: &Push, transferred: f64) -> Result<(), LedgerError> {
     let (start, end) = push.times;
     let allowed = PULL * push.forces.0.abs().max(push.forces.1.abs());
-    // A piece that is shorter than clocks can tell has no mean force.
-    let mean = if end > start {
+    // A piece that is hardly longer than clocks can tell has rounding for its impulse.
+    let mean = if push.impulse < -ROUNDING * transferred {
         push.impulse / (end - start)
     } else {
         0.0
