@@ -132,7 +132,7 @@ impl<R: Recorder> Run<'_, R> {
         length = length.min(self.converged(first, (power, len), length, time)?);
         let whole = length >= power.root(stop - time);
         let mut watch = Watch {
-            start: time,
+            start: self.clock.absolute(time),
             power,
             reach: length,
             length,

@@ -38,6 +38,7 @@ pub(super) enum Event {
 
 /// The search for the first event of a piece.
 pub(super) struct Watch {
+    /// Time since the start of the run, which has the rounding by which the same zero could be found again \[s\].
     pub(super) start: f64,
     pub(super) power: Power,
     /// Every search covers all of it, so that an event does not depend on the order of the searches.
