@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use pounding_studies::verify::{Campaign, Checked, Summary, Verdict};
 
-fn campaign() -> Campaign {
+fn campaign(seed: u64) -> Campaign {
     Campaign {
         studies: Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies"),
-        seed: 7,
+        seed,
         patience: Duration::from_secs(300),
     }
 }
@@ -19,7 +19,7 @@ fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
         .num_threads(n_threads)
         .build()
         .expect("threads");
-    pool.install(|| campaign().run(scenes, &|_| ()))
+    pool.install(|| campaign(7).run(scenes, &|_| ()))
 }
 
 /// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, two by a fault (`Tension`,
@@ -43,6 +43,21 @@ fn reference_random_scenes_are_the_same_by_both_routes() {
     assert!(touches > 1000, "enough that touches\n{summary}");
 }
 
+/// Scenes by seed and number that found faults. 3/4: the approach speed of a touch 3e-13 s after another one of its building was 1e-5
+/// off. 1/54, 3/44, 3/50: floors caught between two neighbours, which a parting one passed impacts on to. 2/17: a drift that turned
+/// again and again.
+#[test]
+fn issue_scenes_of_the_campaign_that_found_faults_agree() {
+    for (seed, scenes) in [(1, vec![54]), (2, vec![17, 18]), (3, vec![4, 44, 50])] {
+        let checked = campaign(seed).run(&scenes, &|_| ());
+        let apart = checked
+            .iter()
+            .filter(|one| !matches!(one.verdict, Verdict::Agrees));
+        let apart: Vec<String> = apart.flat_map(Checked::lines).collect();
+        assert!(apart.is_empty(), "seed {seed}: {apart:#?}");
+    }
+}
+
 #[test]
 fn limit_a_campaign_does_not_depend_on_threads() {
     let lines = |n_threads| {
@@ -55,7 +70,7 @@ fn limit_a_campaign_does_not_depend_on_threads() {
 #[test]
 fn limit_a_scene_is_its_file() {
     for index in 0..200 {
-        let scene = campaign().scene(index);
+        let scene = campaign(7).scene(index);
         let text = serde_json::to_string(&scene).expect("a scene is written");
         let read = serde_json::from_str(&text).expect("what is written is a scene");
         assert_eq!(scene, read, "scene {index}");
