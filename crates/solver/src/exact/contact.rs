@@ -30,6 +30,17 @@ pub(super) enum Phase {
     Parting,
 }
 
+/// What the gap of a pair does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Gap {
+    /// Its deformation and rate say so.
+    Known,
+    /// A touch has been found and is still to be resolved.
+    Touches,
+    /// It is closed without a rate, and opens from now on.
+    Parts,
+}
+
 /// How the grounds of a pair move to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Grounds {
@@ -57,10 +68,8 @@ pub(super) struct Contact {
     pub(super) rate: f64,
     /// Largest displacements and gap so far \[m\]: what rounding of a difference is measured by.
     pub(super) scale: f64,
-    /// A touch has been found and is still to be resolved.
-    pub(super) touching: bool,
-    /// It is closed without a rate, and opens from now on.
-    pub(super) parts: bool,
+    /// What its gap does where it has just closed.
+    pub(super) gap: Gap,
     /// The contact force has just faded: the relative acceleration is zero.
     pub(super) faded: bool,
     /// Orders in time, from that of the acceleration on, in which the neighbours move alike as they begin to touch.
@@ -115,8 +124,7 @@ impl Contact {
             deformation,
             rate,
             scale: 0.0,
-            touching: false,
-            parts: false,
+            gap: Gap::Known,
             faded: false,
             alike: 0,
             peaked: false,

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::Recorder;
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
 use crate::exact::{CHATTER, Run};
 
@@ -105,6 +105,7 @@ impl<R: Recorder> Run<'_, R> {
         let contacts = &self.contacts[first..=last];
         let again = |contact: &Contact| time - contact.hit < CHATTER && contact.burst >= BURST;
         let rests = |contact: &Contact| contact.link == Link::Resting;
+        let parts = |contact: &Contact| contact.gap == Gap::Parts;
         let left = self.lefts[first];
         let members = &self.members[left..=self.lefts[last] + 1];
         Hit {
@@ -115,7 +116,7 @@ impl<R: Recorder> Run<'_, R> {
             before: members.iter().map(|member| member.state.velocity).collect(),
             rates: contacts.iter().map(|contact| contact.rate).collect(),
             rested: contacts.iter().map(rests).collect(),
-            parts: contacts.iter().map(|contact| contact.parts).collect(),
+            parts: contacts.iter().map(parts).collect(),
             plastic: contacts.iter().map(again).collect(),
             impulses: vec![0.0; contacts.len()],
         }

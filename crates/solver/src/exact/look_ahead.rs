@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use crate::exact::Run;
 use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::noise::noise;
 use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
 use crate::span::{Power, value};
@@ -310,7 +310,7 @@ impl Contact {
     pub(super) fn touch(&mut self, time: f64, rate: f64) {
         (self.deformation, self.time, self.meets) = (0.0, time, f64::INFINITY);
         self.rate = rate;
-        (self.touching, self.parts) = (true, false);
+        self.gap = Gap::Touches;
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Contact, Link};
+use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::hits::Hit;
 use crate::exact::noise::{clean, noise};
 use crate::exact::roots::CAPACITY;
@@ -30,7 +30,7 @@ impl<R: Recorder> Run<'_, R> {
             }
             if self.contacts[pair].restitution().is_none() {
                 let contact = &mut self.contacts[pair];
-                contact.touching = false;
+                contact.gap = Gap::Known;
                 // A graze within rounding is none.
                 if contact.rate >= 0.0 {
                     contact.begin();
@@ -55,7 +55,7 @@ impl<R: Recorder> Run<'_, R> {
             Link::Touching(_) => false,
         };
         // A compliant pair that is just closed touches only where its deformation grows.
-        landed && closed && open && (contact.restitution().is_some() || contact.touching)
+        landed && closed && open && (contact.restitution().is_some() || contact.gap == Gap::Touches)
     }
 
     /// Impacts of chains of touching pairs, then rest or parting.
@@ -305,7 +305,7 @@ impl<R: Recorder> Run<'_, R> {
                 self.join(hit, pair, time);
             }
             let parts = self.may_press(pair) && matches!(self.press(pair), Some((_, false)));
-            self.contacts[pair].parts = parts;
+            self.contacts[pair].gap = if parts { Gap::Parts } else { Gap::Known };
         }
         self.regroup();
         Ok(())
