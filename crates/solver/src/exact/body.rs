@@ -142,6 +142,11 @@ impl<R: Recorder> Run<'_, R> {
         self.watch(&mut watch, first, len);
         let end = if whole && watch.events.is_empty() {
             stop
+        } else if watch.events.is_empty() {
+            // Series that reach no further than the clock can tell are taken as far as that.
+            (time + power.time(watch.length))
+                .max(time.next_up())
+                .min(stop)
         } else {
             (time + power.time(watch.length)).min(stop)
         };

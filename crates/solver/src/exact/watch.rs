@@ -139,7 +139,12 @@ impl<R: Recorder> Run<'_, R> {
         watch.change_of(len - 1, contact.peaked, slope, Event::Peak(pair));
         match contact.link {
             Link::Apart => {}
-            Link::Resting => watch.rise(len, |n| -contact.force[n], Event::Fade(pair)),
+            Link::Resting => {
+                // A force that has just faded and grows again begins at zero, not at what rounding made of it.
+                let known = |n: usize| n == 0 && contact.faded;
+                let pull = |n: usize| if known(n) { 0.0 } else { -contact.force[n] };
+                watch.rise(len, pull, Event::Fade(pair));
+            }
             Link::Touching(Phase::Approach) => {
                 watch.rise(len, |n| -contact.rates[n], Event::Reversal(pair));
             }
