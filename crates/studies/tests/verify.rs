@@ -22,12 +22,12 @@ fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
     pool.install(|| campaign(7).run(scenes, &|_| ()))
 }
 
-/// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, two by a fault (`Tension`,
-/// `TooManyPieces`); the rest are further apart than is allowed, most by what the second route differs from itself.
-const AGREE: [usize; 65] = [
+/// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, and number 44 takes
+/// more pieces than its budget; the rest are further apart than is allowed, most by what the second route differs from itself.
+const AGREE: [usize; 66] = [
     0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33,
-    34, 35, 37, 38, 39, 40, 43, 45, 47, 48, 49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65,
-    66, 67, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83,
+    34, 35, 36, 37, 38, 39, 40, 43, 45, 47, 48, 49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64,
+    65, 66, 67, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83,
 ];
 
 #[test]
