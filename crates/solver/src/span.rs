@@ -210,7 +210,7 @@ impl Span<'_> {
         match (self.below, self.path) {
             (None, _) | (Some(_), Path::Flight(_)) => floor,
             (Some(ends), Path::Cubic(_)) => floor.since(self.cubic_between(ends, time)),
-            (Some(_), Path::Series(series)) => series.drift(floor, series.x(time)),
+            (Some(_), Path::Series(series)) => series.drift(floor, self.x(series, time)),
         }
     }
 
@@ -226,7 +226,7 @@ impl Span<'_> {
     pub fn at(&self, time: f64) -> State {
         match self.path {
             Path::Cubic(_) => self.cubic(time),
-            Path::Series(series) => series.at(series.x(time)),
+            Path::Series(series) => series.at(self.x(series, time)),
             Path::Flight(_) => self.expanded(&mut Expansion::default()).at(time),
         }
     }
@@ -261,7 +261,12 @@ impl Span<'_> {
             Path::Series(series) => {
                 let few = series.displacement.len() <= FEW && series.power == Power::One;
                 let rule = if few { EIGHT } else { SIXTEEN };
-                quadrature::integrate(rule, (series.x(from), series.x(to)), |x| {
+                let first = if from > self.start_time {
+                    self.x(series, from)
+                } else {
+                    series.x(self.start_time)
+                };
+                quadrature::integrate(rule, (first, self.x(series, to)), |x| {
                     let time = series.origin + series.power.time(x);
                     let rate = series.power.rate(x);
                     let state = series.at(x);
@@ -274,6 +279,15 @@ impl Span<'_> {
                 self.expanded(&mut room)
                     .integrate_between((from, to), integrand)
             }
+        }
+    }
+
+    /// x of its series at an instant.
+    pub(crate) fn x(&self, series: Series<'_>, time: f64) -> f64 {
+        if time >= self.end_time && series.end.is_finite() {
+            series.end
+        } else {
+            series.x(time)
         }
     }
 
@@ -360,6 +374,7 @@ mod tests {
         span.path = Path::Series(Series {
             origin: 2.0,
             power: Power::Four,
+            end: f64::INFINITY,
             displacement: &displacement,
             velocity: &[],
             acceleration: &[],

@@ -42,7 +42,7 @@ impl Span<'_> {
     pub(crate) fn jerk(&self, time: f64, slope: f64) -> f64 {
         match self.path {
             Path::Cubic(_) => 0.0,
-            Path::Series(series) => series.jerk(series.x(time), slope),
+            Path::Series(series) => series.jerk(self.x(series, time), slope),
             Path::Flight(_) => self.expanded(&mut Expansion::default()).jerk(time, slope),
         }
     }

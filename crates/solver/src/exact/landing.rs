@@ -145,6 +145,7 @@ impl<R: Recorder> Run<'_, R> {
                 None => Path::Series(Series {
                     origin: start_time,
                     power: body.power,
+                    end: x,
                     displacement: &member.displacement[..body.len],
                     velocity: &member.velocity[..body.len],
                     acceleration: &member.acceleration[..body.len],

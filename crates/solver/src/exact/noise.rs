@@ -82,7 +82,7 @@ fn clear_rounding(block: &Block, (members, contacts): (&[Member], &mut [Contact]
     for order in 0..orders {
         let side = |node: usize| {
             // Of a wall it may be no number: it is never the lighter side.
-            let need = Some(members[node].need_of_noise(order));
+            let need = Some(members[node].need_of_noise(order, p));
             let need = need.filter(|need| !need.is_nan()).unwrap_or(f64::INFINITY);
             Side { weight: need, need }
         };
@@ -150,12 +150,14 @@ impl Member {
         self.magnitude_of(order) + self.terms.time * next
     }
 
-    /// What rounding of a force that moves it is a part of.
-    fn need_of_noise(&self, order: usize) -> f64 {
+    /// What rounding of a force that moves it is a part of; columns that yield smoothly have coefficients that grow faster than the
+    /// terms tell.
+    fn need_of_noise(&self, order: usize, p: usize) -> f64 {
         if order == 0 {
             self.mass * (self.noise(order) + self.terms.ground.0) + self.terms.own
         } else {
-            self.mass * self.noise(order)
+            let found = self.acceleration[order * p].abs();
+            self.mass * self.noise(order).max(found)
         }
     }
 

@@ -139,6 +139,7 @@ mod tests {
             let path = Path::Series(Series {
                 origin: 1.0,
                 power,
+                end: f64::INFINITY,
                 displacement: &[],
                 velocity: &[],
                 acceleration,

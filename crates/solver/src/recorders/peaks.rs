@@ -164,6 +164,7 @@ mod tests {
         let series = Series {
             origin: 0.0,
             power: Power::One,
+            end: f64::INFINITY,
             displacement: &[0.0, -1.0, 1.0],
             velocity: &[-1.0, 2.0],
             acceleration: &[2.0],

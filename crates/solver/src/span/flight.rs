@@ -93,6 +93,7 @@ impl Flight {
         Series {
             origin: self.origin,
             power: Power::One,
+            end: f64::INFINITY,
             displacement: room.displacement(self.len),
             velocity: room.velocity(self.len),
             acceleration: room.acceleration(self.len),

@@ -10,6 +10,9 @@ use super::{Motion, State};
 pub struct Series<'a> {
     pub(crate) origin: f64,
     pub(crate) power: Power,
+    /// x at the end of the span: instants tell a span that is shorter than they are fine by far too much, or by nothing. Infinite
+    /// where they tell enough.
+    pub(crate) end: f64,
     pub(crate) displacement: &'a [f64],
     pub(crate) velocity: &'a [f64],
     pub(crate) acceleration: &'a [f64],
@@ -80,7 +83,7 @@ pub(crate) fn rise(coefficients: &[f64], x: f64) -> f64 {
 impl Series<'_> {
     /// x at an instant \[s\].
     pub(crate) fn x(&self, time: f64) -> f64 {
-        self.power.root((time - self.origin).max(0.0))
+        self.power.root((time - self.origin).max(0.0)).min(self.end)
     }
 
     /// Drift of the storey below the floor, whose own motion at x this is.

@@ -289,6 +289,7 @@ mod tests {
             Path::Series(Series {
                 origin: 0.0,
                 power: Power::One,
+                end: f64::INFINITY,
                 displacement,
                 velocity,
                 acceleration: &[],

@@ -124,6 +124,7 @@ fn report(
             path: Path::Series(Series {
                 origin: start_time,
                 power: Power::One,
+                end: f64::INFINITY,
                 displacement,
                 velocity,
                 acceleration,
