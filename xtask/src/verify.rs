@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -49,16 +50,22 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
         .expect("the template is well formed");
     let bar = ProgressBar::new(asked.scenes as u64).with_style(style);
     let scenes: Vec<usize> = (asked.first..asked.first + asked.scenes).collect();
-    let checked = campaign.run(&scenes, &|_| bar.inc(1));
-    bar.finish_and_clear();
-    let mut text = String::new();
-    for one in checked.iter().filter(|one| !one.lines().is_empty()) {
-        for line in one.lines() {
-            text.push_str(&line);
-            text.push('\n');
+    // At once: a campaign is long, and what it found until it is stopped is not lost.
+    let written = Mutex::new(Ok(()));
+    let checked = campaign.run(&scenes, &|one| {
+        bar.inc(1);
+        if !one.lines().is_empty()
+            && let Err(error) = write(&campaign, one, &folder)
+        {
+            *written.lock().expect("no thread panics while it writes") = Err(error);
         }
-        write(&campaign, one, &folder)?;
-    }
+    });
+    bar.finish_and_clear();
+    written
+        .into_inner()
+        .expect("no thread panics while it writes")?;
+    let lines = checked.iter().flat_map(Checked::lines);
+    let text: String = lines.map(|line| line + "\n").collect();
     let summary = Summary(&checked);
     crate::reproduce::say(&format!("{text}\n{summary}"))?;
     if summary.is_good() {

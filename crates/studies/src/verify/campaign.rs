@@ -1,6 +1,7 @@
 //! Many scenes, and what becomes of each.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
@@ -41,17 +42,19 @@ impl Campaign {
         self.check((index, self.scene(index)), &self.studies)
     }
 
-    /// Runs a scene, which need not be the campaign's, in a thread of its own, which is left behind where it does not end; `base` is the
-    /// folder from which it names its record.
+    /// Runs a scene, which need not be the campaign's, in a thread of its own, which is told to stop, and left behind, where it does not
+    /// end; `base` is the folder from which it names its record.
     pub fn check(&self, (index, scene): (usize, Scene), base: &Path) -> Checked {
         let (sender, receiver) = mpsc::channel();
         let (own, base) = (scene.clone(), base.to_path_buf());
+        // A byte for each scene: whoever is left behind may look at it for as long as the program runs.
+        let stop: &'static AtomicBool = Box::leak(Box::default());
         std::thread::spawn(move || {
             let begin = |stage| {
                 // Nobody listens any more where patience has ended.
                 sender.send(Message::Begins(stage)).ok();
             };
-            let checked = Checked::run((index, &own), &base, &begin);
+            let checked = Checked::run((index, &own), &base, (&begin, stop));
             sender.send(Message::Ends(Box::new(checked))).ok();
         });
         let mut stage = Stage::Exact;
@@ -60,6 +63,7 @@ impl Campaign {
                 Ok(Message::Begins(next)) => stage = next,
                 Ok(Message::Ends(checked)) => return *checked,
                 Err(RecvTimeoutError::Timeout) => {
+                    stop.store(true, Ordering::Relaxed);
                     return Checked::new(index, &scene, Verdict::Hangs(stage));
                 }
                 Err(RecvTimeoutError::Disconnected) => {

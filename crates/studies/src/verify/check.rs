@@ -1,11 +1,12 @@
 //! One scene by both routes.
 
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use pounding_solver::Pair;
 
 use super::class::{Class, rests};
-use super::condition::{Data, allowed};
+use super::condition::{Condition, Data, allowed};
 use super::numbers::{Compared, Numbers, Place, Two};
 use crate::prepared::Audited;
 use crate::second_route::Fineness;
@@ -17,7 +18,7 @@ pub const ALLOWED: f64 = 1e-12;
 pub const RESIDUAL: f64 = 1e-11;
 
 /// Other settings of the second route, under which its own rounding is another one.
-const OTHERWISE: [Fineness; 2] = [
+const OTHERWISE: [Fineness; 4] = [
     Fineness {
         tolerance: 1e-14,
         steps_per_sample: 7,
@@ -25,6 +26,14 @@ const OTHERWISE: [Fineness; 2] = [
     Fineness {
         tolerance: 1e-13,
         steps_per_sample: 5,
+    },
+    Fineness {
+        tolerance: 1e-14,
+        steps_per_sample: 4,
+    },
+    Fineness {
+        tolerance: 1e-13,
+        steps_per_sample: 9,
     },
 ];
 /// A distance up to so many times what the second route differs from itself is its own rounding.
@@ -39,6 +48,8 @@ pub enum Verdict {
     Disagrees(Vec<Disagreement>),
     /// Some are not, but the second route differs from itself by as much where it takes other steps: the exact run may be right.
     SecondRouteRounds(Vec<Disagreement>),
+    /// Some are not, but changes of the data as small as rounding move the exact run by as much: it rounds over many touches.
+    ExactRounds(Vec<Disagreement>),
     /// They are not, but the scene is so ill-conditioned that their touches come and go with the last digits of its record.
     Unknowable(Vec<Disagreement>),
     /// The exact run fails.
@@ -89,10 +100,10 @@ pub struct Failure {
 pub struct Disagreement {
     /// The number by the exact method and by the second route.
     pub two: Two,
-    /// How far it moves per relative change of the record: relative \[–\], of instants \[s\].
-    pub condition: f64,
-    /// The distance allowed.
+    /// The distance that its condition allows.
     pub allowed: f64,
+    /// The distance that is explained where what the exact run rounds counts too.
+    pub explained: f64,
     /// How far the second route is from itself where it takes other steps: relative \[–\], of instants \[s\].
     pub own: f64,
 }
@@ -133,11 +144,16 @@ impl Checked {
         }
     }
 
-    /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins.
-    pub(super) fn run((index, scene): (usize, &Scene), base: &Path, begin: &dyn Fn(Stage)) -> Self {
+    /// Runs a scene by both routes; `base` is the folder that its record is looked for from, `begin` is told what begins, and `stop` ends
+    /// its exact runs.
+    pub(super) fn run(
+        (index, scene): (usize, &Scene),
+        base: &Path,
+        (begin, stop): (&dyn Fn(Stage), &'static AtomicBool),
+    ) -> Self {
         let ended = |verdict| Self::new(index, scene, verdict);
         begin(Stage::Exact);
-        let prepared = match Prepared::new(scene, base) {
+        let prepared = match Prepared::stopped_by(scene, base, Some(stop)) {
             Ok(prepared) => prepared,
             Err(error) => return ended(Verdict::Refused(Failure::of(&error))),
         };
@@ -176,6 +192,7 @@ impl Checked {
                     prepared: &prepared,
                     scene,
                     base,
+                    stop,
                 };
                 checked.compare(&data, (exact, second, residual), begin)
             }
@@ -193,16 +210,16 @@ impl Checked {
         let all = exact.beside(&second);
         let close = |two: &Two| two.distance <= ALLOWED;
         let conditions = if all.iter().all(close) {
-            vec![0.0; all.len()]
+            vec![Condition::default(); all.len()]
         } else {
             begin(Stage::Condition);
-            data.condition((&exact, &all), begin)
+            data.conditions((&exact, &all), begin)
         };
         let judged = all.iter().zip(conditions);
         let judged = judged.map(|(two, condition)| Disagreement {
             two: *two,
-            condition,
-            allowed: allowed(two, condition),
+            allowed: allowed(two, condition.of_data.unwrap_or_default()),
+            explained: allowed(two, condition.with_rounding),
             own: 0.0,
         });
         let mut judged: Vec<_> = judged.collect();
@@ -222,23 +239,27 @@ impl Checked {
         let firm = wrong.iter().any(|one| one.two.distance > OWN * one.own);
         let unknown = judged
             .iter()
-            .filter(|one| one.two.distance > ALLOWED && one.allowed.is_infinite());
+            .filter(|one| one.two.distance > ALLOWED && one.explained.is_infinite());
         let unknown = worst(&unknown.collect::<Vec<_>>());
+        let rounded = judged.iter().filter(|one| one.two.distance > one.allowed);
+        let rounded = worst(&rounded.collect::<Vec<_>>());
         if firm {
             Verdict::Disagrees(wrong)
         } else if !wrong.is_empty() {
             Verdict::SecondRouteRounds(wrong)
-        } else if unknown.is_empty() {
-            Verdict::Agrees
-        } else {
+        } else if !unknown.is_empty() {
             Verdict::Unknowable(unknown)
+        } else if !rounded.is_empty() {
+            Verdict::ExactRounds(rounded)
+        } else {
+            Verdict::Agrees
         }
     }
 }
 
 impl Disagreement {
     fn is_wrong(&self) -> bool {
-        self.two.distance > self.allowed
+        self.two.distance > self.explained
     }
 }
 
@@ -309,8 +330,8 @@ fn residual(residual: f64) -> Option<Disagreement> {
             second: 0.0,
             distance: residual,
         },
-        condition: 0.0,
         allowed: RESIDUAL,
+        explained: RESIDUAL,
         own: 0.0,
     })
 }

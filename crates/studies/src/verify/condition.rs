@@ -1,6 +1,7 @@
 //! How far the numbers of an exact run move with the data of its scene.
 
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use pounding_motion::Record;
 
@@ -11,16 +12,36 @@ use crate::prepared::Asked;
 use crate::trade::{Known, under};
 use crate::{Prepared, Scene, Structure, StudyError};
 
-/// Relative changes of the data; the smaller ones where the first does not explain a distance. Of a motion that bounces apart the first
-/// is too large to show by how much.
-const CHANGES: [f64; 3] = [1e-9, 1e-12, 1e-14];
+/// Relative changes of the data; the second where the first does not explain a distance. It is as small as rounding, so that what the
+/// exact run itself rounds over many touches shows in it; and of a motion that bounces apart the first is too large to show by how much.
+const CHANGES: [f64; 2] = [1e-12, 1e-15];
 /// Records with other samples; more of them find a larger condition, and allow more.
-const N_RECORDS: usize = 8;
+const N_RECORDS: usize = 4;
 /// Scenes with other masses, columns and gaps.
-const N_SCENES: usize = 6;
+const N_SCENES: usize = 4;
 /// Everything that is tried with a change: the scaled record and those above, and a record with its samples further apart, as if all
 /// structures were faster.
 const N_NEAR: usize = 1 + N_RECORDS + 1 + N_SCENES;
+
+/// How far a number moves per relative change of the data: relative \[–\], of instants \[s\]; infinite where touches come and go.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Condition {
+    /// By the larger change; by the smaller one where touches come and go by the larger.
+    pub of_data: Option<f64>,
+    /// By both.
+    pub with_rounding: f64,
+}
+
+impl Condition {
+    /// With what the next smaller change moves.
+    fn also(self, moved: f64) -> Self {
+        let known = self.of_data.filter(|known| known.is_finite());
+        Self {
+            of_data: Some(known.unwrap_or(moved)),
+            with_rounding: known.map_or(moved, |known| known.max(moved)),
+        }
+    }
+}
 
 /// A scene whose data are changed.
 pub(super) struct Data<'a> {
@@ -28,20 +49,25 @@ pub(super) struct Data<'a> {
     pub scene: &'a Scene,
     /// The folder that its record is looked for from.
     pub base: &'a Path,
+    /// What ends its runs.
+    pub stop: &'static AtomicBool,
 }
 
 impl Data<'_> {
-    /// How far every number of an exact run moves per relative change of the data; infinite where touches come and go. No further
-    /// than it takes to allow all distances, where it does.
-    pub(super) fn condition(
+    /// How far every number of an exact run moves per relative change of the data. No further than it takes to allow all distances,
+    /// where it does.
+    pub(super) fn conditions(
         &self,
         (truth, all): (&Numbers, &[Two]),
         begin: &dyn Fn(Stage),
-    ) -> Vec<f64> {
-        let mut found = vec![0.0_f64; all.len()];
+    ) -> Vec<Condition> {
+        let mut found = vec![Condition::default(); all.len()];
         for change in CHANGES {
             let mut largest = vec![0.0_f64; all.len()];
             for index in 0..N_NEAR {
+                if self.stop.load(Ordering::Relaxed) {
+                    return found;
+                }
                 begin(Stage::Condition);
                 match self.near(change, index, truth.largest_displacement()) {
                     Ok(near) => {
@@ -51,25 +77,19 @@ impl Data<'_> {
                     }
                     Err(_) => largest.fill(f64::INFINITY),
                 }
-                let explains = |(two, (found, largest)): (&Two, (&f64, &f64))| {
+                let next = found.iter().zip(&largest);
+                let next: Vec<_> = next.map(|(one, largest)| one.also(*largest)).collect();
+                let explains = |(two, one): (&Two, &Condition)| {
                     two.distance <= ALLOWED
-                        || (largest.is_finite()
-                            && two.distance <= allowed(two, found.max(*largest)))
+                        || (one.with_rounding.is_finite()
+                            && two.distance <= allowed(two, one.with_rounding))
                 };
-                if all.iter().zip(found.iter().zip(&largest)).all(explains) {
-                    return largest
-                        .iter()
-                        .zip(found)
-                        .map(|(one, found)| found.max(*one))
-                        .collect();
+                if all.iter().zip(&next).all(explains) {
+                    return next;
                 }
             }
-            for (found, largest) in found.iter_mut().zip(largest) {
-                *found = if found.is_finite() {
-                    found.max(largest)
-                } else {
-                    largest
-                };
+            for (one, largest) in found.iter_mut().zip(largest) {
+                *one = one.also(largest);
             }
         }
         found
@@ -83,7 +103,7 @@ impl Data<'_> {
             self.stretched(change)
         } else {
             let scene = changed(self.scene, change, index, largest);
-            Prepared::new(&scene, self.base)
+            Prepared::stopped_by(&scene, self.base, Some(self.stop))
         }?;
         let outcome = near.run_unjudged(Asked::default())?;
         Ok(Numbers::of_exact(&near, &outcome))

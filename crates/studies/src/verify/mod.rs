@@ -11,6 +11,7 @@ mod class;
 mod condition;
 mod contacts;
 mod generator;
+mod meeting;
 mod motions;
 mod numbers;
 mod random;

@@ -1,8 +1,8 @@
 //! What both routes say of a scene, number by number, and how far apart they are.
 
-use pounding_contact::{Clamp, ContactLaw};
 use pounding_solver::Pair;
 
+use super::meeting::{Largest, Meeting, are_at_once, as_one, matched, parts};
 use crate::comparison::{ZERO, relative_to};
 use crate::second_route::Response;
 use crate::{Outcome, Prepared};
@@ -109,23 +109,6 @@ struct OfFloor {
     restoring_force: f64,
     last_displacement: f64,
     momentum: f64,
-}
-
-/// What a run says of a touch.
-#[derive(Debug, Clone, Copy)]
-struct Meeting {
-    /// First instant \[s\].
-    start: f64,
-    /// Last instant \[s\]; nothing of laws that let go before.
-    end: Option<f64>,
-    /// Impulse \[N·s\].
-    impulse: f64,
-    /// Peak force \[N\]; nothing of an impact.
-    peak_force: Option<f64>,
-    /// How long it lasts \[s\].
-    lasts: f64,
-    /// What rounding leaves open of the start, where the run says \[s\].
-    uncertainty: Option<f64>,
 }
 
 /// Everything that is compared of a run.
@@ -316,60 +299,6 @@ impl Numbers {
     }
 }
 
-/// Touches in the order of their starts, those that follow each other within [`TOGETHER`] as one: how many bounces end in rest, and
-/// which of several floors that meet at once hits first, is a matter of where a route stops to tell them apart.
-fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
-    let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
-    let mut latest = f64::NEG_INFINITY;
-    for next in touches {
-        match all.last_mut() {
-            Some(last) if next.start - latest <= TOGETHER => last.add(&next),
-            Some(_) | None => all.push(next),
-        }
-        latest = next.start;
-    }
-    all
-}
-
-/// Whether impacts of two pairs, in their order, ever happen at once.
-fn are_at_once(one: &[Meeting], other: &[Meeting]) -> bool {
-    let mut next = 0;
-    let impacts = one.iter().filter(|one| one.peak_force.is_none());
-    impacts.map(|one| one.start).any(|time| {
-        next += other[next..].partition_point(|other| other.start < time - TOGETHER);
-        let near = other[next..].iter();
-        let mut near = near.take_while(|other| other.start <= time + TOGETHER);
-        near.any(|other| other.peak_force.is_none())
-    })
-}
-
-/// Touches of a pair that begin within this of the one before are compared as one with it \[s\].
-const TOGETHER: f64 = 1e-9;
-
-/// The largest of some touches.
-#[derive(Debug, Clone, Copy, Default)]
-struct Largest {
-    /// Impulse \[N·s\].
-    impulse: f64,
-    /// Force \[N\].
-    force: f64,
-}
-
-impl Largest {
-    fn of(touches: &[Meeting]) -> Self {
-        let forces = touches.iter().filter_map(|one| one.peak_force);
-        Self {
-            impulse: touches.iter().map(|one| one.impulse).fold(0.0, f64::max),
-            force: forces.fold(0.0, f64::max),
-        }
-    }
-}
-
-/// Whether neighbours part when their law's force ends.
-fn parts(law: &ContactLaw) -> bool {
-    law.clamp() == Clamp::Never
-}
-
 impl OfFloor {
     fn beside(&self, other: &Self, (place, largest): (Place, f64)) -> [Two; 5] {
         let two = |what, first: f64, second: f64, scale: f64| Two {
@@ -406,80 +335,4 @@ impl OfFloor {
             ),
         ]
     }
-}
-
-/// Part of the largest impulse of a pair that is rounding.
-const ROUNDING: f64 = 1e-12;
-
-impl Meeting {
-    /// Takes a touch that follows at once as part of this one; an impact has no force.
-    fn add(&mut self, next: &Self) {
-        let (one, other) = (self.peak_force, next.peak_force);
-        self.peak_force = one.zip(other).map(|(one, other)| one.max(other));
-        self.lasts = self.lasts.max(next.start + next.lasts - self.start);
-        self.end = self.end.zip(next.end).map(|(one, other)| one.max(other));
-        self.impulse += next.impulse;
-    }
-
-    /// Whether rounding decides that neighbours touch at all.
-    fn is_graze(&self, largest: f64) -> bool {
-        let brief = |uncertainty: f64| self.lasts > 0.0 && self.lasts <= 2.0 * uncertainty;
-        self.impulse <= ROUNDING * largest || self.uncertainty.is_some_and(brief)
-    }
-
-    fn beside(&self, other: Option<&Self>, (place, largest): (Place, Largest)) -> Vec<Two> {
-        let two = |what, value: fn(&Self) -> Option<f64>, scale: f64| {
-            let (first, second) = (value(self), other.and_then(value));
-            if first.is_none() && second.is_none() {
-                return None;
-            }
-            let both = first.zip(second);
-            Some(Two {
-                what,
-                place,
-                first: first.unwrap_or(f64::NAN),
-                second: second.unwrap_or(f64::NAN),
-                distance: both.map_or(f64::INFINITY, |(first, second)| {
-                    relative_to(second, first, scale)
-                }),
-            })
-        };
-        let all = [
-            two(Compared::Start, |one| Some(one.start), 1.0),
-            two(Compared::End, |one| one.end, 1.0),
-            two(Compared::Impulse, |one| Some(one.impulse), largest.impulse),
-            two(Compared::PoundingForce, |one| one.peak_force, largest.force),
-        ];
-        all.into_iter().flatten().collect()
-    }
-}
-
-/// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\].
-const SAME: f64 = 1e-7;
-
-/// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the one
-/// that begins nearest to it of those that begin at the same time.
-fn matched(first: &[Meeting], second: &[Meeting]) -> Vec<Option<usize>> {
-    if first.len() == second.len() {
-        return (0..first.len()).map(Some).collect();
-    }
-    let mut next = 0;
-    let mut all = Vec::with_capacity(first.len());
-    for (index, one) in first.iter().enumerate() {
-        let same = nearest(second, next, one.start);
-        let same = same.filter(|&same| nearest(first, index, second[same].start) == Some(index));
-        next = same.map_or(next, |same| same + 1);
-        all.push(same);
-    }
-    all
-}
-
-/// The touch from a number on that begins nearest to an instant \[s\], if it begins at the same time.
-fn nearest(touches: &[Meeting], from: usize, time: f64) -> Option<usize> {
-    let apart = |one: &Meeting| (one.start - time).abs();
-    let later = from + touches[from..].partition_point(|one| one.start < time);
-    let near = later.saturating_sub(1).max(from)..touches.len().min(later + 1);
-    let nearest =
-        near.min_by(|one, other| apart(&touches[*one]).total_cmp(&apart(&touches[*other])));
-    nearest.filter(|&nearest| apart(&touches[nearest]) <= SAME)
 }

@@ -46,6 +46,7 @@ enum Fate {
     Agrees,
     Disagrees,
     SecondRouteRounds,
+    ExactRounds,
     Unknowable,
     Named,
     ExactFails,
@@ -56,10 +57,11 @@ enum Fate {
 }
 
 impl Fate {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 11] = [
         Self::Agrees,
         Self::Disagrees,
         Self::SecondRouteRounds,
+        Self::ExactRounds,
         Self::Unknowable,
         Self::Named,
         Self::ExactFails,
@@ -74,6 +76,7 @@ impl Fate {
             Verdict::Agrees => Self::Agrees,
             Verdict::Disagrees(_) => Self::Disagrees,
             Verdict::SecondRouteRounds(_) => Self::SecondRouteRounds,
+            Verdict::ExactRounds(_) => Self::ExactRounds,
             Verdict::Unknowable(_) => Self::Unknowable,
             Verdict::ExactFails(failure) if failure.is_known() => Self::Named,
             Verdict::ExactFails(_) => Self::ExactFails,
@@ -89,6 +92,7 @@ impl Fate {
             Self::Agrees => "agree",
             Self::Disagrees => "disagree",
             Self::SecondRouteRounds => "second rounds",
+            Self::ExactRounds => "exact rounds",
             Self::Unknowable => "ill-conditioned",
             Self::Named => "named limit",
             Self::ExactFails => "exact fails",
@@ -108,6 +112,7 @@ impl Checked {
             Verdict::ExactFails(failure) => failure.is_known(),
             Verdict::Disagrees(_)
             | Verdict::SecondRouteRounds(_)
+            | Verdict::ExactRounds(_)
             | Verdict::Unknowable(_)
             | Verdict::SecondRouteFails(_)
             | Verdict::Refused(_)
@@ -122,6 +127,7 @@ impl Checked {
             Verdict::Agrees => String::new(),
             Verdict::Disagrees(all)
             | Verdict::SecondRouteRounds(all)
+            | Verdict::ExactRounds(all)
             | Verdict::Unknowable(all) => all
                 .first()
                 .map_or(String::new(), |one| one.two.what.words().into()),
@@ -140,6 +146,7 @@ impl Checked {
             Verdict::Agrees => Vec::new(),
             Verdict::Disagrees(all)
             | Verdict::SecondRouteRounds(all)
+            | Verdict::ExactRounds(all)
             | Verdict::Unknowable(all) => {
                 let numbers = all.iter().map(|one| line(one.to_string()));
                 numbers.chain(self.story.iter().cloned()).collect()
@@ -173,8 +180,8 @@ impl fmt::Display for Disagreement {
         let what = two.what.words();
         write!(
             out,
-            "{what}{place}: {:e} and {:e}, {:.1e} apart, allowed {:.1e}, the second route from itself {:.1e}",
-            two.first, two.second, two.distance, self.allowed, self.own
+            "{what}{place}: {:e} and {:e}, {:.1e} apart, allowed {:.1e}, with what the exact run rounds {:.1e}, the second route from itself {:.1e}",
+            two.first, two.second, two.distance, self.allowed, self.explained, self.own
         )
     }
 }
