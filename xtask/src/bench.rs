@@ -87,8 +87,7 @@ fn base<'a>(timed: &'a [Timed<'a>], scene: &str) -> Result<&'a Timed<'a>, String
 
 /// For each scene, what the exact method needs for 1e-6 of what the central difference method needs for 1 %.
 fn comparison(timed: &[Timed<'_>], home: &Path) -> Result<String, String> {
-    let mut text =
-        String::from("Exact method for 1e-6 against central difference (velocity_jump) for 1 %:\n");
+    let mut text = String::from("Exact method for 1e-6 against central difference for 1 %:\n");
     for exact in timed.iter().filter(|one| one.is_exact) {
         let base = base(timed, exact.scene)?;
         let work = exact.work as f64 / base.work as f64;

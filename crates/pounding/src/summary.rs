@@ -2,7 +2,7 @@
 
 mod tables;
 
-use pounding::solver::{ImpactRule, SimultaneousImpacts, Start, VerletImpacts, Work};
+use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
 use pounding::studies::{
     Doubt, Errors, LEAST_PART, Method, PairErrors, Prepared, Quantity, Review, Scene, Warning,
     digits,
@@ -157,21 +157,14 @@ fn work_lines(method: &Method, work: Work, errors: &Errors) -> String {
 fn settings(method: &Method) -> String {
     match *method {
         Method::CentralDifference {
-            start,
-            impacts,
-            contact_substeps,
+            contact_substeps: 1,
             ..
-        } => {
-            let impacts = match impacts {
-                ImpactRule::AsPublished => "",
-                ImpactRule::VelocityJump => ", impacts: velocity jump",
-            };
-            let substeps = match contact_substeps {
-                1 => String::new(),
-                n => format!(",\n{n} sub-steps while touching"),
-            };
-            format!(", start: {}{impacts}{substeps}", words(start))
         }
+        | Method::Rk4 { .. }
+        | Method::Accuracy(_) => String::new(),
+        Method::CentralDifference {
+            contact_substeps, ..
+        } => format!(",\n{contact_substeps} sub-steps while touching"),
         Method::Newmark { beta, gamma, .. } => {
             format!(", β = {}, γ = {}", short(beta), short(gamma))
         }
@@ -180,7 +173,6 @@ fn settings(method: &Method) -> String {
             VerletImpacts::VelocityJump => ", impacts: velocity jump".into(),
             VerletImpacts::Located => ", impacts: located".into(),
         },
-        Method::Rk4 { .. } | Method::Accuracy(_) => String::new(),
         Method::MoreauJean { theta, .. } => format!(", θ = {}", short(theta)),
         Method::Exact {
             tolerance,
@@ -192,14 +184,5 @@ fn settings(method: &Method) -> String {
             };
             format!(", tolerance {tolerance:e}{together}")
         }
-    }
-}
-
-/// How a run of the central difference method begins, in words.
-fn words(start: Start) -> &'static str {
-    match start {
-        Start::Consistent => "consistent",
-        Start::FirstLoadUsed => "first load used",
-        Start::FirstLoadSkipped => "first load skipped",
     }
 }

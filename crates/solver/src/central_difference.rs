@@ -1,4 +1,4 @@
-//! Central difference method, with contact as the paper applies it or with impacts as velocity jumps.
+//! Central difference method: compliant contact by forces at nodes, impacts as velocity jumps.
 //!
 //! Source: the paper, equations (1)–(3); Chopra, *Dynamics of Structures*, 5.3. Written per unit of mass, so that a
 //! wall is a node of inverse mass 0, and for the increment of the displacement instead of the displacement: the same
@@ -22,8 +22,6 @@ mod contact;
 mod storeys;
 
 use pounding_contact::Number;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 use coefficients::Coefficients;
 use storeys::Storeys;
@@ -36,56 +34,36 @@ use crate::span::Load;
 use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
 
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// A run begins from equilibrium, as textbooks do: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2. Impulsive contact is a jump of the velocities at the
+/// node at which an overlap is found, as in every stepping method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CentralDifference {
-    /// How the first step begins.
-    pub start: Start,
-    /// How impulsive contact acts.
-    pub impacts: ImpactRule,
-    /// Steps into which a time step is divided for structures that touch, 1 to 1000; 1 with [`ImpactRule::AsPublished`].
+    /// Steps into which a time step is divided for structures that touch, 1 to 1000.
     ///
     /// A structure sub-steps from a node on at which it overlaps a neighbour, or would overlap one at the next node, to
     /// that next node; a building does so with all its floors. Others keep the whole step.
     pub contact_substeps: u32,
 }
 
-/// How impulsive contact acts in the central difference method.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ImpactRule {
-    /// The paper's rule: an overlap at a node, with approach by the velocity of the node before, adds a force
-    /// impulse/Δt to the equation of that node. It does not converge as Δt → 0.
-    #[default]
-    AsPublished,
-    /// An overlap at a node, with approach there, makes the velocities jump: the rule of every stepping method.
-    VelocityJump,
-}
-
 /// More would be a run of many times the length that its time step says.
 const MOST_SUBSTEPS: u32 = 1000;
 
-impl CentralDifference {
-    pub(crate) fn check(self) -> Result<(), RunError> {
-        let (most, allowed) = match self.impacts {
-            ImpactRule::AsPublished => (1, "1; more with the impacts velocity_jump"),
-            ImpactRule::VelocityJump => (MOST_SUBSTEPS, "1 to 1000"),
-        };
-        let valid = (1..=most).contains(&self.contact_substeps);
-        let found = self.contact_substeps.into();
-        require(valid, "contact_substeps", found, allowed)
+impl Default for CentralDifference {
+    /// Whole steps everywhere.
+    fn default() -> Self {
+        Self {
+            contact_substeps: 1,
+        }
     }
 }
 
-/// The three ways to begin a central difference run; u₋₁ is the displacement one step before t = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Start {
-    /// The textbook start: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2 with ü₀ from equilibrium.
-    Consistent,
-    /// u₋₁ = u₀ − Δt u̇₀: one of the paper's two starts (u₋₁ = u₀ = 0 there).
-    FirstLoadUsed,
-    /// u₁ = u₀ + Δt u̇₀, the first equation being that of node 1: the paper's other start (u₀ = u₁ = 0 there).
-    FirstLoadSkipped,
+impl CentralDifference {
+    pub(crate) fn check(self) -> Result<(), RunError> {
+        let valid = (1..=MOST_SUBSTEPS).contains(&self.contact_substeps);
+        let found = self.contact_substeps.into();
+        require(valid, "contact_substeps", found, "1 to 1000")
+    }
 }
 
 /// What each structure carries from step to step.
@@ -95,23 +73,18 @@ struct Body<Memory> {
     increment: f64,
     /// Whether the node before lies a sub-step back.
     fine: bool,
-    /// Central-difference velocity at the node before, half way through a jump of the published rule, which looks at
-    /// it; the equation's damping force is that of this velocity.
+    /// Central-difference velocity at the node before, before its jump; the equation's damping force is that of this velocity.
     velocity: f64,
     memory: Memory,
     /// Start of the span under way.
     start: State,
     start_time: f64,
     start_ground: f64,
-    /// Whether that start had an equation: node 0 has none when the first load is skipped.
-    solved: bool,
     force_from_left: f64,
     force_from_right: f64,
     /// Impulses from the left and from the right that a whole step gives too much, where a neighbour that sub-steps was
     /// met at its end: on both the force acts for half a sub-step \[N·s\].
     excess: (f64, f64),
-    /// Net impulse of the published rule at this node \[N·s\].
-    impulse: f64,
 }
 
 impl<Memory> Body<Memory> {
@@ -151,7 +124,6 @@ struct Instant<'a> {
 /// A run: its model and everything it needs, allocated once.
 struct Run<'a, Column: RestoringForce> {
     row: &'a Row<Column>,
-    impacts: ImpactRule,
     /// Whole step and sub-step \[s\].
     steps: [f64; 2],
     /// For each of them the coefficients of every structure.
@@ -159,8 +131,6 @@ struct Run<'a, Column: RestoringForce> {
     bodies: Vec<Body<Column::Memory>>,
     /// Nothing where all structures have one storey.
     storeys: Option<Storeys>,
-    /// Impulse of every pair by the published rule \[N·s\].
-    impulses: Vec<f64>,
     /// States at a node with velocity jumps.
     states: Vec<State>,
     jumps: Impacts,
@@ -183,7 +153,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     let shaking = Shaking::new(row, excitation, clock);
     let mut run = Run::new(settings, row, shaking.at(0), clock.time_step);
     // Node n is reached by the step before the last; the last one gives it a velocity.
-    for step in settings.start.first_node()..=clock.n_steps {
+    for step in 0..=clock.n_steps {
         guard.step(step, clock)?;
         let node = Instant {
             ground: shaking.at(step),
@@ -210,51 +180,27 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
     Ok(run.work)
 }
 
-impl Start {
-    /// The first node whose equation is solved.
-    pub(crate) fn first_node(self) -> usize {
-        match self {
-            Self::Consistent | Self::FirstLoadUsed => 0,
-            Self::FirstLoadSkipped => 1,
-        }
-    }
-
-    /// Displacement at that node, and by how much it is more than that one step before \[m\], from displacement, velocity and
-    /// acceleration at t = 0.
-    #[inline(always)]
-    pub(crate) fn first<N: Number>(self, [u, v, a]: [N; 3], dt: f64) -> (N, N) {
-        let (step, half) = (u.like(dt), u.like(0.5 * dt));
-        match self {
-            Self::Consistent => (u, step * (v - half * a)),
-            Self::FirstLoadUsed => (u, step * v),
-            Self::FirstLoadSkipped => (u + step * v, step * v),
-        }
-    }
+/// By how much the displacement at t = 0 is more than that one step before \[m\], from velocity and acceleration there.
+#[inline(always)]
+pub(crate) fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> N {
+    let (step, half) = (velocity.like(dt), velocity.like(0.5 * dt));
+    step * (velocity - half * acceleration)
 }
 
-/// The body at its first node to be solved.
-fn begin<Memory>(
-    (state, memory): (State, Memory),
-    start: Start,
-    ground: f64,
-    dt: f64,
-) -> Body<Memory> {
-    let motion = [state.displacement, state.velocity, state.acceleration];
-    let (displacement, increment) = start.first(motion, dt);
+/// The body at t = 0.
+fn begin<Memory>((state, memory): (State, Memory), ground: f64, dt: f64) -> Body<Memory> {
     Body {
-        displacement,
-        increment,
+        displacement: state.displacement,
+        increment: first_increment([state.velocity, state.acceleration], dt),
         fine: false,
         velocity: state.velocity,
         memory,
         start: state,
         start_time: 0.0,
         start_ground: ground,
-        solved: false,
         force_from_left: 0.0,
         force_from_right: 0.0,
         excess: (0.0, 0.0),
-        impulse: 0.0,
     }
 }
 
@@ -270,17 +216,15 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             .into_iter()
             .zip(memories)
             .enumerate()
-            .map(|(node, initial)| begin(initial, settings.start, ground.under(node), dt))
+            .map(|(node, initial)| begin(initial, ground.under(node), dt))
             .collect();
         Self {
             row,
-            impacts: settings.impacts,
             steps,
             coefficients: steps.map(constants),
             storeys: Storeys::of(row, steps),
             states: bodies.iter().map(|body| body.start).collect(),
             bodies,
-            impulses: vec![0.0; row.pairs().len()],
             jumps: Impacts::new(row),
             approaches: Approaches::new(row.pairs().len()),
             work: Work::default(),
@@ -291,15 +235,12 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn node<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) -> Result<(), RunError> {
         let hit = self.touch(node);
         if self.storeys.is_some() {
-            self.advance_storeys((node, hit), recorder)?;
+            self.advance_storeys(node, recorder)?;
         } else {
             self.advance(node, recorder)?;
         }
         if hit {
-            match self.impacts {
-                ImpactRule::AsPublished => self.report(node, recorder),
-                ImpactRule::VelocityJump => self.jump(node, recorder),
-            }
+            self.jump(node, recorder);
         }
         Ok(())
     }
@@ -347,27 +288,22 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
                         ground,
                     ),
                 ];
-                let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
-                let weights = (0.5 * constants.time_step, weights);
+                let weights = (0.5 * constants.time_step, [1.0; 2]);
                 let mut span = Span::step::<R, _>(index, times, ends, weights, loads);
                 span.impulse_from_left -= body.excess.0;
                 span.impulse_from_right -= body.excess.1;
                 recorder.span(&span);
             }
-            let jump = constants.inverse_mass * body.impulse;
             body.start = end;
             body.start_time = node.time;
             body.start_ground = ground;
-            body.solved = true;
-            body.start.velocity += jump;
-            body.start.acceleration -= constants.damping * jump;
             self.work.force_evaluations += 1;
         }
         Ok(())
     }
 }
 
-/// Solves equation (3) for the next displacement; returns the state at the current node, before its impacts.
+/// Solves equation (3) for the next displacement; returns the state at the current node, before its velocity jumps.
 #[inline]
 fn advance<Column: RestoringForce>(
     body: &mut Body<Column::Memory>,
@@ -375,19 +311,15 @@ fn advance<Column: RestoringForce>(
     column: &Column,
     ground: f64,
 ) -> State {
-    let dt = constants.time_step;
     let response = column.respond(body.displacement, body.memory);
     let pounding_force = body.force_from_left + body.force_from_right;
     let smooth = constants.smooth((pounding_force, response.force), constants.mobile * ground);
-    let jump = constants.inverse_mass * body.impulse;
-    let load = smooth + jump / dt;
-    let increment = constants.next(load, body.increment);
+    let increment = constants.next(smooth, body.increment);
     let velocity = constants.velocity([body.increment, increment]);
     let state = State {
         displacement: body.displacement,
-        // The central velocity lies in the middle of the jump.
-        velocity: velocity - 0.5 * jump,
-        acceleration: smooth - constants.damping * (velocity - 0.5 * jump),
+        velocity,
+        acceleration: smooth - constants.damping * velocity,
         restoring_force: response.force,
         force_from_left: body.force_from_left,
         force_from_right: body.force_from_right,

@@ -1,13 +1,13 @@
 use crate::{
-    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, ImpactRule, Laws, MoreauJean,
-    Newmark, Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht,
-    moreau_jean, newmark, rk4, verlet,
+    CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Laws, MoreauJean, Newmark,
+    Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht, moreau_jean,
+    newmark, rk4, verlet,
 };
 
 /// A method of time integration with its settings; one file each, one signature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Integrator {
-    /// Central difference method, the paper's.
+    /// Central difference method.
     CentralDifference(CentralDifference),
     /// Newmark's method.
     Newmark(Newmark),
@@ -76,14 +76,9 @@ impl Integrator {
         }
     }
 
-    /// The laws that its runs are held to: of all methods the paper's impacts alone may create energy, and the exact one
-    /// alone has to keep it to rounding.
+    /// The laws that its runs are held to: the exact method alone has to keep energy to rounding.
     pub fn laws(&self) -> Laws {
         match self {
-            Self::CentralDifference(CentralDifference {
-                impacts: ImpactRule::AsPublished,
-                ..
-            }) => Laws::ImpactsMayCreateEnergy,
             Self::Exact(Exact { tolerance, .. }) => Laws::Energy {
                 tolerance: *tolerance,
             },

@@ -5,17 +5,13 @@
 //!
 //! ```
 //! use pounding_solver::{
-//!     CentralDifference, Clock, Elastic, Excitation, ImpactRule, Integrator, Node, Peaks, Row, Start,
+//!     CentralDifference, Clock, Elastic, Excitation, Integrator, Node, Peaks, Row,
 //! };
 //!
 //! let row = Row::new(vec![Node::structure(75e3, 23e3, Elastic { stiffness: 2.056e6 })], vec![])?;
 //! let ground = [0.0, 1.0, -1.0, 0.0];
 //! let excitation = Excitation::new(0.1, &ground)?;
-//! let method = Integrator::CentralDifference(CentralDifference {
-//!     start: Start::Consistent,
-//!     impacts: ImpactRule::AsPublished,
-//!     contact_substeps: 1,
-//! });
+//! let method = Integrator::CentralDifference(CentralDifference::default());
 //! let mut peaks = Peaks::new(row.nodes().len());
 //! method.run(&row, excitation, Clock { time_step: 0.01, n_steps: 100 }, &mut peaks)?;
 //! assert!(peaks.of(0).displacement.value.abs() > 1e-4);
@@ -76,7 +72,7 @@ mod work;
 pub use bilinear::Bilinear;
 pub use bouc_wen::{Bent, BoucWen};
 pub use budget::{Budget, Course};
-pub use central_difference::{CentralDifference, ImpactRule, Start};
+pub use central_difference::CentralDifference;
 pub use clock::Clock;
 pub use column::{
     Elastic, ElastoPlastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,

@@ -1,5 +1,6 @@
 //! A study whose scenes have run.
 
+use crate::paper::{self, Program};
 use crate::{
     AtlasSettings, BeyondSettings, Edges, Ladder, Outcome, Output, Prepared, Scene, StudyError,
     StudyFile,
@@ -22,7 +23,6 @@ impl Completed {
     /// # Errors
     /// [`StudyError`] of the first scene that cannot be prepared or run.
     pub fn run(mut file: StudyFile, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
-        use rayon::prelude::*;
         let stepless = |scene: &&Scene| scene.method.time_step().is_none();
         if let Some(scene) = file.study.scenes.iter().find(stepless)
             && file.study.output.shows_steps()
@@ -42,20 +42,56 @@ impl Completed {
                 Prepared::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
             })
             .collect::<Result<Vec<_>, _>>()?;
+        let mut both = file.study.scenes.iter().zip(&prepared);
+        if let Some((scene, _)) = both.find(|(scene, prepared)| {
+            file.study.program_of(scene).is_some() && !paper::can_run(prepared)
+        }) {
+            return Err(StudyError::Study {
+                path: file.path.clone(),
+                place: "program",
+                found: format!("the scene \"{}\"", scene.name),
+                allowed: "scenes of structures of one storey at rest, without arrivals, whose time step divides that of their record",
+            });
+        }
         // Where a scene asks for an accuracy, tables and figures show the method found for it.
         for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
             scene.method = prepared.method();
             scene.duration_s = prepared.scene().duration_s;
         }
+        Self::of_prepared(file, prepared, |program| program, done)
+    }
+
+    /// The same study with another program wherever one runs a scene.
+    ///
+    /// # Errors
+    /// [`StudyError`] of the first scene that cannot be run.
+    pub(crate) fn by_program(
+        &self,
+        change: impl Fn(Program) -> Program + Sync,
+    ) -> Result<Self, StudyError> {
+        Self::of_prepared(self.file.clone(), self.prepared.clone(), change, &|| ())
+    }
+
+    fn of_prepared(
+        file: StudyFile,
+        prepared: Vec<Prepared>,
+        change: impl Fn(Program) -> Program + Sync,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Self, StudyError> {
+        use rayon::prelude::*;
         let keeps_histories = file.study.output.needs_histories();
         let outcomes = prepared
             .par_iter()
             .zip(&file.study.scenes)
             .map(|(prepared, scene)| {
-                let outcome = prepared.run(keeps_histories.then(|| {
+                let interval = keeps_histories.then(|| {
                     let of_record = prepared.record().time_step();
                     scene.method.time_step().unwrap_or(of_record)
-                }));
+                });
+                let outcome = match file.study.program_of(scene) {
+                    Some(program) => prepared.by_program(change(program), interval),
+                    None => prepared.run(interval),
+                };
                 done();
                 outcome.map_err(|error| error.in_file(&file.path))
             })

@@ -34,6 +34,7 @@ mod laws;
 mod limits;
 mod motion_error;
 mod noise;
+pub mod paper;
 mod plot;
 mod position;
 mod prepared;
@@ -62,7 +63,8 @@ mod work_precision;
 
 pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
-    CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
+    CLOSE, Comparison, Digits, Printed, Published, PublishedValues, REPRODUCED, Reason, Verdict,
+    agreement_csv,
 };
 pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMotion, Strength};
 pub use cell::{Cell, csv_text, json_text};
@@ -101,8 +103,8 @@ pub use review::{DOUBTFUL, Errors, Review, STEPS_PER_PERIOD};
 pub use savings::{Burden, Burdened};
 pub use scene::{
     BoucWen, Building, Columns, Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground,
-    Method, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Stochastic,
-    Storey, Structure, Unit,
+    Jumps, Method, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, Source, Start,
+    Stochastic, Storey, Structure, Unit,
 };
 pub use scene_error::SceneError;
 pub use schema::{scene_schema, sweep_schema};

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use crate::converged::{Converged, N_NOISY_RUNS};
+use crate::paper::{self, Program};
+use crate::tables::Value;
 use crate::{
     Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, Comparison, Completed, Extent, Extremes,
     PublishedValues, StudyError, StudyFile, Table, Tallies, Trade, agreement_csv, claims,
@@ -109,29 +111,16 @@ impl Studies {
             })
             .collect::<Vec<_>>();
         let made = made.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let mut files = BTreeMap::new();
-        let mut values = BTreeMap::new();
-        for (study, made) in completed.iter().zip(made) {
-            let id = &study.file.id;
-            if let Some(table) = made.table {
-                files.insert(
-                    Path::new("tables").join(id).with_extension("csv"),
-                    table.to_csv().into_bytes(),
-                );
-                values.insert(
-                    id.strip_prefix("table-").unwrap_or(id).to_string(),
-                    table.values,
-                );
-            }
-            files.extend(made.folder);
-            if let Some(png) = made.figure {
-                files.insert(Path::new("figures").join(id).with_extension("png"), png);
-            }
-        }
+        let (mut files, values) = collected(&completed, made);
         let comparisons = self.published.compare(&values);
         let claims = claims(&completed)?;
         let converged = Converged::new(&completed, self.n_noisy_runs)?;
         files.extend(converged.files(&completed, &self.published)?);
+        files.extend(paper::files(
+            &completed,
+            &self.published,
+            converged.exact(),
+        )?);
         let beyond = beyond(&completed, done)?;
         let tallies = beyond
             .as_ref()
@@ -145,7 +134,12 @@ impl Studies {
         );
         files.insert(
             "claims.csv".into(),
-            claims_csv(&claims, converged.survivals(), &tallies).into_bytes(),
+            claims_csv(
+                (&claims, &without_slips(&completed)?),
+                converged.survivals(),
+                &tallies,
+            )
+            .into_bytes(),
         );
         let surprises = self.published.surprises(&comparisons);
         Ok(Reproduction {
@@ -155,6 +149,40 @@ impl Studies {
             surprises,
         })
     }
+}
+
+/// Files of all studies by their paths, and the numbers of their tables by the names of these.
+fn collected(
+    completed: &[Completed],
+    made: Vec<Made>,
+) -> (BTreeMap<PathBuf, Vec<u8>>, BTreeMap<String, Vec<Value>>) {
+    let (mut files, mut values) = (BTreeMap::new(), BTreeMap::new());
+    for (study, made) in completed.iter().zip(made) {
+        let id = &study.file.id;
+        if let Some(table) = made.table {
+            files.insert(
+                Path::new("tables").join(id).with_extension("csv"),
+                table.to_csv().into_bytes(),
+            );
+            let name = id.strip_prefix("table-").unwrap_or(id);
+            values.insert(name.to_string(), table.values);
+        }
+        files.extend(made.folder);
+        if let Some(png) = made.figure {
+            files.insert(Path::new("figures").join(id).with_extension("png"), png);
+        }
+    }
+    (files, values)
+}
+
+/// The claims by the method as the paper describes it.
+fn without_slips(completed: &[Completed]) -> Result<Vec<Claim>, StudyError> {
+    let again = completed
+        .par_iter()
+        .filter(|study| study.file.study.program.is_some())
+        .map(|study| study.by_program(|_| Program::DESCRIBED))
+        .collect::<Vec<_>>();
+    claims(&again.into_iter().collect::<Result<Vec<_>, _>>()?)
 }
 
 /// The scenes under other ground motions, where a study lists some.

@@ -220,20 +220,12 @@ impl Prepared {
         let is_off =
             |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
         let off = restitution.is_some_and(is_off);
-        match (free.steps, restitution) {
-            (Some(steps), _) if off || steps < SLACK * STEPS_PER_CONTACT => {
-                Some(Warning::UnderResolved {
-                    place: place(),
-                    steps,
-                    restitution,
-                })
-            }
-            (None, Some(restitution)) if off => Some(Warning::PublishedImpacts {
-                place: place(),
-                restitution,
-            }),
-            _ => None,
-        }
+        let few = |steps: &f64| off || *steps < SLACK * STEPS_PER_CONTACT;
+        free.steps.filter(few).map(|steps| Warning::UnderResolved {
+            place: place(),
+            steps,
+            restitution,
+        })
     }
 
     /// Slow touches of a law whose damper grows with 1/v₀, of a run that knows its approach speeds.

@@ -56,13 +56,6 @@ pub enum Warning {
         /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
         restitution: Option<(f64, Delivered)>,
     },
-    /// The published rule for impacts delivers another e than its law.
-    PublishedImpacts {
-        /// Where.
-        place: Place,
-        /// e of the law, and what the method delivers instead.
-        restitution: (f64, Delivered),
-    },
     /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
     Rests {
         /// Index of the pair.
@@ -112,16 +105,15 @@ impl Warning {
             | Self::Doubtful { .. }
             | Self::ErrorUnknown
             | Self::FewStepsPerPeriod { .. } => true,
-            Self::BeyondContactLimit { .. }
-            | Self::UnderResolved { .. }
-            | Self::PublishedImpacts { .. }
-            | Self::Rests { .. } => matches!(
-                asked,
-                Number::PoundingForce
-                    | Number::FirstImpulse
-                    | Number::LargestImpulse
-                    | Number::TotalImpulse
-            ),
+            Self::BeyondContactLimit { .. } | Self::UnderResolved { .. } | Self::Rests { .. } => {
+                matches!(
+                    asked,
+                    Number::PoundingForce
+                        | Number::FirstImpulse
+                        | Number::LargestImpulse
+                        | Number::TotalImpulse
+                )
+            }
             Self::Error { number, .. } => asked == *number,
             // Of the model, which every method shares.
             Self::SlowTouches { .. } => false,
@@ -170,15 +162,6 @@ impl fmt::Display for Warning {
                 steps,
                 restitution,
             } => under_resolved(place, *steps, restitution.as_ref(), to),
-            Self::PublishedImpacts {
-                place,
-                restitution: (right, delivered),
-            } => write!(
-                to,
-                "{place}: impulses by the impacts as published: {}; method.central_difference.impacts \"velocity_jump\" \
-                 delivers it",
-                instead(*right, delivered)
-            ),
             Self::Rests { pair, names } => {
                 let [left, right] = names;
                 write!(

@@ -66,10 +66,6 @@ fn order_every_stepping_method_delivers_it_at_short_steps() {
         let wanted = wanted(law, 0.65, Calibration::Exact);
         let certificate = Certificate::new(&wanted, &COLLISION).expect("a certificate");
         for method in StepMethod::differing(impulsive) {
-            if impulsive && method.name() == "central_difference_as_published" {
-                // The published rule may hit twice.
-                continue;
-            }
             let error = |step| {
                 let delivered = certificate.by(&COLLISION, &method.at(step));
                 delivered.expect("a run").error

@@ -37,8 +37,8 @@ fn limit_bytes_do_not_depend_on_threads_or_on_the_run() {
     };
     assert_eq!(
         (of_kind("csv"), of_kind("png")),
-        (14, 23),
-        "seven tables, five converged ones, agreement and claims; figures"
+        (16, 24),
+        "seven tables, five converged ones, agreement, claims, slips and combinations; figures"
     );
     for n_threads in [2, 1] {
         let again = files(n_threads);

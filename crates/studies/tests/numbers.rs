@@ -91,7 +91,7 @@ fn laws() -> Vec<Value> {
 fn methods() -> Vec<Value> {
     vec![
         json!({"central_difference": {
-            "time_step_s": 0.01, "start": "consistent", "impacts": "velocity_jump", "contact_substeps": 2
+            "time_step_s": 0.01, "contact_substeps": 2
         }}),
         json!({"newmark": {"time_step_s": 0.01, "beta": 0.25, "gamma": 0.5}}),
         json!({"hht": {"time_step_s": 0.01, "alpha": -0.1}}),

@@ -89,7 +89,7 @@ fn extreme_field_missing_deep_in_a_study() {
     let mut study = study("table-2");
     let contact = study["scenes"][1]["contacts"][0].as_object_mut();
     contact.expect("a contact has fields").remove("gap_m");
-    assert_snapshot!(refused("deep", &study), @"study.json, line 65, column 9: scenes[1].contacts[0]: found no `gap_m`, which must be there; add it");
+    assert_snapshot!(refused("deep", &study), @"study.json, line 70, column 9: scenes[1].contacts[0]: found no `gap_m`, which must be there; add it");
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn extreme_time_step_at_the_limit() {
     let limit = 2.0 * (3e6_f64 / 1.316e9).sqrt();
     let damping = (0.5712 * 3e6 + 0.001_447 * 1.316e9) / (2.0 * (3e6_f64 * 1.316e9).sqrt());
     let newmark = |beta: f64| json!({"newmark": {"time_step_s": 0, "beta": beta, "gamma": 0.5}});
-    let central = json!({"central_difference": {"time_step_s": 0, "start": "consistent"}});
+    let central = json!({"central_difference": {"time_step_s": 0}});
     for (method, limit) in [
         (central, Some(limit)),
         (newmark(1.0 / 6.0), Some(3.0_f64.sqrt() * limit)),
@@ -235,6 +235,22 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
 }
 
 #[test]
+fn extreme_scenes_that_the_papers_program_cannot_run() {
+    insta::allow_duplicates! {
+        for (field, value) in [
+            ("/scenes/0/method/central_difference/time_step_s", json!(0.04)),
+            ("/scenes/0/structures/0/sdof/initial_velocity_m_per_s", json!(0.1)),
+            ("/scenes/0/arrivals_s", json!([0.0, 0.1])),
+        ] {
+            let mut study = study("table-4");
+            let (place, name) = field.rsplit_once('/').expect("a path");
+            study.pointer_mut(place).expect("a place")[name] = value;
+            assert_snapshot!(refused("program", &study), @r#"study.json: program: found the scene "elastic", allowed scenes of structures of one storey at rest, without arrivals, whose time step divides that of their record"#);
+        }
+    }
+}
+
+#[test]
 fn extreme_an_accuracy_where_steps_are_shown() {
     let mut study = study("table-2");
     study["scenes"][0]["method"] = json!({"accuracy": 0.2});
@@ -246,6 +262,7 @@ fn extreme_a_run_that_creates_energy_names_pair_and_structures() {
     let mut study = study("table-4");
     study["scenes"].as_array_mut().expect("scenes").remove(0);
     study["scenes"][0]["method"]["central_difference"]["time_step_s"] = json!(0.05);
+    study.as_object_mut().expect("a study").remove("program");
     let error = make("energy", &study).expect_err("steps far too long for the contact");
     let StudyError::InFile { source, .. } = &error else {
         panic!("the error should name its file: {error}");

@@ -30,6 +30,9 @@ fn reference_agreement_claims_and_converged_tables() {
     for name in ["agreement.csv", "claims.csv"] {
         assert_snapshot!(name, text(Path::new(name)));
     }
+    for name in ["slips.csv", "combinations.csv"] {
+        assert_snapshot!(name, text(&Path::new("paper").join(name)));
+    }
     for table in ["2", "4", "5", "6", "7"] {
         let name = format!("converged-{table}.csv");
         assert_snapshot!(name.clone(), text(&Path::new("tables").join(&name)));

@@ -46,7 +46,7 @@ fn methods() -> Result<Vec<(&'static str, Method)>, String> {
         ("exact", json!({"exact": {}})),
         (
             "central difference",
-            json!({"central_difference": {"time_step_s": 0.005, "start": "consistent", "impacts": "velocity_jump"}}),
+            json!({"central_difference": {"time_step_s": 0.005}}),
         ),
         (
             "Newmark",

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pounding_solver::{CentralDifference, Clock, Exact, ImpactRule, SimultaneousImpacts, Start};
+use pounding_solver::{CentralDifference, Clock, Exact, SimultaneousImpacts};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -25,8 +25,6 @@ pub(super) const CLOCK: Clock = Clock {
 /// Time between two samples of the record \[s\], which is all that the exact method needs.
 pub(super) const RECORDED: f64 = 0.02;
 pub(super) const STEPPING: CentralDifference = CentralDifference {
-    start: Start::Consistent,
-    impacts: ImpactRule::VelocityJump,
     contact_substeps: 1,
 };
 pub(super) const EXACT: Exact = Exact {

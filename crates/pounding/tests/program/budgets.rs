@@ -141,7 +141,7 @@ fn issue_sub_steps_count_among_the_steps() {
     let folder = folder("budgets_substeps");
     let mut scene = scene(&json!({"stereomechanical": {"restitution": 0.0}}));
     scene["method"] = json!({"central_difference": {
-        "time_step_s": 1e-5, "start": "consistent", "impacts": "velocity_jump", "contact_substeps": 1000,
+        "time_step_s": 1e-5, "contact_substeps": 1000,
     }});
     write(&folder, "scene.json", &scene);
     let refused = refusal(&pounding(&folder, &["run", "scene.json"]));

@@ -2,26 +2,24 @@
 
 use pounding_contact::Overlap;
 
-use super::{Body, ImpactRule, Instant, Run};
+use super::{Body, Instant, Run};
 use crate::buildings::Buildings;
 use crate::ground::Ground;
-use crate::{Impact, Pair, Recorder, RestoringForce, Velocities};
+use crate::{Pair, Recorder, RestoringForce};
 
 impl<Column: RestoringForce> Run<'_, Column> {
-    /// Contact at a node, each pair alone; true when an impulsive pair is hit, or is closed and may jump.
+    /// Contact at a node, each pair alone; true when an impulsive pair is closed and may jump.
     ///
     /// Compliant laws see the backward difference of the deformation as its rate, also where the deformation one step
-    /// earlier was negative. The published rule for impulsive laws: an overlap found now, the velocities of the node
-    /// before, one impulse per step, no correction of the displacements. It does not converge as Δt → 0.
+    /// earlier was negative.
     pub(super) fn touch(&mut self, Instant { ground, fine, .. }: Instant<'_>) -> bool {
         let bodies = &mut self.bodies;
         for body in bodies.iter_mut().filter(|body| body.fine || !fine) {
-            (body.force_from_left, body.force_from_right, body.impulse) = (0.0, 0.0, 0.0);
+            (body.force_from_left, body.force_from_right) = (0.0, 0.0);
             body.excess = (0.0, 0.0);
         }
         let mut hit = false;
         for (index, pair) in self.row.pairs().iter().enumerate() {
-            self.impulses[index] = 0.0;
             self.jumps.touching[index] = false;
             let (left, right) = (&bodies[pair.left], &bodies[pair.right]);
             let deformation = ground.deformation(pair, left.displacement - right.displacement);
@@ -37,40 +35,24 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 continue;
             }
             self.work.touching_steps += u64::from(overlaps);
-            let reduced_mass = self.row.reduced_mass(pair);
-            match (pair.law.impulsive(), self.impacts) {
-                (None, _) if overlaps => {
-                    let steps = [left, right].map(|body| self.steps[usize::from(body.fine)]);
-                    // The grounds' own is that half way back.
-                    let half_back = 0.5 * steps[0].min(steps[1]) / self.steps[0];
-                    let rate = ground
-                        .earlier(half_back)
-                        .rate(pair, rate(left, right, steps));
-                    let overlap = Overlap {
-                        deformation,
-                        rate,
-                        reduced_mass,
-                        approach_speed: self.approaches.of(index, rate),
-                    };
-                    if let Some(contact) = pair.law.respond(&overlap) {
-                        push(bodies, pair, contact.force, steps);
-                    }
-                }
-                (None, _) => {}
-                (Some(law), ImpactRule::AsPublished) => {
-                    let before = ground.earlier(1.0);
-                    let rate = before.rate(pair, left.velocity - right.velocity);
-                    if overlaps && rate > 0.0 {
-                        let impulse = law.impulse(rate, reduced_mass);
-                        self.impulses[index] = impulse;
-                        bodies[pair.left].impulse -= impulse;
-                        bodies[pair.right].impulse += impulse;
-                        hit = true;
-                    }
-                }
-                (Some(_), ImpactRule::VelocityJump) => {
-                    self.jumps.touching[index] = true;
-                    hit = true;
+            if pair.law.impulsive().is_some() {
+                self.jumps.touching[index] = true;
+                hit = true;
+            } else if overlaps {
+                let steps = [left, right].map(|body| self.steps[usize::from(body.fine)]);
+                // The grounds' own is that half way back.
+                let half_back = 0.5 * steps[0].min(steps[1]) / self.steps[0];
+                let rate = ground
+                    .earlier(half_back)
+                    .rate(pair, rate(left, right, steps));
+                let overlap = Overlap {
+                    deformation,
+                    rate,
+                    reduced_mass: self.row.reduced_mass(pair),
+                    approach_speed: self.approaches.of(index, rate),
+                };
+                if let Some(contact) = pair.law.respond(&overlap) {
+                    push(bodies, pair, contact.force, steps);
                 }
             }
         }
@@ -124,36 +106,6 @@ impl<Column: RestoringForce> Run<'_, Column> {
             body.restart(self.steps[1]);
         }
         any
-    }
-
-    /// Reports the impacts of the published rule at a node, after its spans.
-    pub(super) fn report<R: Recorder>(&self, node: Instant<'_>, recorder: &mut R) {
-        let bodies = &self.bodies;
-        let before = |index: usize| {
-            bodies[index].start.velocity
-                - self.row.nodes()[index].inverse_mass * bodies[index].impulse
-        };
-        let pairs = self.row.pairs().iter();
-        for (index, (pair, &impulse)) in pairs.zip(&self.impulses).enumerate() {
-            if impulse > 0.0 {
-                recorder.impact(&Impact {
-                    pair: index,
-                    left: pair.left,
-                    right: pair.right,
-                    time: node.time,
-                    impulse,
-                    before: Velocities {
-                        left: before(pair.left),
-                        right: before(pair.right),
-                    },
-                    after: Velocities {
-                        left: bodies[pair.left].start.velocity,
-                        right: bodies[pair.right].start.velocity,
-                    },
-                    opening_rate: node.ground.opening(pair).velocity,
-                });
-            }
-        }
     }
 }
 

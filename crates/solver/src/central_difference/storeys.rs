@@ -5,7 +5,7 @@
 //! once more: what a floor needs of the one above is carried along, and the one below has not gone on yet.
 
 use super::coefficients::FloorCoefficients;
-use super::{Body, ImpactRule, Instant, Run};
+use super::{Body, Instant, Run};
 use crate::buildings::Buildings;
 use crate::dashpots::Dashpots;
 use crate::span::Load;
@@ -26,21 +26,12 @@ pub(super) struct Storeys {
 struct Solution {
     /// The next increment \[m\]; on the way down without what the floor below adds to it.
     increment: f64,
-    /// Central-difference velocity, half way through a jump \[m/s\].
+    /// Central-difference velocity, before a jump \[m/s\].
     velocity: f64,
-    /// Jump of the velocity by the published rule \[m/s\].
-    jump: f64,
     /// Acceleration without damping, or with it where velocity was given back \[m/s²\].
     acceleration: f64,
     /// Force of the storey below the floor \[N\].
     restoring_force: f64,
-}
-
-impl Solution {
-    /// Velocity before the jump \[m/s\].
-    fn end_velocity(&self) -> f64 {
-        self.velocity - 0.5 * self.jump
-    }
 }
 
 impl Storeys {
@@ -57,15 +48,13 @@ impl Storeys {
 }
 
 impl<Column: RestoringForce> Run<'_, Column> {
-    /// Solves the equations of a node, building by building, and reports the spans that end there; `hit` says whether
-    /// impulsive pairs are.
+    /// Solves the equations of a node, building by building, and reports the spans that end there.
     #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
     pub(super) fn advance_storeys<R: Recorder>(
         &mut self,
-        (node, hit): (Instant<'_>, bool),
+        node: Instant<'_>,
         recorder: &mut R,
     ) -> Result<(), RunError> {
-        let published = hit && self.impacts == ImpactRule::AsPublished;
         let divides = self.steps[1] < self.steps[0];
         let Some(storeys) = &mut self.storeys else {
             return Ok(());
@@ -98,7 +87,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 building.excess(&mut storeys.dashpots.values[range.clone()]);
                 building.give_back(storeys.dashpots.solve(range, self.steps[0]));
             }
-            building.go_on((node.time, ground), (met_late, published), recorder);
+            building.go_on((node.time, ground), met_late, recorder);
             self.work.force_evaluations += floors.len() as u64;
         }
         Ok(())
@@ -119,9 +108,8 @@ struct Building<'a, Column: RestoringForce> {
 /// What is carried down from the floor above; all 0 above the top floor.
 #[derive(Default)]
 struct Above {
-    /// Velocity at the end of the span, and its jump by the published rule \[m/s\].
+    /// Velocity at the end of the span \[m/s\].
     velocity: f64,
-    jump: f64,
     /// Forces of its columns and of its dashpot at the start and at the end of the span \[N\].
     forces: [(f64, f64); 2],
 }
@@ -148,14 +136,11 @@ impl<Column: RestoringForce> Building<'_, Column> {
             let pounding_force = body.force_from_left + body.force_from_right;
             let force = pounding_force - (response.force - carried);
             let smooth = own.inverse_mass * force - own.mobile * ground;
-            let jump = own.inverse_mass * body.impulse;
-            let load = smooth + jump / own.time_step;
             let before = own.carry * body.increment + constants.below * below_increment;
-            let increment = own.solve * (load + (before + constants.above * increments));
+            let increment = own.solve * (smooth + (before + constants.above * increments));
             *solution = Solution {
                 increment,
                 velocity: 0.0,
-                jump,
                 acceleration: smooth,
                 restoring_force: response.force,
             };
@@ -222,31 +207,23 @@ impl<Column: RestoringForce> Building<'_, Column> {
 
     /// From the top down: reports the spans that end at a node, and lets the bodies go on from it.
     ///
-    /// Accelerations may be `settled` already; velocities jump after the span by the `published` rule alone.
-    fn go_on<R: Recorder>(
-        &mut self,
-        (time, ground): (f64, f64),
-        (settled, published): (bool, bool),
-        recorder: &mut R,
-    ) {
+    /// Accelerations may be `settled` already.
+    fn go_on<R: Recorder>(&mut self, (time, ground): (f64, f64), settled: bool, recorder: &mut R) {
         let (mut above, n) = (Above::default(), self.floors.len());
         // The lengths are told once, so that no floor has to be checked against them.
         let coefficients = &self.coefficients[..n];
         for level in (0..n).rev() {
             let (index, found) = (self.floors[level], self.solutions[level]);
             let rates = &coefficients[level].rates;
-            let velocity = found.end_velocity();
-            let (mut below_velocity, mut below_jump) = (0.0, 0.0);
-            if level > 0 {
-                let below = &self.solutions[level - 1];
-                (below_velocity, below_jump) = (below.end_velocity(), below.jump);
-            }
+            let velocity = found.velocity;
+            let below = level.checked_sub(1);
+            let below_velocity = below.map_or(0.0, |below| self.solutions[below].velocity);
             let mut acceleration = found.acceleration;
             if !settled {
                 acceleration -= rates.deceleration([below_velocity, velocity, above.velocity]);
             }
             let body = &self.bodies[index];
-            let mut end = State {
+            let end = State {
                 displacement: body.displacement,
                 velocity,
                 acceleration,
@@ -263,11 +240,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
                     recorder,
                 );
             }
-            if published {
-                end.velocity += found.jump;
-                end.acceleration -= rates.deceleration([below_jump, found.jump, above.jump]);
-            }
-            (above.velocity, above.jump) = (velocity, found.jump);
+            above.velocity = velocity;
             let body = &mut self.bodies[index];
             body.displacement += found.increment;
             body.increment = found.increment;
@@ -275,7 +248,6 @@ impl<Column: RestoringForce> Building<'_, Column> {
             body.start = end;
             body.start_time = time;
             body.start_ground = ground;
-            body.solved = true;
         }
     }
 
@@ -306,8 +278,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
             Load::at(&body.start, forces[0], body.start_ground),
             Load::at(&end, forces[1], ground),
         ];
-        let weights = [if body.solved { 1.0 } else { 0.0 }, 1.0];
-        let weights = (0.5 * self.coefficients[level].own.time_step, weights);
+        let weights = (0.5 * self.coefficients[level].own.time_step, [1.0; 2]);
         let times = (body.start_time, time);
         let span = Span::step::<R, _>(index, times, [body.start, end], weights, loads);
         let (from_left, from_right) = body.excess;

@@ -6,7 +6,8 @@ use pounding_contact::Number;
 use super::column::SideBySideColumn;
 use super::number::Lanes;
 use crate::central_difference::coefficients::Coefficients;
-use crate::{Node, RestoringForce, Start};
+use crate::central_difference::first_increment;
+use crate::{Node, RestoringForce};
 
 /// A structure: what does not change, and what does from step to step.
 pub(super) struct Body<S: Simd, Column: RestoringForce<Lanes<S>>> {
@@ -39,14 +40,9 @@ pub(super) struct Motion<S: Simd, Memory> {
 pub(super) struct InContact<S: Simd> {
     /// Whether some lane touches a neighbour at the node under way, or has books of it to close.
     pub(super) is_near: bool,
-    /// The increment before the last one \[m\]: what the published rule looks at. It is kept in every step where that rule holds,
-    /// and in contact elsewhere.
-    pub(super) before: Lanes<S>,
     /// Pounding forces \[N\]; those of compliant pairs are renewed at every such node.
     pub(super) force_from_left: Lanes<S>,
     pub(super) force_from_right: Lanes<S>,
-    /// Net impulse of the published rule \[N·s\].
-    pub(super) impulse: Lanes<S>,
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] where impulsive pairs touch.
     displacement: Lanes<S>,
     pub(super) velocity: Lanes<S>,
@@ -60,7 +56,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     #[inline(always)]
     pub(super) fn new<Single: SideBySideColumn<Beside<Lanes<S>> = Column>>(
         gather: impl Fn(&dyn Fn(&Node<Single>) -> f64) -> Lanes<S>,
-        (start, dt, ground): (Start, f64, f64),
+        (dt, ground): (f64, f64),
     ) -> Self {
         let inverse_mass = gather(&|node| node.inverse_mass);
         let damping = gather(&|node| node.damping);
@@ -72,7 +68,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         let zero = damping.like(0.0);
         let force = zero - damping * velocity - response.force;
         let acceleration = inverse_mass * force - mobile * damping.like(ground);
-        let (first, increment) = start.first([displacement, velocity, acceleration], dt);
+        let increment = first_increment([velocity, acceleration], dt);
         let mut coefficients = Coefficients::of(inverse_mass, damping, mobile, dt);
         // A wall stays where it is, whatever the acceleration: one multiplication less in every step.
         coefficients.solve = mobile * coefficients.solve;
@@ -83,17 +79,15 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 damping,
             },
             motion: Motion {
-                displacement: first,
+                displacement,
                 increment,
                 memory: response.memory,
                 extremes: [displacement; 2],
             },
             contact: InContact {
                 is_near: false,
-                before: zero,
                 force_from_left: zero,
                 force_from_right: zero,
-                impulse: zero,
                 displacement: zero,
                 velocity,
                 restoring_force: zero,
@@ -102,18 +96,15 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         }
     }
 
-    /// The step from a node at which no lane touches a neighbour; `published` where the published rule holds.
+    /// The step from a node at which no lane touches a neighbour.
     #[inline(always)]
-    pub(super) fn step(&mut self, ground: Lanes<S>, published: bool) {
-        if published {
-            self.contact.before = self.motion.increment;
-        }
+    pub(super) fn step(&mut self, ground: Lanes<S>) {
         self.constants.step(&mut self.motion, ground);
     }
 
     /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
     #[inline(always)]
-    pub(super) fn step_in_contact(&mut self, ground: Lanes<S>, (hit, jumps): (bool, bool)) {
+    pub(super) fn step_in_contact(&mut self, ground: Lanes<S>, jumps: bool) {
         let Constants {
             coefficients,
             column,
@@ -123,22 +114,14 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         let response = column.respond(motion.displacement, motion.memory);
         let pounding = contact.force_from_left + contact.force_from_right;
         let smooth = coefficients.smooth((pounding, response.force), ground);
-        let load = if hit {
-            let jump = coefficients.inverse_mass * contact.impulse;
-            contact.impulse = ground.like(0.0);
-            smooth + jump / ground.like(coefficients.time_step)
-        } else {
-            smooth
-        };
-        let displacement = motion.displacement;
+        let (displacement, increment) = (motion.displacement, motion.increment);
         contact.is_near = false;
-        contact.before = motion.increment;
-        motion.go_on(coefficients, load);
+        motion.go_on(coefficients, smooth);
         motion.memory = response.memory;
         if jumps {
             contact.displacement = displacement;
             contact.restoring_force = response.force;
-            contact.velocity = coefficients.velocity([contact.before, motion.increment]);
+            contact.velocity = coefficients.velocity([increment, motion.increment]);
         }
     }
 

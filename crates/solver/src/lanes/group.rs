@@ -7,11 +7,11 @@ use super::Shaken;
 use super::body::Body;
 use super::column::SideBySideColumn;
 use super::jump::Jumps;
-use super::law::{Impulsive, Law};
+use super::law::Law;
 use super::number::{Lanes, MOST_LANES, Mask};
 use super::tally::Tally;
 use crate::rounds::Touching;
-use crate::{CentralDifference, ImpactRule, Node, RestoringForce, Row};
+use crate::{CentralDifference, Node, RestoringForce, Row};
 
 /// A structure of every scene.
 pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
@@ -34,7 +34,6 @@ pub(super) struct Pair<S: Simd> {
 /// Structures and pairs are slices, so that code which knows how many there are gets loops of that length.
 pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn> {
     pub(super) simd: S,
-    pub(super) impacts: ImpactRule,
     pub(super) time_step: f64,
     pub(super) structures: &'a mut [Structure<S, Column>],
     /// For every structure the pair that it is the left neighbour of.
@@ -56,16 +55,16 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
         self.0[lane.min(self.0.len() - 1)]
     }
 
-    /// A structure of all rows, at the first node to be solved; `ground` is the acceleration at t = 0.
+    /// A structure of all rows at t = 0, with the time step and the acceleration of the ground there.
     #[inline(always)]
     pub(super) fn structure<S: Simd>(
         self,
         simd: S,
         node: usize,
-        (settings, time_step, ground): (CentralDifference, f64, f64),
+        start: (f64, f64),
     ) -> Structure<S, Column> {
         let gather = |number: &dyn Fn(&Node<Column>) -> f64| self.gather(simd, node, number);
-        Body::new(gather, (settings.start, time_step, ground))
+        Body::new(gather, start)
     }
 
     /// A number of a structure of all rows.
@@ -85,11 +84,7 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
 
     /// Both structures of rows that have two.
     #[inline(always)]
-    pub(super) fn two<S: Simd>(
-        self,
-        simd: S,
-        start: (CentralDifference, f64, f64),
-    ) -> [Structure<S, Column>; 2] {
+    pub(super) fn two<S: Simd>(self, simd: S, start: (f64, f64)) -> [Structure<S, Column>; 2] {
         [
             self.structure(simd, 0, start),
             self.structure(simd, 1, start),
@@ -126,7 +121,6 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
     ) -> Self {
         Self {
             simd,
-            impacts: method.settings.impacts,
             time_step: method.time_step,
             jumps: Jumps::new::<Column>(structures, pairs),
             structures,
@@ -138,15 +132,15 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
 
     /// A step from a node with this acceleration of the ground.
     #[inline(always)]
-    pub(super) fn step(&mut self, acceleration: f64, is_first: bool) {
+    pub(super) fn step(&mut self, acceleration: f64) {
         let touches = self.deform();
         let ground = Lanes::splat(self.simd, acceleration);
         if touches || self.busy {
-            self.contact_step(ground, is_first);
+            self.contact_step(ground);
             self.touching_steps += u64::from(touches);
         } else {
             for structure in self.structures.iter_mut() {
-                structure.step(ground, self.impacts == ImpactRule::AsPublished);
+                structure.step(ground);
             }
         }
     }
@@ -169,9 +163,8 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
 
     /// A step from a node at which some lane touches, or did at the node before.
     #[inline(always)]
-    fn contact_step(&mut self, ground: Lanes<S>, is_first: bool) {
-        let published = self.impacts == ImpactRule::AsPublished;
-        let (mut hit, mut jumps, mut busy) = (false, false, false);
+    fn contact_step(&mut self, ground: Lanes<S>) {
+        let (mut jumps, mut busy) = (false, false);
         for left in 1..self.structures.len() {
             let Some(pair) = &mut self.pairs[left - 1] else {
                 continue;
@@ -185,14 +178,9 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
             neighbours[0].contact.is_near = true;
             neighbours[1].contact.is_near = true;
             if let Law::Impulsive(law) = pair.law {
-                match self.impacts {
-                    ImpactRule::AsPublished => hit |= strike(pair, law, neighbours, is_first),
-                    ImpactRule::VelocityJump => {
-                        jumps = true;
-                        let touching = Touching::on_one_ground(touches, law.factor);
-                        self.jumps.take((pair.index, left - 1), touching);
-                    }
-                }
+                jumps = true;
+                let touching = Touching::on_one_ground(touches, law.factor);
+                self.jumps.take((pair.index, left - 1), touching);
             } else {
                 push(pair, neighbours, self.time_step);
                 pair.lingers = pair.tally.lingers();
@@ -202,9 +190,9 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
         self.busy = busy;
         for structure in self.structures.iter_mut() {
             if structure.contact.is_near {
-                structure.step_in_contact(ground, (hit, jumps));
+                structure.step_in_contact(ground, jumps);
             } else {
-                structure.step(ground, published);
+                structure.step(ground);
             }
         }
         if jumps {
@@ -234,34 +222,4 @@ fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(
     pair.tally.follow(force, overlaps, impulse);
     left.contact.force_from_right = -force;
     right.contact.force_from_left = force;
-}
-
-/// Gives an impulsive pair its impulse by the published rule: an overlap now, an approach at the node before; true where there is
-/// one.
-#[inline(always)]
-fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
-    pair: &mut Pair<S>,
-    law: Impulsive<S>,
-    [left, right]: Neighbours<'_, S, Column>,
-    is_first: bool,
-) -> bool {
-    let velocity = |structure: &Body<S, Column>| {
-        if is_first {
-            structure.contact.velocity
-        } else {
-            let increments = [structure.contact.before, structure.motion.increment];
-            structure.constants.coefficients.velocity(increments)
-        }
-    };
-    let rate = velocity(left) - velocity(right);
-    let zero = rate.like(0.0);
-    let hit = pair.deformation.exceeds(zero) & rate.exceeds(zero);
-    if !Lanes::any(hit) {
-        return false;
-    }
-    let impulse = Number::select(hit, law.factor * law.reduced_mass * rate, zero);
-    pair.tally.strike(impulse);
-    left.contact.impulse = left.contact.impulse - impulse;
-    right.contact.impulse = right.contact.impulse + impulse;
-    true
 }

@@ -18,7 +18,6 @@ pub(super) enum Law<S: Simd> {
 pub(super) struct Impulsive<S: Simd> {
     /// 1 + e.
     pub(super) factor: Lanes<S>,
-    pub(super) reduced_mass: Lanes<S>,
 }
 
 /// A law of the common form; its damper may know the rate of the first touch.
@@ -37,17 +36,16 @@ impl<S: Simd> Law<S> {
     /// Of laws of one kind, and the reduced masses of their pairs \[kg\].
     #[inline(always)]
     pub(super) fn new(simd: S, laws: [ContactLaw; MOST_LANES], masses: [f64; MOST_LANES]) -> Self {
-        let reduced_mass = Lanes::new(simd, &masses);
         if laws[0].impulsive().is_some() {
             let restitution =
                 laws.map(|law| law.impulsive().map_or(f64::NAN, |law| law.restitution));
             let restitution = Lanes::new(simd, &restitution);
             return Self::Impulsive(Impulsive {
                 factor: restitution.like(1.0) + restitution,
-                reduced_mass,
             });
         }
         if let ContactLaw::NonlinearViscoelastic(_) = laws[0] {
+            let reduced_mass = Lanes::new(simd, &masses);
             let of = |number: fn(&NonlinearViscoelastic) -> f64| {
                 let numbers = laws.map(|law| {
                     if let ContactLaw::NonlinearViscoelastic(element) = law {

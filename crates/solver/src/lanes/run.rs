@@ -8,7 +8,7 @@ use super::column::SideBySideColumn;
 use super::group::{Group, Rows};
 use super::number::Lanes;
 use super::{BETWEEN, Shaken, Tallies};
-use crate::{CentralDifference, ImpactRule, Row};
+use crate::{CentralDifference, Row};
 
 /// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
 /// longer rows do not wait for each other, and a second group doubles the memory in use.
@@ -56,7 +56,7 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
     let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
     // A group without scenes repeats the other one, and is not told.
     let parts = [one, if other.is_empty() { one } else { other }].map(Rows);
-    let start = (method.settings, method.time_step, method.ground[0]);
+    let start = (method.time_step, method.ground[0]);
     if rows[0].nodes().len() == 2 {
         let (mut a, mut b) = (parts[0].two(simd, start), parts[1].two(simd, start));
         let (mut c, mut d) = (
@@ -93,19 +93,16 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         tallies,
     }: Task<'_, Column>,
 ) {
-    let first = method.settings.start.first_node();
-    let published = method.settings.impacts == ImpactRule::AsPublished;
     let between = BETWEEN.div_ceil(rows[0].nodes().len().max(1));
-    let mut step = first;
+    let mut step = 0;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
         if method.budget.is_stopped() {
             return;
         }
         let ground = &method.ground[..=(*end).min(step + between)];
         while step < ground.len() {
-            // The published rule looks at more than motions at hand have.
             if let [one, other] = groups
-                && !(published || one.busy || other.busy)
+                && !(one.busy || other.busy)
             {
                 let groups = [one, other];
                 step = match groups[0].structures.len() {
@@ -116,7 +113,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             }
             if let Some(acceleration) = ground.get(step) {
                 for group in groups.iter_mut() {
-                    group.step(*acceleration, step == first);
+                    group.step(*acceleration);
                 }
                 step += 1;
             }
@@ -138,7 +135,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
     }
     let with_scenes = rows.len().div_ceil(Lanes::<S>::N);
     for group in &groups[..with_scenes] {
-        tallies.steps += (step - first) as u64;
+        tallies.steps += step as u64;
         tallies.touching_steps += group.touching_steps;
     }
 }

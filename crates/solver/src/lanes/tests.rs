@@ -5,8 +5,8 @@ use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomec
 
 use super::{ExactSideBySide, RowsOf, SideBySide, Stepping, Tallies};
 use crate::{
-    CentralDifference, Clock, Elastic, Exact, Excitation, ImpactRule, Node, Pair, Row,
-    SimultaneousImpacts, Start, Verlet, VerletImpacts,
+    CentralDifference, Clock, Elastic, Exact, Excitation, Node, Pair, Row, SimultaneousImpacts,
+    Verlet, VerletImpacts,
 };
 
 const CLOCK: Clock = Clock {
@@ -73,11 +73,6 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
     let ground: Vec<f64> = (0..=80).map(|n| 4.0 * libm::sin(f64::from(n))).collect();
     let excitation = Excitation::new(0.05, &ground).expect("valid");
     let narrow = Level::Sse2(Level::new().as_sse2().expect("every such machine has it"));
-    let settings = CentralDifference {
-        start: Start::Consistent,
-        impacts: ImpactRule::VelocityJump,
-        contact_substeps: 1,
-    };
     let verlet = Verlet {
         impacts: VerletImpacts::Located,
     };
@@ -88,7 +83,8 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
     for law in laws() {
         let [mut one, mut other] = [Tallies::default(), Tallies::default()];
         // Two structures have code of their own, up to three go two groups in step.
-        let shapes = [2, 3, 5].map(|structures| (Stepping::from(settings), structures));
+        let shapes =
+            [2, 3, 5].map(|structures| (Stepping::from(CentralDifference::default()), structures));
         for (method, structures) in shapes.into_iter().chain([(verlet.into(), 2)]) {
             let rows = rows(law, structures);
             let mut wide = SideBySide::new(method, excitation, CLOCK).expect("valid");

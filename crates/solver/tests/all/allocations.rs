@@ -8,8 +8,8 @@ use crate::common::{
 };
 use crate::watch::Watch;
 use pounding_solver::{
-    CentralDifference, Elastic, Excitation, ImpactRule, Ledger, Node, Peaks, Row, RowsOf,
-    SideBySide, Start, Stepping, Tallies, TransferredMomentum, Verlet, VerletImpacts,
+    CentralDifference, Elastic, Excitation, Ledger, Node, Peaks, Row, RowsOf, SideBySide, Stepping,
+    Tallies, TransferredMomentum, Verlet, VerletImpacts,
 };
 
 /// The system's allocator with a counter.
@@ -81,15 +81,13 @@ fn limit_a_step_allocates_nothing() {
 fn limit_a_step_side_by_side_allocates_nothing() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).unwrap();
-    let settings = CentralDifference {
-        start: Start::Consistent,
-        impacts: ImpactRule::VelocityJump,
-        contact_substeps: 1,
-    };
     let verlet = Verlet {
         impacts: VerletImpacts::Located,
     };
-    let methods = [(Stepping::from(settings), 5), (verlet.into(), 2)];
+    let methods = [
+        (Stepping::from(CentralDifference::default()), 5),
+        (verlet.into(), 2),
+    ];
     let laws = [STEREOMECHANICAL, VISCOELASTIC];
     for ((method, n), law) in methods
         .into_iter()

@@ -2,11 +2,10 @@
 
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{
-    CentralDifference, Clock, Exact, Excitation, ImpactRule, Integrator, Peaks, Row, RunError,
-    SimultaneousImpacts, Start, Work,
+    Clock, Exact, Excitation, Integrator, Peaks, Row, RunError, SimultaneousImpacts, Work,
 };
 
-use crate::common::{STIFF, VISCOELASTIC, WEAK, clock, elastic, pairs, yielding};
+use crate::common::{STIFF, VISCOELASTIC, WEAK, central, clock, elastic, pairs, yielding};
 use crate::watch::Watch;
 
 const EXACT: Integrator = Integrator::Exact(Exact {
@@ -83,12 +82,7 @@ fn issue_substeps_have_a_limit() {
         n_steps: 1,
     };
     for (contact_substeps, good) in [(0, false), (1, true), (1000, true), (1001, false)] {
-        let method = Integrator::CentralDifference(CentralDifference {
-            start: Start::Consistent,
-            impacts: ImpactRule::VelocityJump,
-            contact_substeps,
-        });
-        let run = method.watch(&row, rest, once, &mut ());
+        let run = central(contact_substeps).watch(&row, rest, once, &mut ());
         assert_eq!(run.is_ok(), good, "{contact_substeps} sub-steps");
     }
 }

@@ -5,7 +5,7 @@ use pounding_solver::{
     Clock, Elastic, Excitation, Histories, Integrator, Node, Oscillation, Pair, Row,
 };
 
-use crate::common::{AVERAGE, CENTRAL, HHT, JUMPING, LINEAR, MOREAU_JEAN, RK4, SUBSTEPPED, VERLET};
+use crate::common::{AVERAGE, CENTRAL, HHT, LINEAR, MOREAU_JEAN, RK4, SUBSTEPPED, VERLET};
 use crate::watch::Watch;
 
 const MASS: f64 = 75e3;
@@ -58,7 +58,6 @@ fn unrest(method: &Integrator, damping_ratio: f64, time_step: f64) -> f64 {
 fn limit_a_pair_comes_to_rest_below_the_critical_time_step_and_not_above() {
     for (name, method) in [
         ("central difference", CENTRAL),
-        ("CD, jumps", JUMPING),
         ("CD, sub-steps", SUBSTEPPED),
         ("Verlet", VERLET),
         ("RK4", RK4),

@@ -1,25 +1,10 @@
 //! Impacts of several pairs at once, and where in a step an impact lies.
 
-use crate::common::{
-    AVERAGE, HHT, JUMPING, LOCATED, MOREAU_JEAN, RK4, STEREOMECHANICAL, SUBSTEPPED, VERLET, clock,
-    free, histories, pairs,
-};
+use crate::common::{LOCATED, METHODS, STEREOMECHANICAL, VERLET, clock, free, histories, pairs};
 use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{Collisions, Elastic, Excitation, Histories, Integrator, Node, Row};
 use proptest::prelude::*;
-
-/// Every method whose impacts are velocity jumps by the law, solved together.
-const JUMPS: [(&str, Integrator); 8] = [
-    ("CD, jumps", JUMPING),
-    ("CD, sub-steps", SUBSTEPPED),
-    ("Newmark 1/4", AVERAGE),
-    ("HHT -0.1", HHT),
-    ("Moreau-Jean 1/2", MOREAU_JEAN),
-    ("Verlet", VERLET),
-    ("Verlet, located", LOCATED),
-    ("RK4", RK4),
-];
 
 fn impulsive(restitution: f64) -> ContactLaw {
     ContactLaw::Stereomechanical(Stereomechanical { restitution })
@@ -49,7 +34,7 @@ fn velocities(row: &Row<Elastic>, method: Integrator, (dt, duration): (f64, f64)
 #[test]
 fn reference_a_mass_hit_from_both_sides_is_turned_round() {
     // Both relative velocities are turned round, and the light mass stays where it is.
-    for (name, method) in JUMPS {
+    for (name, method) in METHODS {
         for restitution in [0.0, 0.65, 1.0] {
             let row = side_by_side(
                 &[(1e6, 0.5), (1e5, 0.0), (1e6, -0.5)],
@@ -72,7 +57,7 @@ fn reference_a_mass_hit_from_both_sides_is_turned_round() {
 fn reference_three_equal_masses_in_contact() {
     // The first arrives, the others touch already: the simultaneous rule gives (−1/3, 2/3, 2/3), one pair after the
     // other would give (0, 0, 1).
-    for (name, method) in JUMPS {
+    for (name, method) in METHODS {
         let mut row = vec![(1.0, 1.0), (1.0, 0.0), (1.0, 0.0)];
         let gaps = side_by_side(&row, 0.0, &[1.0; 2]);
         let found = velocities(&gaps, method, (0.01, 0.1));
@@ -143,7 +128,7 @@ fn extreme_a_ball_that_comes_to_rest_ends_the_run() {
     let wall = Node::wall(Elastic { stiffness: 1.0 });
     for restitution in [0.0, 0.5, 1.0] {
         let row = Row::new(vec![node, wall], pairs(2, 0.01, impulsive(restitution))).unwrap();
-        for (name, method) in JUMPS {
+        for (name, method) in METHODS {
             let (dt, duration) = (1e-3, 4.0);
             let (histories, _) = histories(&row, method, &[-10.0; 500], clock(dt, duration));
             let deepest = histories.of(0).states.iter();
@@ -163,11 +148,11 @@ proptest! {
     fn limit_impacts_keep_momentum_and_never_create_energy(
         masses in prop::collection::vec((1e-3..1e3_f64, -2.0..2.0_f64), 2..7),
         restitutions in prop::array::uniform6(0.0..=1.0_f64),
-        method in 0..JUMPS.len(),
+        method in 0..METHODS.len(),
     ) {
         // All gaps closed: every pair that approaches is hit at once.
         let row = side_by_side(&masses, 0.0, &restitutions);
-        let (name, method) = JUMPS[method];
+        let (name, method) = METHODS[method];
         let found = velocities(&row, method, (1e-3, 2e-3));
         let energy = |velocities: &mut dyn Iterator<Item = (f64, f64)>| {
             velocities.map(|(mass, velocity)| 0.5 * mass * velocity * velocity).sum::<f64>()

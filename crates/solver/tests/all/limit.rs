@@ -1,8 +1,8 @@
 //! The lean model equals the rich one, bit for bit, where both apply.
 
 use crate::common::{
-    AVERAGE, CENTRAL, HHT, JUMPING, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED,
-    VERLET, VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
+    AVERAGE, CENTRAL, HHT, METHODS, MOREAU_JEAN, STEREOMECHANICAL, STIFF, SUBSTEPPED, VERLET,
+    VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
 };
 use crate::watch::Watch;
 use pounding_solver::{ElastoPlastic, Hht, Histories, Integrator, Node, Row, State};
@@ -214,15 +214,15 @@ fn limit_hht_without_its_damping_equals_average_acceleration() {
 
 #[test]
 fn limit_one_motion_by_two_formulas() {
-    // Where nothing is hit, velocity Verlet is the central difference method, and Moreau–Jean stepping with θ = 1/2
-    // average acceleration; only rounding differs.
+    // Without compliant contact velocity Verlet is the central difference method, and without impacts Moreau–Jean
+    // stepping with θ = 1/2 is average acceleration; only rounding differs.
     let alone = Row::new(vec![yielding(WEAK), yielding(STIFF)], vec![]).unwrap();
     let stereomechanical = pairs(2, 0.02, STEREOMECHANICAL);
     let viscoelastic = pairs(2, 0.02, VISCOELASTIC);
     let row = |pairs| Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs).unwrap();
     for (row, left, right) in [
         (&alone, VERLET, CENTRAL),
-        (&row(stereomechanical), VERLET, JUMPING),
+        (&row(stereomechanical), VERLET, CENTRAL),
         (&alone, MOREAU_JEAN, AVERAGE),
         (&row(viscoelastic), MOREAU_JEAN, AVERAGE),
     ] {
@@ -243,10 +243,6 @@ fn limit_sub_steps_change_nothing_while_nothing_touches() {
         bits(&run(SUBSTEPPED, 10.0).0, 2),
         bits(&run(CENTRAL, 10.0).0, 2)
     );
-    // The rule for impacts means nothing to compliant pairs.
-    let ((jumping, work), (published, _)) = (run(JUMPING, 0.02), run(CENTRAL, 0.02));
-    assert!(work.touching_steps > 0, "the row must collide");
-    assert_eq!(bits(&jumping, 2), bits(&published, 2));
 }
 
 #[test]
@@ -267,7 +263,7 @@ fn limit_sub_steps_all_the_time_are_a_smaller_step() {
             .unwrap();
         (histories, work)
     };
-    let ((coarse, work), (fine, _)) = (run(SUBSTEPPED, 0.004), run(JUMPING, 0.001));
+    let ((coarse, work), (fine, _)) = (run(SUBSTEPPED, 0.004), run(CENTRAL, 0.001));
     assert_eq!(work.force_evaluations, 2 * 17, "every step is divided");
     let apart = apart(&coarse, &fine, 2);
     assert!(apart < 1e-14, "{apart:e}");

@@ -1,6 +1,7 @@
 //! Tests of the solver; the kind of each is in its name.
 
 mod allocations;
+mod anchors;
 mod audit;
 mod beyond_numbers;
 mod budgets;

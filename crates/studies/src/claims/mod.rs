@@ -190,36 +190,45 @@ impl Default for Tallies {
     }
 }
 
-/// The claims as CSV text.
-pub fn claims_csv(claims: &[Claim], survivals: &[Survival], beyond: &[Tallies]) -> String {
+/// The claims as CSV text: by the paper's program, and by the method that it describes, without slips.
+pub fn claims_csv(
+    (claims, without_slips): (&[Claim], &[Claim]),
+    survivals: &[Survival],
+    beyond: &[Tallies],
+) -> String {
     let mut header = [
         "claim",
         "where",
         "computed",
         "verdict",
+        "computed_without_slips",
+        "verdict_without_slips",
         "computed_exactly",
-        "survives_convergence",
+        "verdict_exactly",
         "survives_perturbation",
     ]
     .map(String::from)
     .to_vec();
     header.extend(beyond.iter().map(|tallies| tallies.column.clone()));
-    let row = |(index, (claim, survival)): (usize, (&Claim, &Survival))| {
-        let [exactly, convergence, perturbation] = survival.cells();
+    let row = |(index, ((claim, described), survival)): (usize, ((&Claim, &Claim), &Survival))| {
+        let [exactly, found, perturbation] = survival.cells();
         let mut row = vec![
             claim.claim.into(),
             claim.place.into(),
             claim.computed.clone(),
             claim.finding.words().into(),
+            described.computed.clone(),
+            described.finding.words().into(),
             exactly,
-            convergence,
+            found,
             perturbation,
         ];
         let tally = |tallies: &Tallies| tallies.claims.get(index).copied().flatten();
         row.extend(beyond.iter().map(|tallies| survival.beyond(tally(tallies))));
         row
     };
-    let rows = claims.iter().zip(survivals).enumerate().map(row);
+    let claims = claims.iter().zip(without_slips);
+    let rows = claims.zip(survivals).enumerate().map(row);
     to_csv(&header, &rows.collect::<Vec<_>>())
 }
 

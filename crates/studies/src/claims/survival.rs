@@ -1,6 +1,6 @@
 //! Which claims hold of exact runs, and of exact runs under noisy records.
 
-use super::{Asked, Claim, Runs, TESTS, Tally};
+use super::{Asked, Claim, Finding, Runs, TESTS, Tally};
 use crate::{Completed, StudyError};
 
 /// Share of the noisy records in which a claim must hold to survive \[–\].
@@ -16,7 +16,7 @@ pub enum Survival {
         /// What was computed under the paper's record.
         computed: String,
         /// Whether the claim holds there.
-        converged: bool,
+        finding: Finding,
         /// Of how many noisy records it holds.
         n_holds: usize,
         /// How many noisy records there were.
@@ -25,7 +25,7 @@ pub enum Survival {
 }
 
 impl Survival {
-    /// What was computed, whether the claim survives convergence, and whether it survives perturbation, in words.
+    /// What was computed and found, and whether the claim survives perturbation, in words.
     pub(super) fn cells(&self) -> [String; 3] {
         match self {
             Self::NotAsked(reason) => {
@@ -34,7 +34,7 @@ impl Survival {
             }
             Self::Asked {
                 computed,
-                converged,
+                finding,
                 n_holds,
                 n_noisy,
             } => {
@@ -45,7 +45,7 @@ impl Survival {
                 } else {
                     format!("{}: in {n_holds} of {n_noisy} runs", word(share >= ENOUGH))
                 };
-                [computed.clone(), word(*converged).into(), perturbed]
+                [computed.clone(), finding.words().into(), perturbed]
             }
         }
     }
@@ -93,7 +93,7 @@ pub(crate) fn survivals(exact: &[Option<Claim>], noisy: &[Vec<Option<Claim>>]) -
             };
             Survival::Asked {
                 computed: verdict.computed.clone(),
-                converged: verdict.finding.holds(),
+                finding: verdict.finding,
                 n_holds: noisy.iter().filter(holds).count(),
                 n_noisy: noisy.len(),
             }

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use crate::claims::{Claim, Survival, survivals, verdicts};
 use crate::noise::Noise;
 use crate::{Completed, Method, Output, PublishedValues, StudyError, StudyFile};
-use quantities::{Quantities, quantities};
+pub(crate) use quantities::{Quantities, find, quantities};
 pub(crate) use scenes::Scenes;
 
 /// Standard deviations of the relative noise on the samples of the record \[–\].
@@ -102,6 +102,11 @@ impl Converged {
             noisy,
             survivals: survivals(&verdicts, &noisy_verdicts),
         })
+    }
+
+    /// The numbers by the exact method.
+    pub(crate) fn exact(&self) -> &Quantities {
+        &self.exact
     }
 
     /// What became of the claims, in their order.

@@ -14,10 +14,10 @@ const PRINTED_STEP: f64 = 0.01;
 pub(super) const MEETINGS: &str = "number of meetings";
 
 /// Numbers of the tables by number of the table.
-pub(super) type Quantities = BTreeMap<&'static str, Vec<Value>>;
+pub(crate) type Quantities = BTreeMap<&'static str, Vec<Value>>;
 
 /// The number with the same row and quantity, if there is one.
-pub(super) fn find(values: &Quantities, table: &str, like: &Value) -> Option<f64> {
+pub(crate) fn find(values: &Quantities, table: &str, like: &Value) -> Option<f64> {
     let same = |value: &&Value| value.row == like.row && value.quantity == like.quantity;
     values
         .get(table)?
@@ -30,7 +30,7 @@ pub(super) fn find(values: &Quantities, table: &str, like: &Value) -> Option<f64
 ///
 /// # Errors
 /// [`StudyError`] when scenes do not give what their table shows.
-pub(super) fn quantities(completed: &[Completed]) -> Result<Quantities, StudyError> {
+pub(crate) fn quantities(completed: &[Completed]) -> Result<Quantities, StudyError> {
     let mut found = Quantities::new();
     for study in completed {
         match &*study.file.id {
@@ -139,7 +139,9 @@ pub(super) fn published(printed: &[Published], late: f64) -> Quantities {
                 let is_row = move |printed: &&Published| {
                     printed.row.starts_with(scene) && printed.quantity == quantity
                 };
-                of_table().filter(is_row).map(|printed| printed.published)
+                of_table()
+                    .filter(is_row)
+                    .map(|printed| printed.published.value)
             };
             let parts = of("time")
                 .zip(of("force on stiff"))
@@ -154,8 +156,14 @@ pub(super) fn published(printed: &[Published], late: f64) -> Quantities {
     }
     for table in ["5", "6", "7"] {
         let of_table = printed.iter().filter(|printed| printed.table == table);
-        let values = of_table
-            .map(|printed| value(&printed.row, &printed.quantity, "kN·s", printed.published));
+        let values = of_table.map(|printed| {
+            value(
+                &printed.row,
+                &printed.quantity,
+                "kN·s",
+                printed.published.value,
+            )
+        });
         found.insert(table, values.collect());
     }
     found

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use pounding_solver::State;
+use pounding_solver::{Collision, State};
 
 use super::histories::{minus, time_axis};
 use super::{capital, is_impulsive, label, points, shade};
@@ -29,14 +29,7 @@ pub(crate) fn meetings(mut starts: Vec<f64>) -> Vec<f64> {
 /// Displacements with the gaps between the rest positions, and the net pounding force on every structure.
 pub(super) fn pounding(completed: &Completed) -> Figure {
     let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
-    let markers = meetings(
-        outcome
-            .collisions
-            .all()
-            .iter()
-            .map(|one| one.start)
-            .collect(),
-    );
+    let markers = meetings(collisions(scene, outcome).map(|one| one.start).collect());
     Figure {
         height_in: 4.6,
         x: time_axis(scene),
@@ -170,6 +163,13 @@ fn in_unit(points: &[(f64, f64)], factor: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// Collisions of the time that is drawn: the paper's program runs on after it.
+fn collisions<'a>(scene: &Scene, outcome: &'a Outcome) -> impl Iterator<Item = &'a Collision> {
+    let end = scene.duration();
+    let all = outcome.collisions.all().iter();
+    all.filter(move |one| one.start <= end)
+}
+
 /// Net pounding force on every structure over time \[N\].
 fn forces(scene: &Scene, outcome: &Outcome) -> Vec<Vec<(f64, f64)>> {
     let n = scene.structures.len();
@@ -181,7 +181,7 @@ fn forces(scene: &Scene, outcome: &Outcome) -> Vec<Vec<(f64, f64)>> {
     let dt = scene.method.step();
     // Impacts of one instant are summed; the key is the number of the step.
     let mut net = vec![BTreeMap::new(); n];
-    for collision in outcome.collisions.all() {
+    for collision in collisions(scene, outcome) {
         #[expect(clippy::cast_possible_truncation, reason = "a step number is small")]
         let step = (collision.start / dt).round() as i64;
         for (index, sign) in [(collision.pair, -1.0), (collision.pair + 1, 1.0)] {

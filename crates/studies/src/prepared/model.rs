@@ -250,15 +250,8 @@ impl Method {
     pub(crate) fn integrator(self) -> Integrator {
         match self {
             Self::CentralDifference {
-                start,
-                impacts,
-                contact_substeps,
-                ..
-            } => Integrator::CentralDifference(CentralDifference {
-                start,
-                impacts,
-                contact_substeps,
-            }),
+                contact_substeps, ..
+            } => Integrator::CentralDifference(CentralDifference { contact_substeps }),
             Self::Newmark { beta, gamma, .. } => Integrator::Newmark(Newmark { beta, gamma }),
             Self::Hht { alpha, .. } => Integrator::Hht(Hht { alpha }),
             Self::VelocityVerlet { impacts, .. } => Integrator::Verlet(Verlet { impacts }),

@@ -10,6 +10,7 @@ use pounding_solver::{
 
 use super::Prepared;
 use super::model::{Model, with_row};
+use crate::paper::Program;
 use crate::second_route::{self, Fineness, Response, SecondRouteError};
 use crate::{SceneError, Structure, StudyError};
 
@@ -85,6 +86,27 @@ pub(crate) type AllRecorders<'a, L> = (
     (Option<Closings>, Option<Histories>),
 );
 
+impl Outcome {
+    /// What recorders have seen of a run, with its ledger.
+    fn of<L>(
+        (usual, accelerations, last, (closings, histories)): AllRecorders<'_, L>,
+        work: Work,
+    ) -> (Self, L) {
+        let (peaks, collisions, momentum, ledger) = usual;
+        let outcome = Self {
+            peaks,
+            collisions,
+            momentum,
+            accelerations: accelerations.into_peaks(),
+            last,
+            closings,
+            histories,
+            work,
+        };
+        (outcome, ledger)
+    }
+}
+
 impl Prepared {
     /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.
     ///
@@ -151,19 +173,34 @@ impl Prepared {
     fn run_with<L: Recorder>(&self, asked: Asked, ledger: L) -> Result<(Outcome, L), StudyError> {
         let mut recorders = self.all_recorders(asked, ledger);
         let work = self.integrate(&mut recorders)?;
-        let (usual, accelerations, last, (closings, histories)) = recorders;
-        let (peaks, collisions, momentum, ledger) = usual;
-        let outcome = Outcome {
-            peaks,
-            collisions,
-            momentum,
-            accelerations: accelerations.into_peaks(),
-            last,
-            closings,
-            histories,
-            work,
+        Ok(Outcome::of(recorders, work))
+    }
+
+    /// Runs the scene by the paper's program, at the time step of its method; histories as of [`run`](Self::run). Of accelerations
+    /// of floors it says nothing.
+    ///
+    /// # Errors
+    /// [`StudyError::Run`] when the run diverges.
+    pub(crate) fn by_program(
+        &self,
+        program: Program,
+        interval: Option<f64>,
+    ) -> Result<Outcome, StudyError> {
+        let asked = Asked {
+            interval,
+            closings: false,
         };
-        Ok((outcome, ledger))
+        let (usual, accelerations, last, (closings, histories)) = self.all_recorders(asked, ());
+        let (peaks, collisions, mut momentum, ()) = usual;
+        let mut seen = (peaks, (collisions, (last, histories)));
+        with_row!(&self.model, row => {
+            program.run(row, (self.record(), self.clock), (&mut seen, &mut momentum))
+        })
+        .map_err(|source| self.ended(source))?;
+        let (peaks, (collisions, (last, histories))) = seen;
+        let usual = (peaks, collisions, momentum, ());
+        let recorders = (usual, accelerations, last, (closings, histories));
+        Ok(Outcome::of(recorders, Work::default()).0)
     }
 
     /// Empty recorders of everything that is asked for.

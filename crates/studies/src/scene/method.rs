@@ -1,6 +1,6 @@
 //! The method that integrates a scene, with its settings.
 
-use pounding_solver::{Exact, ImpactRule, SimultaneousImpacts, Start, VerletImpacts};
+use pounding_solver::{Exact, SimultaneousImpacts, VerletImpacts};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -16,11 +16,12 @@ pub enum Method {
     CentralDifference {
         /// Time step \[s\], > 0.
         time_step_s: f64,
-        /// How the first step begins.
+        /// How the first step begins; there is no other way, and no need to say it.
+        #[serde(default, skip_serializing)]
         start: Start,
-        /// How impulsive contact acts.
-        #[serde(default, skip_serializing_if = "is_default")]
-        impacts: ImpactRule,
+        /// How impulsive contact acts; there is no other way, and no need to say it.
+        #[serde(default, skip_serializing)]
+        impacts: Jumps,
         /// Steps into which a time step is divided for structures that touch, 1 to 1000.
         #[serde(default = "one_step", skip_serializing_if = "is_one_step")]
         contact_substeps: u32,
@@ -75,6 +76,24 @@ pub enum Method {
     Accuracy(f64),
 }
 
+/// How the central difference method begins: a word of scenes of before.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Start {
+    /// From equilibrium.
+    #[default]
+    Consistent,
+}
+
+/// How impulsive contact acts in it: a word of scenes of before.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Jumps {
+    /// Velocities jump.
+    #[default]
+    VelocityJump,
+}
+
 /// The exact method needs no settings.
 fn or_exact(schema: &mut schemars::Schema) {
     let description = "The exact method with its usual settings.";
@@ -84,7 +103,7 @@ fn or_exact(schema: &mut schemars::Schema) {
 
 impl Choice for Method {
     const EXAMPLES: &'static [&'static str] = &[
-        r#"{"central_difference": {"time_step_s": 0.001, "start": "consistent"}}"#,
+        r#"{"central_difference": {"time_step_s": 0.001}}"#,
         r#"{"newmark": {"time_step_s": 0.001, "beta": 0.25, "gamma": 0.5}}"#,
         r#"{"hht": {"time_step_s": 0.001, "alpha": -0.1}}"#,
         r#"{"velocity_verlet": {"time_step_s": 0.001}}"#,
@@ -128,6 +147,16 @@ impl Method {
         tolerance: 1e-16,
         simultaneous_impacts: SimultaneousImpacts::Together,
     };
+
+    /// The central difference method, with so many steps in a time step \[s\] while structures touch.
+    pub const fn central_difference(time_step_s: f64, contact_substeps: u32) -> Self {
+        Self::CentralDifference {
+            time_step_s,
+            start: Start::Consistent,
+            impacts: Jumps::VelocityJump,
+            contact_substeps,
+        }
+    }
 
     /// Name as scene files spell it.
     pub fn name(&self) -> &'static str {

@@ -21,7 +21,7 @@ pub use building::{Building, Storey};
 pub use columns::{BoucWen, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
-pub use method::Method;
+pub use method::{Jumps, Method, Start};
 pub(crate) use numbers::{SetNumber, set_number};
 pub use processing::{Detrend, FilterBand, ScaleTo};
 pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};

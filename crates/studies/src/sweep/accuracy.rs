@@ -4,7 +4,7 @@
 //! sample measures it. Both are drawn by the same numbers in every shard. A method is tried only where the whole sweep by it, with
 //! what choosing and measuring it takes, would cost less than by the exact method, which needs neither (`prices`).
 
-use pounding_solver::{ImpactRule, SimultaneousImpacts, Start, VerletImpacts};
+use pounding_solver::{SimultaneousImpacts, VerletImpacts};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 use serde_json::Value;
@@ -355,12 +355,7 @@ fn velocity_verlet(time_step_s: f64) -> Method {
 }
 
 fn central_difference(time_step_s: f64) -> Method {
-    Method::CentralDifference {
-        time_step_s,
-        start: Start::Consistent,
-        impacts: ImpactRule::VelocityJump,
-        contact_substeps: 1,
-    }
+    Method::central_difference(time_step_s, 1)
 }
 
 /// The exact method at the tolerance nearest to this one that scenes side by side can have.

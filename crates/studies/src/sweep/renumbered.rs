@@ -182,7 +182,7 @@ mod tests {
             "duration_s": lasts.then_some(1.5),
             "structures": [{"sdof": left}, {"sdof": right}, "wall"],
             "contacts": [{"gap_m": 0.01, "law": law}, {"gap_m": 0.02, "law": {"stereomechanical": {"restitution": 0.5}}}],
-            "method": {"central_difference": {"time_step_s": 0.005, "start": "consistent", "impacts": "velocity_jump"}},
+            "method": {"central_difference": {"time_step_s": 0.005}},
         })
     }
 

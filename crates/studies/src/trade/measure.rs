@@ -1,6 +1,6 @@
 //! The runs.
 
-use pounding_solver::{Integrator, Laws, Ledger, Recorder, RunError, Work};
+use pounding_solver::{Integrator, Ledger, Recorder, RunError, Work};
 use rayon::prelude::*;
 
 use super::condition::Knowledge;
@@ -212,15 +212,10 @@ impl<'a> Run<'a> {
 
     /// What the run leaves in its recorders, and what it cost; fails with the reason where it ends early.
     ///
-    /// The verdict of the ledger is a column of the table: it is held to all laws, the published rule too, and the exact
-    /// method to the energy.
+    /// The verdict of the ledger is a column of the table.
     pub(super) fn recorded(&self) -> Result<(Recorders<Ledger<'a>>, Work), String> {
         let prepared = self.prepared;
-        let laws = match self.integrator().laws() {
-            laws @ Laws::Energy { .. } => laws,
-            Laws::All | Laws::ImpactsMayCreateEnergy => Laws::All,
-        };
-        let ledger = prepared.ledger().held_to(laws);
+        let ledger = prepared.ledger().held_to(self.integrator().laws());
         let mut recorders = prepared.all_recorders(Asked::default(), ledger);
         let work = self
             .run(&mut recorders)

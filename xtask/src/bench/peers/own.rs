@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use pounding_solver::{
-    CentralDifference, Exact, ExactSideBySide, ImpactRule, Integrator, RowsOf, SideBySide,
-    SimultaneousImpacts, Start, Stepping, Tallies, Verlet, VerletImpacts,
+    CentralDifference, Exact, ExactSideBySide, Integrator, RowsOf, SideBySide, SimultaneousImpacts,
+    Stepping, Tallies, Verlet, VerletImpacts,
 };
 
 use super::race::Measured;
@@ -22,8 +22,6 @@ pub(super) const EXACT_LANES: &str = "exact_in_lanes";
 const LEAST: Duration = Duration::from_millis(20);
 
 const CENTRAL_DIFFERENCE: Stepping = Stepping::CentralDifference(CentralDifference {
-    start: Start::Consistent,
-    impacts: ImpactRule::VelocityJump,
     contact_substeps: 1,
 });
 

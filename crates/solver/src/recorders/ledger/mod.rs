@@ -71,9 +71,6 @@ pub enum Laws {
         /// Relative size of what a piece of the motion leaves out \[–\]; see [`Exact::tolerance`](crate::Exact::tolerance).
         tolerance: f64,
     },
-    /// All but one: impacts may create energy, as those of the paper's rule do
-    /// ([`ImpactRule::AsPublished`](crate::ImpactRule::AsPublished)).
-    ImpactsMayCreateEnergy,
 }
 
 /// One collision of impulsive pairs: all impacts until every pair hit has come apart.
@@ -226,7 +223,7 @@ impl<'a> Ledger<'a> {
             return Err(violation);
         }
         if let Some(meeting) = &self.meeting {
-            meeting.judge(self.laws)?;
+            meeting.judge()?;
         }
         let scale = self.scale();
         for (pair, contact) in self.contacts.iter().enumerate() {
@@ -314,8 +311,8 @@ impl Meeting {
     ///
     /// One of its impacts may: a stepping method can hit a pair again that overlaps still, and of several pairs hit
     /// together one can get what another gives.
-    fn judge(&self, laws: Laws) -> Result<(), LedgerError> {
-        if self.loss >= -self.allowed || laws == Laws::ImpactsMayCreateEnergy {
+    fn judge(&self) -> Result<(), LedgerError> {
+        if self.loss >= -self.allowed {
             return Ok(());
         }
         Err(LedgerError::GainAtImpact {
@@ -371,7 +368,7 @@ impl Recorder for Ledger<'_> {
         self.n_meeting += self.count(pairs);
         if self.meeting.is_some() && self.n_meeting == 0 {
             let ended = self.meeting.take();
-            self.judge(ended.map_or(Ok(()), |meeting| meeting.judge(self.laws)));
+            self.judge(ended.map_or(Ok(()), |meeting| meeting.judge()));
         }
         self.measure();
     }

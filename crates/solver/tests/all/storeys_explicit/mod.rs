@@ -5,40 +5,14 @@ mod orders;
 mod spans;
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{
-    CentralDifference, Elastic, ElastoPlastic, Hysteretic, ImpactRule, Integrator, Levels, Node,
-    Pair, Row, Start,
-};
+use pounding_solver::{Elastic, ElastoPlastic, Hysteretic, Integrator, Levels, Node, Pair, Row};
 
-use crate::common::{CENTRAL, JUMPING, LOCATED, SUBSTEPPED, VERLET};
+use crate::common::{CENTRAL, LOCATED, SUBSTEPPED, VERLET};
 use crate::towers::{self, Rayleigh, Tower};
 
-/// The central difference method with the paper's two starts.
-const LOAD_USED: Integrator = published(Start::FirstLoadUsed);
-const LOAD_SKIPPED: Integrator = published(Start::FirstLoadSkipped);
-
-const fn published(start: Start) -> Integrator {
-    Integrator::CentralDifference(CentralDifference {
-        start,
-        impacts: ImpactRule::AsPublished,
-        contact_substeps: 1,
-    })
-}
-
 /// Every explicit method but that of Runge and Kutta.
-const EXPLICIT: [(&str, Integrator); 7] = [
+const EXPLICIT: [(&str, Integrator); 4] = [
     ("central difference", CENTRAL),
-    ("CD, first load used", LOAD_USED),
-    ("CD, first load skipped", LOAD_SKIPPED),
-    ("CD, jumps", JUMPING),
-    ("CD, sub-steps", SUBSTEPPED),
-    ("Verlet", VERLET),
-    ("Verlet, located", LOCATED),
-];
-
-/// Those whose impacts are velocity jumps.
-const JUMPS: [(&str, Integrator); 4] = [
-    ("CD, jumps", JUMPING),
     ("CD, sub-steps", SUBSTEPPED),
     ("Verlet", VERLET),
     ("Verlet, located", LOCATED),
