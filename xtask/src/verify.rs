@@ -29,7 +29,7 @@ pub(crate) struct Asked {
     /// Seconds that a part of the work on one scene may take before it counts as a hang.
     #[arg(long, default_value_t = 120)]
     patience: u64,
-    /// Folder for the scenes that do not agree, each a file that `pounding run` replays; without it target/verify.
+    /// Folder for the scenes that do not agree, each a file that `pounding run` replays, and a table of them; without it target/verify.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -67,6 +67,8 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
     let lines = checked.iter().flat_map(Checked::lines);
     let text: String = lines.map(|line| line + "\n").collect();
     let summary = Summary(&checked);
+    let table = folder.join(format!("seed-{}.csv", asked.seed));
+    fs::write(&table, summary.csv(asked.seed)).map_err(|error| cannot(&table, &error))?;
     crate::reproduce::say(&format!("{text}\n{summary}"))?;
     if summary.is_good() {
         Ok(())

@@ -6,6 +6,7 @@ use std::fmt::{self, Formatter};
 use super::check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};
 use super::class::Class;
 use super::numbers::{Compared, Place};
+use crate::cell::to_csv;
 
 /// A failure that the documentation of limits names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,6 +105,24 @@ impl Fate {
     }
 }
 
+impl Verdict {
+    /// What is further off than is allowed, the worst kind first.
+    fn disagreements(&self) -> &[Disagreement] {
+        match self {
+            Self::Disagrees(all)
+            | Self::SecondRouteRounds(all)
+            | Self::ExactRounds(all)
+            | Self::Unknowable(all) => all,
+            Self::Agrees
+            | Self::ExactFails(_)
+            | Self::SecondRouteFails(_)
+            | Self::Refused(_)
+            | Self::Hangs(_)
+            | Self::Panics(_) => &[],
+        }
+    }
+}
+
 impl Checked {
     /// Whether the two routes agree, or it fails in a way that is [named](LIMITS).
     pub fn is_good(&self) -> bool {
@@ -124,13 +143,14 @@ impl Checked {
     /// The cause by which scenes are sorted: what they have in common that do not agree.
     pub fn cause(&self) -> String {
         match &self.verdict {
-            Verdict::Agrees => String::new(),
-            Verdict::Disagrees(all)
-            | Verdict::SecondRouteRounds(all)
-            | Verdict::ExactRounds(all)
-            | Verdict::Unknowable(all) => all
-                .first()
-                .map_or(String::new(), |one| one.two.what.words().into()),
+            Verdict::Agrees
+            | Verdict::Disagrees(_)
+            | Verdict::SecondRouteRounds(_)
+            | Verdict::ExactRounds(_)
+            | Verdict::Unknowable(_) => {
+                let worst = self.verdict.disagreements().first();
+                worst.map_or(String::new(), |one| one.two.what.words().into())
+            }
             Verdict::ExactFails(failure)
             | Verdict::SecondRouteFails(failure)
             | Verdict::Refused(failure) => failure.kind.clone(),
@@ -144,10 +164,11 @@ impl Checked {
         let line = |words: String| format!("scene {}: {fate}: {words}", self.index);
         match &self.verdict {
             Verdict::Agrees => Vec::new(),
-            Verdict::Disagrees(all)
-            | Verdict::SecondRouteRounds(all)
-            | Verdict::ExactRounds(all)
-            | Verdict::Unknowable(all) => {
+            Verdict::Disagrees(_)
+            | Verdict::SecondRouteRounds(_)
+            | Verdict::ExactRounds(_)
+            | Verdict::Unknowable(_) => {
+                let all = self.verdict.disagreements();
                 let numbers = all.iter().map(|one| line(one.to_string()));
                 numbers.chain(self.story.iter().cloned()).collect()
             }
@@ -281,6 +302,54 @@ impl Summary<'_> {
         writeln!(
             out,
             "{touches} touches; {grazes} more or less by one of the routes, within rounding"
+        )
+    }
+}
+
+impl Summary<'_> {
+    /// The scenes that do not agree, a row each, as CSV text: of a number the furthest off of the worst kind.
+    pub fn csv(&self, seed: u64) -> String {
+        let header = [
+            "seed",
+            "scene",
+            "verdict",
+            "cause",
+            "distance",
+            "allowed",
+            "with_what_the_exact_run_rounds",
+            "second_route_from_itself",
+            "touches",
+        ];
+        let row = |checked: &Checked| {
+            let number = |value: f64| {
+                if value.is_finite() {
+                    format!("{value:.1e}")
+                } else {
+                    String::new()
+                }
+            };
+            let worst = checked.verdict.disagreements().first();
+            let of =
+                |value: fn(&Disagreement) -> f64| worst.map(value).map(number).unwrap_or_default();
+            vec![
+                seed.to_string(),
+                checked.index.to_string(),
+                Fate::of(&checked.verdict).words().into(),
+                checked.cause(),
+                of(|one| one.two.distance),
+                of(|one| one.allowed),
+                of(|one| one.explained),
+                of(|one| one.own),
+                checked.touches.to_string(),
+            ]
+        };
+        let apart = self
+            .0
+            .iter()
+            .filter(|one| !matches!(one.verdict, Verdict::Agrees));
+        to_csv(
+            &header.map(String::from),
+            &apart.map(row).collect::<Vec<_>>(),
         )
     }
 }
