@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use pounding_studies::{
-    Claim, Comparison, Examples, Extent, Finding, Reproduction, Studies, Verdict,
+    Claim, Comparison, Examples, Extent, Finding, PrintedDigits, Reproduction, Studies, Verdict,
 };
 
 use crate::results;
@@ -83,28 +83,38 @@ fn summary(made: &Reproduction) -> String {
         let with = |claim: &&Claim| claim.finding == finding;
         made.claims.iter().filter(with).count()
     };
+    let of_others = numbers(Verdict::NotComparable);
+    let own = made.comparisons.len() - of_others;
+    let to_the_digit = made.comparisons.iter().filter(|comparison| {
+        comparison.verdict == Verdict::Reproduced && comparison.digits != PrintedDigits::Other
+    });
     let mut text = format!(
-        "Published numbers      {:>4}   results/agreement.csv\n",
-        made.comparisons.len()
+        "Numbers of the paper's own runs: {} of {own} reproduced   results/agreement.csv\n",
+        numbers(Verdict::Reproduced)
     );
     let mut line = |words: &str, count: usize, meaning: &str| {
         writeln!(text, "  {words:<20} {count:>4}   {meaning}").expect("a string takes all");
     };
-    line("reproduced", numbers(Verdict::Reproduced), "within 0.1 %");
-    line("close", numbers(Verdict::Close), "within 3 %");
+    line("within 0.1 %", numbers(Verdict::Reproduced), "");
     line(
-        "differs",
+        "to the last digit",
+        to_the_digit.count(),
+        "rounded, or cut off",
+    );
+    line("within 3 %", numbers(Verdict::Close), "");
+    line(
+        "further away",
         numbers(Verdict::Differs),
-        "further away; the reason stands beside each",
+        "the reason stands beside each",
     );
     line(
         "not comparable",
-        numbers(Verdict::NotComparable),
+        of_others,
         "of another work, whose inputs are not known",
     );
     writeln!(
         text,
-        "Findings of the paper  {:>4}   results/claims.csv",
+        "Findings of the paper: {}   results/claims.csv",
         made.claims.len()
     )
     .expect("a string takes all");

@@ -1,13 +1,13 @@
 //! Published numbers against computed ones, number by number.
 
 use std::collections::BTreeMap;
-use std::num::ParseFloatError;
 use std::path::Path;
 
 use serde::Deserialize;
 
 use crate::StudyError;
 use crate::digits;
+use crate::printed::{Printed, PrintedDigits};
 use crate::tables::{Value, to_csv};
 
 /// Largest relative difference of a number that counts as reproduced.
@@ -64,62 +64,6 @@ fn relative_difference(published: f64, computed: f64) -> f64 {
     }
 }
 
-/// A number as printed, whose decimals count.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "String")]
-pub struct Printed {
-    /// Its value.
-    pub value: f64,
-    /// One over the unit of the last printed decimal.
-    per_last: f64,
-}
-
-impl TryFrom<String> for Printed {
-    type Error = ParseFloatError;
-
-    fn try_from(text: String) -> Result<Self, ParseFloatError> {
-        let decimals = text.split_once('.').map_or(0, |(_, after)| after.len());
-        Ok(Self {
-            value: text.parse()?,
-            per_last: (0..decimals).fold(1.0, |power, _| 10.0 * power),
-        })
-    }
-}
-
-/// Which printed digits a computed number gives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Digits {
-    /// The printed ones, when it is rounded.
-    Rounded,
-    /// The printed ones, when its further digits are cut off.
-    CutOff,
-    /// Others.
-    Other,
-}
-
-impl Digits {
-    fn of(printed: &Printed, computed: f64) -> Self {
-        let in_last = |value: f64| value * printed.per_last;
-        let is_printed = |digits: f64| (digits - in_last(printed.value)).abs() < 0.5;
-        if is_printed(in_last(computed).round()) {
-            Self::Rounded
-        } else if is_printed(in_last(computed).trunc()) {
-            Self::CutOff
-        } else {
-            Self::Other
-        }
-    }
-
-    /// Whether the printed digits come out, in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Rounded => "rounded",
-            Self::CutOff => "cut off",
-            Self::Other => "no",
-        }
-    }
-}
-
 /// A number as the paper prints it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -162,14 +106,14 @@ pub struct Comparison {
     /// How they compare.
     pub verdict: Verdict,
     /// Whether the printed digits come out.
-    pub digits: Digits,
+    pub digits: PrintedDigits,
     /// Why it, or its last printed digit, is not reproduced; empty when no reason is known.
     pub reason: String,
 }
 
 impl Comparison {
     /// abs(computed − published)/abs(published) \[–\], infinite for a published 0 and another number; nothing where none is computed.
-    pub fn relative_difference(&self) -> Option<f64> {
+    pub(crate) fn relative_difference(&self) -> Option<f64> {
         let computed = self.computed?;
         Some(relative_difference(
             self.published.published.value,
@@ -239,8 +183,8 @@ impl PublishedValues {
                     Verdict::of(published.published.value, value)
                 }),
             };
-            let digits = computed.map_or(Digits::Other, |value| {
-                Digits::of(&published.published, value)
+            let digits = computed.map_or(PrintedDigits::Other, |value| {
+                PrintedDigits::of(&published.published, value)
             });
             let reason = known.map(|known| known.reason.clone()).unwrap_or_default();
             Comparison {
@@ -284,12 +228,12 @@ impl PublishedValues {
                     verdict.words(),
                     known.words()
                 ));
-            } else if *digits == Digits::Other && reason.is_empty() {
+            } else if *digits == PrintedDigits::Other && reason.is_empty() {
                 surprises.push(format!(
                     "{number}: found other digits than printed, \
                      studies/published/reasons.csv gives no reason"
                 ));
-            } else if *digits != Digits::Other
+            } else if *digits != PrintedDigits::Other
                 && *verdict == Verdict::Reproduced
                 && !reason.is_empty()
             {
@@ -331,18 +275,14 @@ pub fn agreement_csv(comparisons: &[Comparison]) -> String {
     .map(String::from);
     let row = |comparison: &Comparison| {
         let published = &comparison.published;
-        let difference = comparison.computed.map(|value| {
-            format!(
-                "{:.1e}",
-                relative_difference(published.published.value, value)
-            )
-        });
+        let difference = comparison.relative_difference();
+        let difference = difference.map(|difference| format!("{difference:.1e}"));
         vec![
             published.table.clone(),
             published.row.clone(),
             published.quantity.clone(),
             published.unit.clone(),
-            digits(published.published.value),
+            published.published.text().into(),
             comparison.computed.map(digits).unwrap_or_default(),
             difference.unwrap_or_default(),
             comparison.verdict.words().into(),
@@ -368,31 +308,6 @@ fn read_csv<Row: for<'de> Deserialize<'de>>(path: &Path) -> Result<Vec<Row>, Stu
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn limit_digits_at_their_bounds() {
-        for (printed, computed, digits) in [
-            ("243.64", 243.649, Digits::CutOff),
-            ("243.64", 243.6449, Digits::Rounded),
-            ("243.64", 243.65, Digits::Other),
-            ("-243.64", -243.649, Digits::CutOff),
-            ("-243.64", -243.635, Digits::Rounded),
-            ("243.64", 243.634, Digits::Other),
-            ("3397.0", 3397.04, Digits::Rounded),
-            ("3397.00", 3397.04, Digits::Other),
-            ("3607", 3607.4, Digits::Rounded),
-            ("0", 0.0, Digits::Rounded),
-            ("1.97", 1.97, Digits::Rounded),
-            ("1.0", f64::NAN, Digits::Other),
-        ] {
-            let number = Printed::try_from(printed.to_string()).expect("a number");
-            assert_eq!(
-                Digits::of(&number, computed),
-                digits,
-                "{printed}, {computed}"
-            );
-        }
-    }
 
     #[test]
     fn limit_verdicts_at_their_bounds() {

@@ -1,6 +1,6 @@
 //! A study whose scenes have run.
 
-use crate::paper::{self, Program};
+use crate::paper::Program;
 use crate::{
     AtlasSettings, BeyondSettings, Edges, Ladder, Outcome, Output, Prepared, Scene, StudyError,
     StudyFile,
@@ -42,15 +42,14 @@ impl Completed {
                 Prepared::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let mut both = file.study.scenes.iter().zip(&prepared);
-        if let Some((scene, _)) = both.find(|(scene, prepared)| {
-            file.study.program_of(scene).is_some() && !paper::can_run(prepared)
-        }) {
+        let program = file.study.program.as_ref();
+        let refusal = program.and_then(|program| program.refusal(&file.study.scenes, &prepared));
+        if let Some((found, allowed)) = refusal {
             return Err(StudyError::Study {
                 path: file.path.clone(),
                 place: "program",
-                found: format!("the scene \"{}\"", scene.name),
-                allowed: "scenes of structures of one storey at rest, without arrivals, whose time step divides that of their record",
+                found,
+                allowed,
             });
         }
         // Where a scene asks for an accuracy, tables and figures show the method found for it.

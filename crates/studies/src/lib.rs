@@ -34,11 +34,12 @@ mod laws;
 mod limits;
 mod motion_error;
 mod noise;
-pub mod paper;
+mod paper;
 mod plot;
 mod position;
 mod prepared;
 mod price;
+mod printed;
 mod processed;
 mod report;
 mod reproduce;
@@ -63,8 +64,7 @@ mod work_precision;
 
 pub use advice::{Advice, Goal, LONGEST_STEP, MOST_STEPS, Rungs, Trial, advise};
 pub use agreement::{
-    CLOSE, Comparison, Digits, Printed, Published, PublishedValues, REPRODUCED, Reason, Verdict,
-    agreement_csv,
+    CLOSE, Comparison, Published, PublishedValues, REPRODUCED, Reason, Verdict, agreement_csv,
 };
 pub use beyond::{Beyond, BeyondSettings, BeyondStudy, Change, Counted, ListedMotion, Strength};
 pub use cell::{Cell, csv_text, json_text};
@@ -91,9 +91,11 @@ pub use ladder::{EVALUATIONS_PER_PIECE, Ladder};
 pub use laws::{Atlas, AtlasSettings};
 pub use limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT};
 pub use motion_error::MotionError;
+pub use paper::PapersProgram;
 pub use plot::PlotError;
 pub use pounding_text::{digits, milliseconds, percent, plain, rounded_down, rounded_up, short};
 pub use prepared::{Balance, Outcome, PairOutcome, Prepared};
+pub use printed::{NotPrinted, Printed, PrintedDigits};
 pub use report::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
     RecordSummary, Report, StructureErrorSummary, StructureSummary, Summary, WorkSummary,

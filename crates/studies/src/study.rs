@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::file::read_file;
-use crate::paper::{Program, Programs};
-use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Method, Scene, StudyError, Survey};
+use crate::paper::{PapersProgram, Program};
+use crate::{AtlasSettings, BeyondSettings, Edges, Ladder, Scene, StudyError, Survey};
 
 /// Scenes and what to print of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,7 +20,7 @@ pub struct Study {
     pub notes: Option<String>,
     /// The paper's program, which then runs the scenes that name the central difference method.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub program: Option<Programs>,
+    pub program: Option<PapersProgram>,
     /// The scenes, in the order of the table or figure; none for [`Output::Beyond`], which takes those of other studies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub scenes: Vec<Scene>,
@@ -31,9 +31,7 @@ pub struct Study {
 impl Study {
     /// The program that runs a scene of it instead of the scene's method, where there is one.
     pub(crate) fn program_of(&self, scene: &Scene) -> Option<Program> {
-        let stepped = matches!(scene.method, Method::CentralDifference { .. });
-        let programs = self.program.as_ref().filter(|_| stepped);
-        programs.map(|programs| programs.of(&scene.name))
+        self.program.as_ref()?.of(scene)
     }
 }
 

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use pounding_studies::{
-    Comparison, Completed, Digits, PublishedValues, StudyError, StudyFile, Table, Value, Verdict,
+    Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyFile, Table, Value,
+    Verdict,
 };
 
 type Values = BTreeMap<String, Vec<Value>>;
@@ -80,7 +81,7 @@ fn issue_every_published_number_is_computed() {
 fn limit_every_unlike_number_has_a_reason() {
     for comparison in comparisons() {
         let needs_reason =
-            comparison.verdict != Verdict::Reproduced || comparison.digits == Digits::Other;
+            comparison.verdict != Verdict::Reproduced || comparison.digits == PrintedDigits::Other;
         assert_eq!(
             needs_reason,
             !comparison.reason.is_empty(),
@@ -114,7 +115,7 @@ fn issue_every_number_of_the_paper_s_own_runs_is_reproduced() {
     }
     let others: Vec<_> = own
         .iter()
-        .filter(|number| number.digits == Digits::Other)
+        .filter(|number| number.digits == PrintedDigits::Other)
         .map(|number| &*number.published.row)
         .collect();
     assert_eq!(others, ["layout A nonlinear middle"]);
@@ -239,7 +240,7 @@ fn extreme_published_number_is_a_word() {
     let (_, message) = message
         .split_once("agreement/word/")
         .expect("the file is named");
-    insta::assert_snapshot!(message, @"table-5.csv: line 2: invalid float literal");
+    insta::assert_snapshot!(message, @r#"table-5.csv: line 2: found "thirty-six", allowed a decimal number"#);
 }
 
 #[test]

@@ -212,6 +212,7 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     let mut study = study("table-7");
     study["scenes"].as_array_mut().expect("scenes").truncate(1);
     study["scenes"][0]["method"] = json!({"accuracy": 0.2});
+    study.as_object_mut().expect("a study").remove("program");
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accuracy.json");
     fs::write(&path, study.to_string()).expect("the study can be written");
     let file = StudyFile::read(&path).expect("a study");
@@ -237,17 +238,29 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
 #[test]
 fn extreme_scenes_that_the_papers_program_cannot_run() {
     insta::allow_duplicates! {
-        for (field, value) in [
-            ("/scenes/0/method/central_difference/time_step_s", json!(0.04)),
-            ("/scenes/0/structures/0/sdof/initial_velocity_m_per_s", json!(0.1)),
-            ("/scenes/0/arrivals_s", json!([0.0, 0.1])),
+        for (place, name, value) in [
+            ("/scenes/0/method/central_difference", "time_step_s", json!(0.04)),
+            ("/scenes/0/method/central_difference", "contact_substeps", json!(2)),
+            ("/scenes/0", "method", json!({"accuracy": 0.1})),
+            ("/scenes/0/structures/0/sdof", "initial_velocity_m_per_s", json!(0.1)),
+            ("/scenes/0", "arrivals_s", json!([0.0, 0.1])),
+            ("/scenes/0/contacts/0", "law", json!({"hertz": {"impact_stiffness_n_per_m1_5": 1e9}})),
         ] {
-            let mut study = study("table-4");
-            let (place, name) = field.rsplit_once('/').expect("a path");
+            let mut study = study("table-5");
+            study["output"] = json!("transferred_momentum_table");
+            study["program"] = json!({});
             study.pointer_mut(place).expect("a place")[name] = value;
-            assert_snapshot!(refused("program", &study), @r#"study.json: program: found the scene "elastic", allowed scenes of structures of one storey at rest, without arrivals, whose time step divides that of their record"#);
+            assert_snapshot!(refused("program", &study), @r#"study.json: program: found the scene "stereomechanical elastic", allowed structures of one storey at rest, no walls, no arrivals, stereomechanical impact or the nonlinear viscoelastic element, and a method with a time step that divides the record's, without sub-steps"#);
         }
     }
+}
+
+/// A misspelt name gave the other start without a word.
+#[test]
+fn issue_a_start_of_a_scene_that_is_not_there() {
+    let mut study = study("table-6");
+    study["program"]["first_load_used"] = json!(["layout A elastik"]);
+    assert_snapshot!(refused("start", &study), @r#"study.json: program: found "layout A elastik", allowed in `first_load_used` names of scenes of the study by central differences"#);
 }
 
 #[test]

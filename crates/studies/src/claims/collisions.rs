@@ -224,7 +224,6 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
         runs.two_structures(Law::Stereomechanical)?,
         runs.two_structures(Law::Viscoelastic)?,
     );
-    let duration = digits(stereo[0].scene.duration());
     let (mut first, mut total) = (Vec::new(), Vec::new());
     for (index, name) in ["elastic", "nonlinear"].into_iter().enumerate() {
         let pair = [stereo[index], visco[index]];
@@ -248,7 +247,7 @@ pub(super) fn slight_reduction(runs: &Runs<'_>) -> Result<Claim, StudyError> {
     } else {
         (
             format!(
-                "first collision {}; all of {duration} s {}",
+                "first collision {}; of all {}",
                 words(&first),
                 words(&total)
             ),

@@ -1,9 +1,9 @@
 //! The scenes of some studies by another method, under the paper's record, a noisy one or any other.
 
-use pounding_motion::Record;
+use pounding_motion::{Record, RecordError};
 
 use crate::noise::Noise;
-use crate::prepared::Asked;
+use crate::prepared::{Asked, in_scene};
 use crate::{Completed, Method, Prepared, Scene, StudyError, StudyFile};
 
 /// Scenes of the paper by another method, ready to run under any record.
@@ -82,6 +82,15 @@ impl Scenes {
         self.0.iter().map(part).collect::<Result<_, _>>().map(Self)
     }
 
+    /// The same with loads that end when the scenes do, and runs that go on for as long again: totals of the paper are of such runs.
+    ///
+    /// # Errors
+    /// [`StudyError`] when a scene cannot be modelled.
+    pub(crate) fn running_on(&self) -> Result<Self, StudyError> {
+        let parts = self.0.iter().map(Part::running_on);
+        parts.collect::<Result<_, _>>().map(Self)
+    }
+
     /// The scenes, prepared.
     pub(crate) fn prepared(&self) -> impl Iterator<Item = &Prepared> {
         self.0.iter().flat_map(|part| &part.prepared)
@@ -140,6 +149,26 @@ impl Part {
         })
     }
 
+    fn running_on(&self) -> Result<Self, StudyError> {
+        let mut file = self.file.clone();
+        let pairs = self.prepared.iter().zip(&mut file.study.scenes);
+        let prepared = pairs.map(|(prepared, scene)| {
+            let duration = prepared.duration();
+            scene.duration_s = Some(2.0 * duration);
+            let record = ended(prepared.record(), duration);
+            prepared.variant(
+                scene,
+                record.map_err(|error| in_scene(scene, error.into()))?,
+            )
+        });
+        let prepared = prepared.collect::<Result<_, _>>();
+        Ok(Self {
+            prepared: prepared.map_err(|error| error.in_file(&self.file.path))?,
+            looked_at: self.looked_at,
+            file,
+        })
+    }
+
     fn run(&self, noise: Option<&Noise>) -> Result<Completed, StudyError> {
         let mut prepared = self.prepared.clone();
         if let Some(noise) = noise {
@@ -170,4 +199,14 @@ impl Part {
             prepared,
         })
     }
+}
+
+/// A record that ends after so long \[s\], and is zero a sample later.
+fn ended(record: &Record, duration: f64) -> Result<Record, RecordError> {
+    let step = record.time_step();
+    let is_shaken = |index: &usize| *index as f64 * step <= duration * (1.0 + 1e-9);
+    let samples = record.samples().iter().enumerate();
+    let samples = samples.take_while(|(index, _)| is_shaken(index));
+    let samples = samples.map(|(_, sample)| *sample).chain([0.0]).collect();
+    Record::new(step, samples, record.source())
 }

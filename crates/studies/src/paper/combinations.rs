@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::program::{Impacts, Joined, Length, Loads, Program, Shared, Start};
+use super::program::{Choice, Program, Start};
 use crate::cell::to_csv;
-use crate::{Comparison, Completed, Digits, PublishedValues, StudyError, Table};
+use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, Table};
 
 /// Tables whose numbers are counted, and the text.
 const COUNTED: [&str; 6] = ["2", "4", "5", "6", "7", "text"];
@@ -20,34 +20,21 @@ struct Combination {
 
 impl Combination {
     fn all() -> Vec<Self> {
-        let mut all = Vec::new();
-        for start in [
+        let mut programs = vec![Program::printed(Start::Consistent)];
+        for choice in Choice::ALL {
+            if choice != Choice::Start {
+                let both = |program| [program, choice.taken_back(program)];
+                programs = programs.into_iter().flat_map(both).collect();
+            }
+        }
+        let starts = [
             None,
             Some(Start::FirstLoadUsed),
             Some(Start::FirstLoadSkipped),
             Some(Start::Consistent),
-        ] {
-            for loads in [Loads::Rounded, Loads::AsRecorded] {
-                for length in [Length::RunsOn, Length::OfLoads] {
-                    for impacts in [Impacts::AnyOverlap, Impacts::OnApproach] {
-                        for velocities in [Shared::HandedOn, Shared::Before] {
-                            for forces in [Joined::Replaced, Joined::Added] {
-                                let program = Program {
-                                    loads,
-                                    length,
-                                    impacts,
-                                    velocities,
-                                    forces,
-                                    ..Program::DESCRIBED
-                                };
-                                all.push(Self { start, program });
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        all
+        ];
+        let with = |start| programs.iter().map(move |&program| Self { start, program });
+        starts.into_iter().flat_map(with).collect()
     }
 
     fn of(self, printed: Program) -> Program {
@@ -57,44 +44,16 @@ impl Combination {
         }
     }
 
-    /// The choices in words, in the order of the columns.
-    fn words(self) -> [&'static str; 6] {
-        let Program {
-            loads,
-            length,
-            impacts,
-            velocities,
-            forces,
-            ..
-        } = self.program;
-        [
-            match self.start {
-                None => "of each scene",
-                Some(Start::FirstLoadUsed) => "first load used",
-                Some(Start::FirstLoadSkipped) => "first load skipped",
-                Some(Start::Consistent) => "consistent",
-            },
-            match loads {
-                Loads::Rounded => "rounded",
-                Loads::AsRecorded => "as recorded",
-            },
-            match length {
-                Length::RunsOn => "runs on",
-                Length::OfLoads => "of loads",
-            },
-            match impacts {
-                Impacts::AnyOverlap => "any overlap",
-                Impacts::OnApproach => "on approach",
-            },
-            match velocities {
-                Shared::HandedOn => "handed on",
-                Shared::Before => "before both",
-            },
-            match forces {
-                Joined::Replaced => "replaced",
-                Joined::Added => "added",
-            },
-        ]
+    /// A choice in words.
+    fn words(self, choice: Choice) -> &'static str {
+        match (choice, self.start) {
+            (Choice::Start, None) => "of each scene",
+            (Choice::Start, Some(start)) => choice.words(Program {
+                start,
+                ..self.program
+            }),
+            (_, _) => choice.words(self.program),
+        }
     }
 
     /// The printed numbers beside those of this combination.
@@ -117,7 +76,7 @@ impl Combination {
     }
 }
 
-/// How many printed digits come out by every combination, as CSV text; `largest_difference` is that of totals of Tables 6 and 7.
+/// How many printed digits come out by every combination, as CSV text; with the largest difference of totals of Tables 6 and 7.
 ///
 /// # Errors
 /// [`StudyError`] when scenes do not give what their table shows.
@@ -125,26 +84,18 @@ pub(super) fn combinations(
     completed: &[Completed],
     published: &PublishedValues,
 ) -> Result<String, StudyError> {
-    let mut header = [
-        "start",
-        "loads",
-        "length",
-        "impacts",
-        "velocities",
-        "forces",
-    ]
-    .to_vec();
+    let mut header = Choice::ALL.map(Choice::name).to_vec();
     let counts = COUNTED.map(|table| match table {
         "text" => "digits_of_text".into(),
         table => format!("digits_of_table_{table}"),
     });
     header.extend(counts.iter().map(String::as_str));
-    header.extend(["digits_of_all", "largest_difference"]);
+    header.extend(["digits_of_all", "largest_difference_of_tables_6_and_7"]);
     let row = |combination: Combination| {
         let compared = combination.compared(completed, published)?;
         let count = |table: Option<&str>| {
             let printed = compared.iter().filter(|one| {
-                one.digits != Digits::Other
+                one.digits != PrintedDigits::Other
                     && table.is_none_or(|table| one.published.table == table)
             });
             printed.count().to_string()
@@ -157,7 +108,9 @@ pub(super) fn combinations(
             // Infinite where 0 is printed and something touches; those digits are not counted either.
             .filter(|difference| difference.is_finite())
             .fold(0.0, f64::max);
-        let mut row = combination.words().map(String::from).to_vec();
+        let mut row = Choice::ALL
+            .map(|choice| combination.words(choice).to_string())
+            .to_vec();
         row.extend(COUNTED.map(|table| count(Some(table))));
         row.extend([count(None), format!("{largest:.1e}")]);
         Ok(row)

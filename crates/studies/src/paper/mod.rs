@@ -3,50 +3,90 @@
 mod combinations;
 mod program;
 mod slips;
+mod stepping;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use pounding_contact::ContactLaw;
+use pounding_solver::Pair;
 use serde::{Deserialize, Serialize};
 
-use crate::converged::Quantities;
-use crate::{Completed, Prepared, PublishedValues, Structure, StudyError};
-pub use program::{Impacts, Joined, Length, Loads, Program, Shared, Start};
+use crate::{Completed, Method, Prepared, PublishedValues, Scene, Structure, StudyError};
+pub(crate) use program::{Program, Start};
+pub(crate) use slips::Exact;
 
-/// That a study's scenes are run by the paper's [`Program`], and with which of its two starts.
+/// The choice of the paper's [`Program`] for a study: it runs those scenes that name the central difference method.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Programs {
+pub struct PapersProgram {
     /// Names of the scenes that use the first load; the others skip it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub first_load_used: Vec<String>,
 }
 
-impl Programs {
-    /// The program that gives the printed numbers of a scene.
-    pub fn of(&self, scene: &str) -> Program {
-        Program::printed(if self.first_load_used.iter().any(|name| name == scene) {
+impl PapersProgram {
+    /// The program that gives the printed numbers of a scene; nothing where another method is named.
+    pub(crate) fn of(&self, scene: &Scene) -> Option<Program> {
+        let is_used = self.first_load_used.contains(&scene.name);
+        let start = if is_used {
             Start::FirstLoadUsed
         } else {
             Start::FirstLoadSkipped
-        })
+        };
+        let stepped = matches!(scene.method, Method::CentralDifference { .. });
+        stepped.then(|| Program::printed(start))
+    }
+
+    /// What the program cannot run, or does not know, of a study: what was found, and what is allowed.
+    pub(crate) fn refusal(
+        &self,
+        scenes: &[Scene],
+        prepared: &[Prepared],
+    ) -> Option<(String, &'static str)> {
+        for name in &self.first_load_used {
+            let runs = |scene: &Scene| scene.name == *name && self.of(scene).is_some();
+            if !scenes.iter().any(runs) {
+                let allowed =
+                    "in `first_load_used` names of scenes of the study by central differences";
+                return Some((format!("\"{name}\""), allowed));
+            }
+        }
+        let mut both = scenes.iter().zip(prepared);
+        let (scene, _) = both.find(|(scene, prepared)| {
+            let is_open = matches!(scene.method, Method::Accuracy(_));
+            is_open || (self.of(scene).is_some() && !can_run(scene, prepared))
+        })?;
+        Some((
+            format!("the scene \"{}\"", scene.name),
+            "structures of one storey at rest, no walls, no arrivals, stereomechanical impact or the nonlinear viscoelastic element, and a \
+             method with a time step that divides the record's, without sub-steps",
+        ))
     }
 }
 
-/// Whether the program can run a scene: structures of one storey that begin at rest, all shaken at once, with a time step that divides
-/// that of the record.
-pub(crate) fn can_run(prepared: &Prepared) -> bool {
-    let scene = prepared.scene();
+fn can_run(scene: &Scene, prepared: &Prepared) -> bool {
     let at_rest = |structure: &Structure| match structure {
         Structure::Sdof(sdof) => {
             sdof.initial_displacement_m == 0.0 && sdof.initial_velocity_m_per_s == 0.0
         }
         Structure::Building(_) | Structure::Wall => false,
     };
-    let parts = scene.method.time_step();
-    let parts = parts.map(|step| prepared.record().time_step() / step);
-    let divides = |parts: f64| parts > 0.5 && (parts - parts.round()).abs() < 1e-9;
-    scene.structures.iter().all(at_rest) && scene.arrivals_s.is_none() && parts.is_some_and(divides)
+    let is_known = |pair: &Pair| {
+        matches!(
+            pair.law,
+            ContactLaw::Stereomechanical(_) | ContactLaw::NonlinearViscoelastic(_)
+        )
+    };
+    let divides = |step: f64| {
+        let parts = prepared.record().time_step() / step;
+        parts > 0.5 && (parts - parts.round()).abs() < 1e-9
+    };
+    scene.structures.iter().all(at_rest)
+        && scene.arrivals_s.is_none()
+        && prepared.pairs().iter().all(is_known)
+        && scene.method.contact_substeps() == 1
+        && scene.method.time_step().is_some_and(divides)
 }
 
 /// What each choice of the program is worth, and what all combinations of them give, by their paths in the results folder.
@@ -56,7 +96,7 @@ pub(crate) fn can_run(prepared: &Prepared) -> bool {
 pub(crate) fn files(
     completed: &[Completed],
     published: &PublishedValues,
-    exact: &Quantities,
+    exact: Exact<'_>,
 ) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
     let slips = slips::Slips::new(completed, exact, published.values())?;
     let mut files = slips.files()?;

@@ -5,85 +5,40 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use super::program::{Impacts, Joined, Length, Loads, Program, Shared, Start};
+use super::program::{Choice, Program};
 use crate::cell::to_csv;
 use crate::converged::{Quantities, STUDIES, find, quantities};
+use crate::figures::capital;
 use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
 use crate::tables::Value;
-use crate::{Completed, Published, StudyError, digits};
+use crate::{Completed, Printed, Published, StudyError, digits};
 
-/// A choice taken back.
-struct TakenBack {
-    column: &'static str,
-    words: &'static str,
-    change: fn(Program) -> Program,
-    mark: Mark,
-}
-
-/// Each choice, and what stands for it where it is taken back.
-const TAKEN_BACK: [TakenBack; 6] = [
-    TakenBack {
-        column: "loads_as_recorded",
-        words: "Loads as recorded",
-        change: |program| Program {
-            loads: Loads::AsRecorded,
-            ..program
-        },
-        mark: Mark::Ring,
-    },
-    TakenBack {
-        column: "ends_with_the_loads",
-        words: "Ends with the loads",
-        change: |program| Program {
-            length: Length::OfLoads,
-            ..program
-        },
-        mark: Mark::HollowSquare,
-    },
-    TakenBack {
-        column: "impacts_on_approach",
-        words: "Impacts on approach",
-        change: |program| Program {
-            impacts: Impacts::OnApproach,
-            ..program
-        },
-        mark: Mark::HollowDiamond,
-    },
-    TakenBack {
-        column: "velocities_before_both",
-        words: "Velocities before both",
-        change: |program| Program {
-            velocities: Shared::Before,
-            ..program
-        },
-        mark: Mark::HollowTriangle,
-    },
-    TakenBack {
-        column: "forces_added",
-        words: "Forces added",
-        change: |program| Program {
-            forces: Joined::Added,
-            ..program
-        },
-        mark: Mark::Diamond,
-    },
-    TakenBack {
-        column: "consistent_start",
-        words: "Consistent start",
-        change: |program| Program {
-            start: Start::Consistent,
-            ..program
-        },
-        mark: Mark::Inverted,
-    },
+/// Marks of the choices in the figure.
+const MARKS: [Mark; Choice::ALL.len()] = [
+    Mark::Inverted,
+    Mark::Ring,
+    Mark::Square,
+    Mark::HollowSquare,
+    Mark::HollowDiamond,
+    Mark::HollowTriangle,
+    Mark::Diamond,
 ];
+
+/// Numbers by the exact method.
+#[derive(Clone, Copy)]
+pub(crate) struct Exact<'a> {
+    /// In 10 s.
+    pub of_loads: &'a Quantities,
+    /// Of runs that go on without loads, as those of the program.
+    pub running_on: &'a Quantities,
+}
 
 /// The numbers of the paper's totals by its program and by what it should have been.
 pub(super) struct Slips<'a> {
     published: &'a [Published],
-    exact: &'a Quantities,
+    exact: Exact<'a>,
     printed: Quantities,
-    /// Without each of [`TAKEN_BACK`].
+    /// Without each of [`Choice::ALL`].
     without: Vec<Quantities>,
     described: Quantities,
 }
@@ -95,26 +50,28 @@ impl<'a> Slips<'a> {
     /// [`StudyError`] when scenes do not give what their table shows.
     pub(super) fn new(
         completed: &[Completed],
-        exact: &'a Quantities,
+        exact: Exact<'a>,
         published: &'a [Published],
     ) -> Result<Self, StudyError> {
-        let changed = |change: fn(Program) -> Program| {
+        let changed = |change: &(dyn Fn(Program) -> Program + Sync)| {
             let of_totals = completed
                 .iter()
                 .filter(|study| STUDIES.contains(&&*study.file.id));
             let again = of_totals.map(|study| study.by_program(change));
             quantities(&again.collect::<Result<Vec<_>, _>>()?)
         };
-        let without = TAKEN_BACK.par_iter().map(|back| changed(back.change));
+        let without = Choice::ALL
+            .into_par_iter()
+            .map(|choice| changed(&|program| choice.taken_back(program)));
         Ok(Self {
             published,
             exact,
-            printed: changed(|program| program)?,
+            printed: changed(&|program| program)?,
             without: without
                 .collect::<Vec<_>>()
                 .into_iter()
                 .collect::<Result<_, _>>()?,
-            described: changed(|_| Program::DESCRIBED)?,
+            described: changed(&|_| Program::DESCRIBED)?,
         })
     }
 
@@ -137,7 +94,7 @@ impl<'a> Slips<'a> {
     }
 
     /// The printed number of a row; those of two structures stand in the text.
-    fn published(&self, table: &str, row: &Value) -> Option<f64> {
+    fn published(&self, table: &str, row: &Value) -> Option<&Printed> {
         let (table, name) = match table {
             "2" => (
                 "text",
@@ -149,7 +106,7 @@ impl<'a> Slips<'a> {
         let is = |one: &&Published| {
             one.table == table && one.row == name && one.quantity == row.quantity
         };
-        Some(self.published.iter().find(is)?.published.value)
+        self.published.iter().find(is).map(|one| &one.published)
     }
 
     fn table(&self) -> String {
@@ -162,16 +119,18 @@ impl<'a> Slips<'a> {
             "papers_program",
         ]
         .to_vec();
-        header.extend(TAKEN_BACK.iter().map(|back| back.column));
-        header.extend(["as_described", "exact"]);
+        let columns = Choice::ALL.map(|choice| described(choice).replace(' ', "_"));
+        header.extend(columns.iter().map(String::as_str));
+        header.extend(["as_described", "exact_of_loads", "exact"]);
         let mut rows = Vec::new();
         for table in TABLES {
             for row in self.rows(table) {
-                let mut numbers = vec![self.published(table, row), Some(row.value)];
+                let mut numbers = vec![Some(row.value)];
                 numbers.extend(self.without.iter().map(|values| find(values, table, row)));
-                numbers
-                    .extend([&self.described, self.exact].map(|values| find(values, table, row)));
-                let keys = [table, &row.row, &row.quantity, row.unit].map(String::from);
+                let last = [&self.described, self.exact.of_loads, self.exact.running_on];
+                numbers.extend(last.map(|values| find(values, table, row)));
+                let published = self.published(table, row).map_or("", Printed::text);
+                let keys = [table, &row.row, &row.quantity, row.unit, published].map(String::from);
                 let cell = |number: Option<f64>| number.map(digits).unwrap_or_default();
                 rows.push(
                     keys.into_iter()
@@ -192,9 +151,9 @@ impl<'a> Slips<'a> {
             ("7", "Table 7, viscoelastic element"),
         ];
         let figure = Figure {
-            height_in: 5.4,
+            height_in: 4.2,
             columns: 2,
-            x: Axis::auto("Transferred momentum over the printed one"),
+            x: Axis::auto("Momentum over the printed one"),
             panels: panels.map(|(table, title)| self.panel(table, title)).into(),
         };
         render_png(&figure).map_err(|source| StudyError::Plot {
@@ -205,9 +164,14 @@ impl<'a> Slips<'a> {
 
     fn panel(&self, table: &str, title: &str) -> Panel {
         let rows = self.rows(table).filter_map(|row| {
-            let published = self.published(table, row)?;
+            let published = self.published(table, row)?.value;
             // Nothing is a multiple of what structures transfer that nothing touches.
-            (published > 0.0).then_some((row, published))
+            let moved = |values: &Quantities| {
+                find(values, table, row)
+                    .is_some_and(|value| (value / published - 1.0).abs() > SHOWN)
+            };
+            let shown = self.without.iter().chain([&self.described]).any(moved);
+            (published > 0.0 && shown).then_some((row, published))
         });
         let rows: Vec<(&Value, f64)> = rows.collect();
         let points = |values: &Quantities| -> Vec<(f64, f64)> {
@@ -222,8 +186,13 @@ impl<'a> Slips<'a> {
                 .named(words)
         };
         let mut curves = Vec::new();
-        for (back, values) in TAKEN_BACK.iter().zip(&self.without) {
-            curves.push(curve(values, Shade::Blue, back.mark, back.words));
+        for ((choice, mark), values) in Choice::ALL.into_iter().zip(MARKS).zip(&self.without) {
+            curves.push(curve(
+                values,
+                Shade::Blue,
+                mark,
+                &capital(&described(choice)),
+            ));
         }
         curves.push(curve(
             &self.described,
@@ -231,7 +200,12 @@ impl<'a> Slips<'a> {
             Mark::Disc,
             "As described",
         ));
-        curves.push(curve(self.exact, Shade::Ink, Mark::Stroke, "Exact"));
+        curves.push(curve(
+            self.exact.running_on,
+            Shade::Ink,
+            Mark::Stroke,
+            "Exact",
+        ));
         curves.push(curve(
             &self.printed,
             Shade::Vermilion,
@@ -249,6 +223,14 @@ impl<'a> Slips<'a> {
     }
 }
 
+/// A choice as the paper describes it, in words.
+fn described(choice: Choice) -> String {
+    let name = choice.name().replace('_', " ");
+    format!("{name} {}", choice.words(Program::DESCRIBED))
+}
+
+/// The figure shows rows that some choice moves by more than this \[–\].
+const SHOWN: f64 = 0.005;
 /// Tables whose totals are asked.
 const TABLES: [&str; 5] = ["2", "4", "5", "6", "7"];
 /// Quantities that are totals.

@@ -404,7 +404,7 @@ fn modelled(scene: &Scene) -> Result<(Floors, Model), SceneError> {
     Ok((floors, model))
 }
 
-fn in_scene(scene: &Scene, source: SceneError) -> StudyError {
+pub(crate) fn in_scene(scene: &Scene, source: SceneError) -> StudyError {
     StudyError::Scene {
         scene: scene.name.clone(),
         source,
