@@ -16,7 +16,7 @@ use crate::{Completed, Method, Prepared, PublishedValues, Scene, Structure, Stud
 pub(crate) use program::{Program, Start};
 pub(crate) use slips::Exact;
 
-/// The choice of the paper's [`Program`] for a study: it runs those scenes that name the central difference method.
+/// The choice of the paper's program for a study: it runs those scenes that name the central difference method.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PapersProgram {
