@@ -36,7 +36,7 @@ use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, S
 /// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
 ///
 /// A run begins from equilibrium, as textbooks do: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2. Impulsive contact is a jump of the velocities at the
-/// node at which an overlap is found, as in every stepping method.
+/// node at which an overlap is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CentralDifference {
     /// Steps into which a time step is divided for structures that touch, 1 to 1000.

@@ -261,6 +261,7 @@ impl Span<'_> {
             Path::Series(series) => {
                 let few = series.displacement.len() <= FEW && series.power == Power::One;
                 let rule = if few { EIGHT } else { SIXTEEN };
+                // Of a span shorter than instants tell apart, start and end are one instant, which is the end to `x`.
                 let first = if from > self.start_time {
                     self.x(series, from)
                 } else {
@@ -282,7 +283,7 @@ impl Span<'_> {
         }
     }
 
-    /// x of its series at an instant.
+    /// x of its series at an instant; at the end of the span what the series says, not the clock.
     pub(crate) fn x(&self, series: Series<'_>, time: f64) -> f64 {
         if time >= self.end_time && series.end.is_finite() {
             series.end
@@ -358,6 +359,34 @@ mod tests {
                 "{time}: {found:?}"
             );
         }
+    }
+
+    /// Rounding made a piece of 1e-18 s a thousand times longer, and its ledger with it.
+    #[test]
+    fn issue_a_span_shorter_than_instants_tell_lasts_as_long_as_its_series() {
+        let mut span = Span::step::<(), 1>(
+            0,
+            (5.0, 5.0_f64.next_up()),
+            [State::default(); 2],
+            (1.0, [1.0]),
+            [Load::at(&State::default(), (0.0, 0.0), 0.0)],
+        );
+        let displacement = [1.0, 2.0];
+        span.path = Path::Series(Series {
+            origin: 5.0,
+            power: Power::One,
+            end: 1e-18,
+            displacement: &displacement,
+            velocity: &[2.0],
+            acceleration: &[],
+            below: None,
+            restoring_force: (0.0, 0.0),
+            bent: &[],
+            force_from_left: &[],
+            force_from_right: &[],
+        });
+        let [duration] = span.integrate(|_, _| [1.0]);
+        assert!((duration / 1e-18 - 1.0).abs() < 1e-14, "{duration:e}");
     }
 
     #[test]
