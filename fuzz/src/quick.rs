@@ -1,6 +1,6 @@
 //! Which ground motions are made in no time; a budget counts what a run costs, and not its record.
 
-use pounding_studies::{Generated, Scene, Source};
+use pounding_scene::{Generated, Scene, Source};
 
 /// Samples of a record, and terms of a stochastic one: more are made in seconds, and met by tests.
 const MOST_SAMPLES: f64 = 1e4;

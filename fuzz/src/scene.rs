@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use pounding_motion::Accelerogram;
-use pounding_studies::{Method, Outcome, Prepared, RunBudget, Scene, Source, StudyError};
+use pounding_scene::{Error, Method, RunBudget, RunResult, Scene, Simulation, Source};
 
 use crate::quick::is_quickly_shaken;
 
@@ -35,8 +35,8 @@ pub(crate) fn check(bytes: &[u8]) {
     }
     scene.budget = BUDGET;
     let prepared = match &scene.record.source {
-        Source::File(file) => Prepared::with_record(&scene, record(&file.file)),
-        Source::Generated(_) => Prepared::new(&scene, Path::new("")),
+        Source::File(file) => Simulation::with_record(&scene, record(&file.file)),
+        Source::Generated(_) => Simulation::new(&scene, Path::new("")),
     };
     let Some(prepared) = said(prepared) else {
         return;
@@ -63,7 +63,7 @@ pub(crate) fn check(bytes: &[u8]) {
 }
 
 /// What was done; what is refused says why.
-fn said<T>(result: Result<T, StudyError>) -> Option<T> {
+fn said<T>(result: Result<T, Error>) -> Option<T> {
     match result {
         Ok(done) => Some(done),
         Err(refused) => {
@@ -78,7 +78,7 @@ fn record(file: &str) -> Accelerogram {
     own.unwrap_or_else(|_| pounding_motion::read(PULSE).expect("a record"))
 }
 
-fn check_finite(outcome: &Outcome, n: usize) {
+fn check_finite(outcome: &RunResult, n: usize) {
     for structure in 0..n {
         let peaks = outcome.peaks.of(structure);
         for peak in [

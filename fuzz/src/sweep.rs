@@ -5,7 +5,8 @@
 
 use std::path::Path;
 
-use pounding_studies::{Method, RunBudget, Scene, SceneOf, Source, Spread, Sweep, SweepFile, Vary};
+use pounding_scene::{Method, RunBudget, Scene, Source};
+use pounding_sweep::{SceneOf, Spread, Sweep, SweepFile, Vary};
 use serde_json::Value;
 
 use crate::quick::is_quickly_shaken;

@@ -34,6 +34,8 @@ const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
 
 /// Runs every step and stops at the first that fails.
 pub(crate) fn run(root: &Path) -> Result<(), String> {
+    println!("── rooms: cargo xtask rooms");
+    crate::rooms::check(root)?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     for (name, arguments, (variable, value)) in STEPS {
         println!("── {name}: cargo {}", arguments.join(" "));

@@ -5,18 +5,18 @@
     reason = "a program speaks to its user"
 )]
 
-mod bench;
 mod beyond;
 mod check;
 mod fuzz;
 mod reproduce;
 mod results;
+mod rooms;
 mod schedulers;
 mod studies;
 mod verify;
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 
 use clap::{Parser, Subcommand};
 use pounding_studies::Extent;
@@ -62,26 +62,18 @@ enum Task {
     /// Run random scenes by the exact method and by the second route, which share nothing but the scene, and say what disagrees, fails
     /// or does not end; no part of `check`, but for some scenes among the tests.
     Verify(verify::Asked),
-    /// Format, lints, tests, documentation and `reproduce --check`: what must pass before a change lands.
+    /// Print the crates with their lines, public names and what they use; fails where an arrow runs up or modules use each other in a
+    /// circle.
+    Rooms,
+    /// Format, lints, rooms, tests, documentation and `reproduce --check`: what must pass before a change lands.
     Check,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
     /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
     /// storeys.csv, bench/lanes.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
     Bench {
-        /// Only the savings.
-        #[arg(long)]
-        savings: bool,
-        /// Only what a floor of a building costs in a step, beside one of a row of structures of one storey: two to three minutes.
-        #[arg(long, conflicts_with = "savings")]
-        storeys: bool,
-        /// Only scenes side by side in lanes, and sweeps of them, beside a loop written by hand for AVX-512 and AVX2, and rows of 2 to
-        /// 1000 structures: three minutes.
-        #[arg(long, conflicts_with_all = ["savings", "storeys"])]
-        lanes: bool,
-        /// Only the same scenes by other programs (`OpenSees`, `SciPy`, `SUNDIALS`) and compiled loops, which go into a Python environment
-        /// beside this program; needs Python 3 and, the first time, the network: some six minutes, no part of the others.
-        #[arg(long, conflicts_with_all = ["savings", "storeys", "lanes"])]
-        peers: bool,
+        /// What is timed alone, such as --lanes; `--help` names all.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
     },
     /// Run a sweep by `HyperQueue` from the Python package index and compare it with one without; needs Python, no part of `check`.
     Hyperqueue,
@@ -109,12 +101,9 @@ fn main() -> ExitCode {
         } => beyond::run(&root(), records.as_deref(), out, !as_recorded),
         Task::Studies { names } => studies::run(&root(), &names),
         Task::Verify(asked) => verify::run(&root(), &asked),
+        Task::Rooms => rooms::check(&root()),
         Task::Check => check::run(&root()),
-        Task::Bench { savings: true, .. } => bench::savings(&root()),
-        Task::Bench { storeys: true, .. } => bench::storeys(&root()),
-        Task::Bench { lanes: true, .. } => bench::lanes(&root()),
-        Task::Bench { peers: true, .. } => bench::peers(&root()),
-        Task::Bench { .. } => bench::run(&root()),
+        Task::Bench { arguments } => bench(&root(), &arguments),
         Task::Hyperqueue => schedulers::hyperqueue(&root()),
         Task::Slurm => schedulers::slurm(&root()),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
@@ -125,6 +114,22 @@ fn main() -> ExitCode {
             eprintln!("error: {message}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Runs the timings, which are a crate of their own: nothing else builds it.
+fn bench(root: &Path, arguments: &[String]) -> Result<(), String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let status = Command::new(cargo)
+        .args(["run", "--package", "pounding-bench", "--"])
+        .args(arguments)
+        .current_dir(root)
+        .status()
+        .map_err(|error| format!("cannot start cargo: {error}"))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err("the timings failed".into())
     }
 }
 

@@ -6,7 +6,7 @@
 //! nonlinear viscoelastic element starts like δ^(1/4), nor at the parting.
 
 use crate::form::{Action, Form, Power, Term};
-use crate::{ContactLaw, FreePair, search};
+use crate::{FreePair, search};
 
 /// What a free impact does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,13 +52,9 @@ struct Orbit {
 }
 
 impl FreeImpact {
-    /// Integrates the collision of a free pair under a law.
-    ///
-    /// Nothing for an impulsive law, and where the damping is so strong that the return takes more than twenty thousand
-    /// steps. Takes about a millisecond.
-    pub fn of(law: &ContactLaw, pair: &FreePair) -> Option<Self> {
-        let form = law.form(pair.reduced_mass, pair.approach_speed)?;
-        let orbit = Orbit::new(&form, pair);
+    /// Integrates the collision of a free pair under a form.
+    pub(crate) fn of_form(form: &Form, pair: &FreePair) -> Option<Self> {
+        let orbit = Orbit::new(form, pair);
         let mut peak = 0.0;
         let middle = orbit.approach(|state, step| {
             let force = |part: f64| orbit.force(orbit.advance(state, part).0);

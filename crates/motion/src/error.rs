@@ -2,7 +2,10 @@
 
 use pounding_text::plain;
 
-use crate::Record;
+/// Longest time step of a record \[s\].
+pub(crate) const LONGEST_STEP: f64 = 1e6;
+/// Largest acceleration of a record \[m/s²\], either way.
+pub(crate) const STRONGEST: f64 = 1e9;
 
 /// A `RecordError` says why numbers do not make a record.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -14,7 +17,7 @@ pub enum RecordError {
     #[error(
         "the time step is {} s, allowed are more than 0 s and up to {:e} s; correct it",
         plain(*found),
-        Record::LONGEST_STEP
+        LONGEST_STEP
     )]
     TimeStep {
         /// Time step given \[s\].
@@ -25,7 +28,7 @@ pub enum RecordError {
         "the acceleration of sample {index} (the first is 0) is {} m/s², allowed are up to {:e} m/s² either way; correct its \
          unit or its factor",
         plain(*found),
-        Record::STRONGEST
+        STRONGEST
     )]
     Sample {
         /// Index of the sample, from 0.

@@ -1,6 +1,6 @@
 //! The ground acceleration that structures are shaken with.
 
-use crate::RecordError;
+use crate::{RecordError, error};
 
 /// A time this close to a sample, in time steps, is the time of that sample.
 ///
@@ -26,9 +26,9 @@ pub struct Record {
 impl Record {
     /// Largest acceleration of a sample, either way \[m/s²\]: a hundred million g, which no ground has. Squares of much stronger
     /// ones, integrated, leave the range of numbers, and a measure that is infinite measures nothing.
-    pub const STRONGEST: f64 = 1e9;
+    pub const STRONGEST: f64 = error::STRONGEST;
     /// Longest time between two samples \[s\], eleven days; for the same reason.
-    pub const LONGEST_STEP: f64 = 1e6;
+    pub const LONGEST_STEP: f64 = error::LONGEST_STEP;
 
     /// Makes a record of accelerations \[m/s²\] that are `time_step` \[s\] apart.
     ///

@@ -6,7 +6,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use pounding::studies::Report;
+use pounding::report::Report;
 
 /// The files of a run under a folder of records.
 pub(crate) const OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];

@@ -5,7 +5,11 @@
 //! | [`motion`] | ground motions: formats, processing, measures, formulas | structures |
 //! | [`contact`] | contact laws and the restitution each really delivers | time steps, rows |
 //! | [`solver`] | structures, rows, methods of time integration, recorders | files, units other than SI |
-//! | [`studies`] | scenes as TOML and JSON, studies, reports, tables, figures, agreement with the paper | – |
+//! | [`scene`] | scenes as TOML and JSON: read, checked, run, judged | sweeps, figures |
+//! | [`sweep`] | one scene over many values | figures |
+//! | [`plot`] | figures as data, drawn to SVG and PNG | mechanics |
+//! | [`report`] | a run as a folder of tables and figures | sweeps |
+//! | [`text`] | numbers as people read them, tables as CSV | units |
 //!
 //! Two structures 3 cm apart, and what happens when the ground jerks once:
 //!
@@ -39,12 +43,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Whoever has a scene as a file reads it with [`studies::Scene::read`] and runs it with [`studies::Prepared`].
+//! Whoever has a scene as a file reads it with [`scene::Scene::read`] and runs it with [`scene::Simulation`].
 //!
 //! Left out: finding out who can touch whom (neighbours are named), and units other
 //! than SI anywhere but in printed tables.
 
 pub use pounding_contact as contact;
 pub use pounding_motion as motion;
+pub use pounding_plot as plot;
+pub use pounding_report as report;
+pub use pounding_scene as scene;
 pub use pounding_solver as solver;
-pub use pounding_studies as studies;
+pub use pounding_sweep as sweep;
+pub use pounding_text as text;

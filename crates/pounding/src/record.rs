@@ -1,11 +1,12 @@
 //! What is said of a ground motion: where it came from, what was read, and what was done to it.
 
-use pounding::studies::{Prepared, digits};
+use pounding::scene::Simulation;
+use pounding::text::digits;
 
 use crate::text::short;
 
 /// Source, peak, what was read and from which line, what was done, and what the file says of itself.
-pub(crate) fn lines(prepared: &Prepared) -> Vec<String> {
+pub(crate) fn lines(prepared: &Simulation) -> Vec<String> {
     let (scene, record) = (prepared.scene(), prepared.record());
     let (time, peak) = record.peak();
     let mut lines = vec![

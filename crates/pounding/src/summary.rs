@@ -2,17 +2,18 @@
 
 mod tables;
 
-use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
-use pounding::studies::{
-    Doubt, Errors, LEAST_PART, Method, PairErrors, Prepared, Quantity, Review, Scene, Warning,
-    digits,
+use pounding::scene::{
+    Errors, Implausible, LEAST_PART, Method, PairErrors, Quantity, Review, Scene, Simulation,
+    Warning,
 };
+use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
+use pounding::text::digits;
 
 use crate::record;
 use crate::text::{paragraph, percent, short};
 
 /// Summary of a run.
-pub(crate) fn of(prepared: &Prepared, review: &Review) -> String {
+pub(crate) fn of(prepared: &Simulation, review: &Review) -> String {
     let scene = prepared.scene();
     let Review {
         outcome, errors, ..
@@ -47,8 +48,8 @@ pub(crate) fn warnings(found: &[String]) -> String {
 }
 
 /// What looks wrong in the scene, a line each; nothing where nothing does.
-fn unusual(prepared: &Prepared) -> String {
-    let mut lines: Vec<String> = prepared.doubts().iter().map(Doubt::brief).collect();
+fn unusual(prepared: &Simulation) -> String {
+    let mut lines: Vec<String> = prepared.doubts().iter().map(Implausible::brief).collect();
     if lines.is_empty() {
         return String::new();
     }
@@ -67,7 +68,7 @@ fn of_run(warnings: &[Warning]) -> Vec<String> {
 }
 
 /// The method, its settings and how it was chosen.
-pub(crate) fn method_lines(prepared: &Prepared) -> String {
+pub(crate) fn method_lines(prepared: &Simulation) -> String {
     let scene = prepared.scene();
     let method = scene.method;
     let duration = digits(prepared.duration());

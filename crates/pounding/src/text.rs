@@ -1,6 +1,6 @@
 //! Plain text of at most 80 columns, but for a long path: numbers, paragraphs, tables, and tables side by side.
 
-pub(crate) use pounding::studies::{milliseconds, percent, short};
+pub(crate) use pounding::text::{milliseconds, percent, short};
 
 /// Columns of a terminal.
 const WIDTH: usize = 80;

@@ -1,7 +1,7 @@
 use crate::{
     CentralDifference, Course, Exact, Excitation, Hht, Hysteretic, Laws, MoreauJean, Newmark,
-    Recorder, Rk4, Row, RunError, Verlet, Work, central_difference, exact, hht, moreau_jean,
-    newmark, rk4, verlet,
+    Recorder, Rk4, Row, RunError, Verlet, Work, exact, explicit::central_difference, explicit::rk4,
+    explicit::verlet, implicit::hht, implicit::moreau_jean, implicit::newmark,
 };
 
 /// A method of time integration with its settings; one file each, one signature.

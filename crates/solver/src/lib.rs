@@ -24,81 +24,54 @@
 //!
 //! Left out: files, printing, units other than SI, contact search (neighbours are known).
 
-mod approach;
-mod bilinear;
-mod bouc_wen;
 mod budget;
-mod buildings;
-mod central_difference;
 mod clock;
-mod cluster;
-mod clusters;
-mod column;
-mod complementarity;
-mod critical;
-mod damping;
-mod dashpots;
-mod equilibrium;
+mod ensemble;
 mod error;
 mod exact;
-mod excitation;
-mod ground;
-mod hht;
-mod impacts;
+mod explicit;
+mod impact;
+mod implicit;
 mod integrator;
-mod joint;
-mod lanes;
-mod levels;
-mod modes;
-mod moreau_jean;
-mod newmark;
-mod newton;
-mod profile;
+mod model;
 mod quadrature;
-mod recorder;
-mod recorders;
-mod rk4;
-mod rounds;
-mod row;
+mod record;
 mod span;
-mod support;
-mod together;
-mod travel;
-mod trial;
+mod stability;
 mod turning;
-mod verlet;
 mod work;
 
-pub use bilinear::Bilinear;
-pub use bouc_wen::{Bent, BoucWen};
 pub use budget::{Budget, Course};
-pub use central_difference::CentralDifference;
 pub use clock::Clock;
-pub use column::{
-    Elastic, ElastoPlastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,
-};
-pub use critical::Oscillation;
-pub use damping::Damping;
+pub use ensemble::{ExactSideBySide, PairSums, RowsOf, SceneSums, SideBySide, Stepping};
 pub use error::{ModelError, RunError};
 pub use exact::{Exact, SimultaneousImpacts};
-pub use excitation::Excitation;
-pub use hht::Hht;
+pub use explicit::central_difference::CentralDifference;
+pub use explicit::rk4::Rk4;
+pub use explicit::verlet::{Verlet, VerletImpacts};
+pub use implicit::hht::Hht;
+pub use implicit::moreau_jean::MoreauJean;
+pub use implicit::newmark::Newmark;
 pub use integrator::Integrator;
-pub use lanes::{ExactSideBySide, PairTally, RowsOf, SideBySide, Stepping, Tallies};
-pub use levels::{Levels, Storey};
-pub use modes::{Mode, modes};
-pub use moreau_jean::MoreauJean;
-pub use newmark::Newmark;
-pub use recorder::{Impact, Recorder, Touch, Velocities};
-pub use recorders::{
+pub use model::bilinear::Bilinear;
+pub use model::bouc_wen::{Bent, BoucWen};
+pub use model::column::{
+    Elastic, ElastoPlastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,
+};
+pub use model::damping::Damping;
+pub use model::excitation::Excitation;
+pub use model::levels::{Levels, Storey};
+pub use model::modes::{Mode, modes};
+pub use model::node::{Node, Pair};
+pub use model::oscillation::Oscillation;
+pub use model::row::Row;
+pub use model::support::{Floor, Support};
+pub use model::travel::{Opening, Travel};
+pub use record::recorder::{Impact, Recorder, Touch, Velocities};
+pub use record::{
     Closing, Closings, Collision, Collisions, FloorAccelerations, Histories, History,
     LastDisplacements, Laws, Ledger, LedgerError, PairTerms, Peak, Peaks, StructurePeaks, Terms,
     TransferredMomentum,
 };
-pub use rk4::Rk4;
-pub use row::{Node, Pair, Row};
 pub use span::{Flight, Motion, Path, Series, Span, State, Weighed};
-pub use support::{Floor, Support};
-pub use travel::{Opening, Travel};
-pub use verlet::{Verlet, VerletImpacts};
 pub use work::Work;

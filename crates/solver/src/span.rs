@@ -1,7 +1,6 @@
 mod flight;
 mod series;
 
-use crate::Recorder;
 use crate::quadrature::{self, EIGHT, SIXTEEN};
 pub(crate) use flight::Expansion;
 pub use flight::Flight;
@@ -150,45 +149,6 @@ impl Load {
 const FEW: usize = 15;
 
 impl Span<'_> {
-    /// A step of a stepping method for a recorder R.
-    ///
-    /// The method made of the loads in the step their sum with these weights, times `scale` \[s\]; the trapezoidal
-    /// rule is Δt/2 times 1 and 1 of the loads at both ends.
-    #[inline]
-    pub(crate) fn step<R: Recorder, const N: usize>(
-        structure: usize,
-        (start_time, end_time): (f64, f64),
-        [start, end]: [State; 2],
-        (scale, weights): (f64, [f64; N]),
-        loads: [Load; N],
-    ) -> Self {
-        let weigh = |force: fn(&Load) -> f64| {
-            let terms = weights.iter().zip(&loads);
-            let sum = terms.map(|(weight, load)| weight * force(load));
-            scale * sum.reduce(|sum, term| sum + term).unwrap_or(0.0)
-        };
-        let weighed = if R::READS_WEIGHED {
-            Weighed {
-                restoring: -weigh(|load| load.restoring),
-                damping: -weigh(|load| load.damping),
-                ground_velocity: weigh(|load| load.ground),
-            }
-        } else {
-            Weighed::default()
-        };
-        Self {
-            structure,
-            start_time,
-            end_time,
-            start,
-            end,
-            impulse_from_left: weigh(|load| load.from_left),
-            impulse_from_right: weigh(|load| load.from_right),
-            below: None,
-            path: Path::Cubic(weighed),
-        }
-    }
-
     /// The same with the motion of the floor below at both ends; nothing on the ground.
     #[inline]
     pub(crate) fn over(self, below: Option<[Motion; 2]>) -> Self {

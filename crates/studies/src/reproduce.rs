@@ -1,18 +1,19 @@
 //! All studies at once: tables, figures, agreement and claims.
 
+use crate::StudyError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::converged::{Converged, N_NOISY_RUNS};
-use crate::paper::{self, Program};
-use crate::tables::Value;
+use crate::paper::tables::Value;
 use crate::{
-    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, Comparison, Completed, Extent, Extremes,
-    PublishedValues, StudyError, StudyFile, Table, Tallies, Trade, agreement_csv, claims,
-    claims_csv, figure_png,
+    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent,
+    Extremes, PublishedValues, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
+    figure_png,
 };
+use crate::{paper, program::Program};
+use crate::{paper::converged::Converged, paper::converged::N_NOISY_RUNS};
 
 /// The studies of a folder and the published numbers they are compared with.
 #[derive(Debug)]
@@ -105,7 +106,7 @@ impl Studies {
         let made = completed
             .par_iter()
             .map(|study| {
-                let made = Made::of(study, self.extent, done);
+                let made = StudyFiles::of(study, self.extent, done);
                 done();
                 made
             })
@@ -124,7 +125,7 @@ impl Studies {
         let beyond = beyond(&completed, done)?;
         let tallies = beyond
             .as_ref()
-            .map_or_else(|| vec![Tallies::default()], Beyond::tallies);
+            .map_or_else(|| vec![ClaimCounts::default()], Beyond::tallies);
         if let Some(beyond) = beyond {
             files.extend(beyond.files()?);
         }
@@ -154,7 +155,7 @@ impl Studies {
 /// Files of all studies by their paths, and the numbers of their tables by the names of these.
 fn collected(
     completed: &[Completed],
-    made: Vec<Made>,
+    made: Vec<StudyFiles>,
 ) -> (BTreeMap<PathBuf, Vec<u8>>, BTreeMap<String, Vec<Value>>) {
     let (mut files, mut values) = (BTreeMap::new(), BTreeMap::new());
     for (study, made) in completed.iter().zip(made) {
@@ -193,14 +194,14 @@ fn beyond(completed: &[Completed], done: &(dyn Fn() + Sync)) -> Result<Option<Be
 }
 
 /// What one study makes.
-struct Made {
+struct StudyFiles {
     table: Option<Table>,
     figure: Option<Vec<u8>>,
     /// Files of a study with a folder of its own, by their paths.
     folder: BTreeMap<PathBuf, Vec<u8>>,
 }
 
-impl Made {
+impl StudyFiles {
     fn of(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let output = &study.file.study.output;
         let folder = if let Some(ladder) = output.ladder() {

@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use insta::assert_snapshot;
-use pounding_studies::{
-    Beyond, BeyondSettings, BeyondStudy, Change, Method, Output, Prepared, Strength, StudyFile,
-    digits,
-};
+use pounding_scene::{Method, Simulation};
+use pounding_studies::{Beyond, BeyondSettings, BeyondStudy, Change, Output, Strength, StudyFile};
+use pounding_text::digits;
 use sha2::{Digest, Sha256};
 
 type Files = BTreeMap<PathBuf, Vec<u8>>;
@@ -98,7 +97,7 @@ fn limit_the_papers_case_is_the_paper_run_exactly() {
     for scene in &study.study.scenes {
         let mut exact = scene.clone();
         exact.method = Method::EXACT;
-        let prepared = Prepared::new(&exact, study.base()).expect("a sound scene");
+        let prepared = Simulation::new(&exact, study.base()).expect("a sound scene");
         let outcome = prepared.run(None).expect("an exact run");
         let own = rows.iter().filter(|row| {
             row["table"] == "6" && row["scene"] == scene.name && row["direction"] == "reversed"

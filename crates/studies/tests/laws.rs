@@ -6,10 +6,9 @@ use std::sync::LazyLock;
 
 use insta::assert_snapshot;
 use pounding_contact::{Calibration, FreePair, LawName, reduced_mass};
-use pounding_studies::second_route::Fineness;
-use pounding_studies::{
-    Atlas, AtlasSettings, Completed, Output, Prepared, Scene, Structure, StudyFile,
-};
+use pounding_reference::Fineness;
+use pounding_scene::{Scene, Simulation, Structure};
+use pounding_studies::{Atlas, AtlasSettings, Completed, Output, StudyFile};
 use rayon::prelude::*;
 
 fn read() -> StudyFile {
@@ -189,9 +188,10 @@ fn reference_a_second_route_gives_the_same_scenes_under_every_law() {
         .collect();
     runs.into_par_iter().for_each(|(law, scene)| {
         let what = format!("{}, {law:?}", scene.name);
-        let prepared = Prepared::new(&under(law, scene), file.base()).expect("a sound scene");
+        let prepared = Simulation::new(&under(law, scene), file.base()).expect("a sound scene");
         let exact = prepared.run(None).expect("an exact run");
-        let second = prepared.second_route(Fineness::FINE).expect("a second run");
+        let second =
+            pounding_studies::second_route(&prepared, Fineness::FINE).expect("a second run");
         let met: usize = second.collisions.iter().map(Vec::len).sum();
         assert_eq!(exact.collisions.all().len(), met, "{what}: collisions");
         // As the study of accuracy allows, which knows the condition of every result.

@@ -1,14 +1,13 @@
 //! What is said of studies that do not fit together, and that what is read is what is written.
 
+use pounding_studies::StudyError;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
+use pounding_scene::{Goal, Method, Quantity, Simulation, advise};
 use pounding_solver::{LedgerError, Rk4};
-use pounding_studies::{
-    Completed, Goal, Method, Prepared, Quantity, Study, StudyError, StudyFile, Table, advise,
-    figure_png,
-};
+use pounding_studies::{Completed, Study, StudyFile, Table, figure_png};
 use serde_json::{Value, json};
 
 fn studies() -> PathBuf {
@@ -131,11 +130,11 @@ fn extreme_scene_that_diverges_is_named() {
     let law = &mut study["scenes"][2]["contacts"][0]["law"]["nonlinear_viscoelastic"];
     law["impact_stiffness_n_per_m1_5"] = json!(1e300);
     let error = make("diverges", &study).expect_err("contact far too stiff for the time step");
-    let StudyError::InFile { path, source, .. } = &error else {
+    let StudyError::Scene(pounding_scene::Error::InFile { path, source, .. }) = &error else {
         panic!("the error should name its file: {error}");
     };
     assert!(path.ends_with("study.json"), "{}", path.display());
-    let StudyError::Run {
+    let pounding_scene::Error::Run {
         scene, structures, ..
     } = &**source
     else {
@@ -219,7 +218,7 @@ fn limit_an_accuracy_in_a_study_is_what_is_advised() {
     let asked = Completed::run(file.clone(), &|| ()).expect("a method is found");
     let mut exact = file.study.scenes[0].clone();
     exact.method = Method::EXACT;
-    let exact = Prepared::new(&exact, file.base()).expect("a good scene");
+    let exact = Simulation::new(&exact, file.base()).expect("a good scene");
     let (error, quantity) = (0.2, Quantity::All);
     let advice = advise(&exact, Goal { error, quantity }, &|_| ()).expect("an exact run");
     let mut named = file;
@@ -277,10 +276,10 @@ fn extreme_a_run_that_creates_energy_names_pair_and_structures() {
     study["scenes"][0]["method"]["central_difference"]["time_step_s"] = json!(0.05);
     study.as_object_mut().expect("a study").remove("program");
     let error = make("energy", &study).expect_err("steps far too long for the contact");
-    let StudyError::InFile { source, .. } = &error else {
+    let StudyError::Scene(pounding_scene::Error::InFile { source, .. }) = &error else {
         panic!("the error should name its file: {error}");
     };
-    let StudyError::Broken {
+    let pounding_scene::Error::Broken {
         structures, source, ..
     } = &**source
     else {

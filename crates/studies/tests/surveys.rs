@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding_studies::{Output, Scene, StudyFile, Survey, SurveyStudy};
+use pounding_scene::Scene;
+use pounding_studies::{Output, StudyFile, Survey, SurveyStudy};
 use sha2::{Digest, Sha256};
 
 type Files = BTreeMap<PathBuf, Vec<u8>>;

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding_studies::{Completed, Ladder, Output, StudyFile, Trade};
+use pounding_scene::Ladder;
+use pounding_studies::{Completed, Output, StudyFile, Trade};
 
 /// The trade study on a ladder of its own.
 fn trade(time_steps_s: &[f64], tolerances: &[f64]) -> Trade {

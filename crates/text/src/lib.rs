@@ -2,6 +2,10 @@
 //!
 //! Every message, table and figure of the other crates writes its numbers with these. Units are the caller's.
 
+mod cell;
+
+pub use cell::{Cell, csv_text, json_text, to_csv};
+
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
 /// 309 digits of 1.7e308.
 pub fn plain(value: f64) -> String {

@@ -6,10 +6,11 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use pounding::studies::{
-    Advice, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, Prepared, Quantity, Rungs, Scene,
-    StudyError, Trial, advise, digits, is_json, json_text,
+use pounding::scene::{
+    Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, Quantity, Scene, Simulation,
+    StepSizes, Trial, advise, is_json,
 };
+use pounding::text::{digits, json_text};
 use serde_json::json;
 
 use super::part_of_one;
@@ -87,11 +88,11 @@ fn error(text: &str) -> Result<f64, String> {
 /// Runs a scene with every method; returns the advice.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
-    let message = |error: StudyError| error.in_file(path).to_string();
+    let message = |error: Error| error.in_file(path).to_string();
     let mut scene: Scene = Scene::read(path).map_err(message)?;
     // The method of the scene does not matter, not even whether it suits the scene.
     scene.method = Method::EXACT;
-    let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;
+    let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;
     let progress = Progress::new();
     let goal = Goal {
         error: asked.error,
@@ -108,7 +109,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 }
 
 /// Every run of every method, the shortest step last; errors are null where a run failed or the numbers of collisions differ.
-fn json_of(prepared: &Prepared, advice: &Advice, of_what: OfWhat) -> String {
+fn json_of(prepared: &Simulation, advice: &Advice, of_what: OfWhat) -> String {
     let quantity = of_what.to_possible_value();
     let quantity = quantity.as_ref().map(PossibleValue::get_name);
     let trial = |trial: &Trial| {
@@ -120,7 +121,7 @@ fn json_of(prepared: &Prepared, advice: &Advice, of_what: OfWhat) -> String {
             "cost": trial.cost,
         })
     };
-    let rungs = |rungs: &Rungs| {
+    let rungs = |rungs: &StepSizes| {
         json!({
             "chosen": rungs.chosen().map(trial),
             "trials": rungs.trials.iter().map(trial).collect::<Vec<_>>(),
@@ -136,7 +137,7 @@ fn json_of(prepared: &Prepared, advice: &Advice, of_what: OfWhat) -> String {
 }
 
 /// The recommended method, the line for the scene, and what every method would cost.
-fn of(prepared: &Prepared, advice: &Advice, json: bool) -> String {
+fn of(prepared: &Simulation, advice: &Advice, json: bool) -> String {
     let best = advice.best();
     let goal = percent(advice.goal.error);
     let step = best.method.time_step().map_or(String::new(), |step| {
@@ -180,7 +181,7 @@ fn snippet(method: &Method, json: bool) -> String {
     lines.concat()
 }
 
-fn notes(prepared: &Prepared) -> String {
+fn notes(prepared: &Simulation) -> String {
     format!(
         "Errors: the largest distance from the exact run, and in what; {MEASURE}.\nGoal met: at this step and at every shorter one \
          tried, of which there is at least one; the shortest step alone proves nothing, and stands here where the goal is \

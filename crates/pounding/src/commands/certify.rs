@@ -4,7 +4,9 @@ mod printed;
 
 use clap::ValueEnum;
 use pounding::contact::{Calibration, Clamp, LawName};
-use pounding::studies::{Certificate, CertificateError, FreeCollision, StepMethod, Wanted};
+use pounding::scene::{
+    Certificate, CertificateError, CertificateRequest, FreeCollision, StepMethod,
+};
 
 use super::positive;
 use printed::{Fact, Line, Said};
@@ -122,7 +124,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         Some("N/m") => LINEAR,
         _ => HERTZ,
     };
-    let wanted = Wanted {
+    let wanted = CertificateRequest {
         law,
         stiffness: asked.stiffness.unwrap_or(usual),
         restitution: asked.restitution,
@@ -150,7 +152,11 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 }
 
 /// The lines of the certificate.
-fn facts(wanted: &Wanted, collision: &FreeCollision, certificate: &Certificate) -> Vec<Fact> {
+fn facts(
+    wanted: &CertificateRequest,
+    collision: &FreeCollision,
+    certificate: &Certificate,
+) -> Vec<Fact> {
     let named = |key, words, text: &str| Fact {
         key,
         words,

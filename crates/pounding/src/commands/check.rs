@@ -4,10 +4,11 @@ mod json;
 
 use std::path::PathBuf;
 
-use pounding::solver::Opening;
-use pounding::studies::{
-    Columns, ContactLimit, Limits, Outcome, Prepared, STEPS_PER_CONTACT, Structure, digits,
+use pounding::scene::{
+    Columns, ContactLimit, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
 };
+use pounding::solver::Opening;
+use pounding::text::digits;
 
 use crate::progress::Waiting;
 use crate::record;
@@ -36,7 +37,7 @@ pub(crate) struct Arguments {
 
 /// A scene, and what its exact run says of it.
 struct Plan<'a> {
-    prepared: &'a Prepared,
+    prepared: &'a Simulation,
     expected: Option<Expected>,
     /// What to know before believing a run.
     warnings: Vec<String>,
@@ -44,7 +45,7 @@ struct Plan<'a> {
 
 /// The exact run and what follows from it.
 struct Expected {
-    outcome: Outcome,
+    outcome: RunResult,
     limits: Limits,
     /// What the scene gives and does not need.
     unneeded: Vec<String>,
@@ -64,7 +65,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
 }
 
 impl<'a> Plan<'a> {
-    fn of(prepared: &'a Prepared) -> Self {
+    fn of(prepared: &'a Simulation) -> Self {
         let mut warnings: Vec<String> = prepared.refusal().into_iter().collect();
         let expected = match prepared.exact().and_then(|exact| exact.run(None)) {
             Ok(outcome) => {
@@ -175,7 +176,7 @@ fn model_lines(plan: &Plan<'_>) -> String {
 }
 
 /// How far bases of neighbours move apart, or closer, where the ground motion travels along the row.
-fn travel_line(prepared: &Prepared) -> Option<String> {
+fn travel_line(prepared: &Simulation) -> Option<String> {
     let openings = prepared.openings();
     let by_size = |one: &(usize, &Opening), other: &(usize, &Opening)| {
         one.1.distance.abs().total_cmp(&other.1.distance.abs())
@@ -202,7 +203,7 @@ fn travel_line(prepared: &Prepared) -> Option<String> {
 }
 
 /// What the run will cost, and the exact one.
-fn cost_lines(prepared: &Prepared, expected: &Outcome) -> String {
+fn cost_lines(prepared: &Simulation, expected: &RunResult) -> String {
     let exact = expected.work.segments;
     let exact_lines = format!(
         "the exact run: {exact} pieces of motion, {} events",
@@ -218,7 +219,7 @@ fn cost_lines(prepared: &Prepared, expected: &Outcome) -> String {
     }
 }
 
-fn structures(prepared: &Prepared) -> String {
+fn structures(prepared: &Simulation) -> String {
     let limits = prepared.critical_time_steps();
     let header = [
         ["Structure", ""],
@@ -265,7 +266,7 @@ fn yields_at(structure: &Structure) -> String {
     }
 }
 
-fn pairs(prepared: &Prepared, limits: &Limits) -> String {
+fn pairs(prepared: &Simulation, limits: &Limits) -> String {
     let scene = prepared.scene();
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     if contacts.is_empty() {

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use pounding::studies::{
-    Errors, Floor, PairOutcome, Prepared, Quantity, Review, StudyError, Summary, digits, json_text,
-};
+use pounding::report::Summary;
+use pounding::scene::{Error, Errors, Floor, PairOutcome, Quantity, Review, Simulation};
+use pounding::text::{digits, json_text};
 
 use crate::progress::Waiting;
 use crate::text::{NONE, percent, short, side_by_side};
@@ -45,7 +45,7 @@ struct Compared {
 /// A scene that ran.
 struct Run {
     file: PathBuf,
-    prepared: Prepared,
+    prepared: Simulation,
     review: Review,
 }
 
@@ -121,7 +121,7 @@ fn pair_at(run: &Run, place: At) -> Option<usize> {
     pair_places(run).iter().position(|one| *one == place)
 }
 
-fn run(path: &Path, measure: bool) -> Result<Run, StudyError> {
+fn run(path: &Path, measure: bool) -> Result<Run, Error> {
     let prepared = super::prepare(path, false)?;
     let _waiting = Waiting::new("running");
     let review = prepared.review(measure)?;

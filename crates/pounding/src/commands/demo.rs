@@ -4,7 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use pounding::studies::Report;
+use pounding::report::Report;
 
 use crate::progress::Waiting;
 use crate::text::paragraph;
@@ -46,7 +46,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         write(&top.join(name), text)?;
     }
     let path = top.join(SCENE);
-    let message = |error: pounding::studies::StudyError| error.in_file(&path).to_string();
+    let message = |error: pounding::scene::Error| error.in_file(&path).to_string();
     let prepared = super::prepare(&path, false).map_err(message)?;
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;

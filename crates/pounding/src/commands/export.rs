@@ -5,8 +5,8 @@ mod opensees;
 
 use std::path::PathBuf;
 
+use pounding::scene::{Contact, Error, Method, RunResult, Scene, Simulation, Structure};
 use pounding::solver::Collision;
-use pounding::studies::{Contact, Method, Outcome, Prepared, Scene, Structure, StudyError};
 
 use super::positive;
 use crate::new_file;
@@ -54,14 +54,14 @@ pub(crate) struct Arguments {
 /// Writes the script, or returns it.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
-    let message = |error: StudyError| error.in_file(path).to_string();
+    let message = |error: Error| error.in_file(path).to_string();
     let mut scene: Scene = Scene::read(path).map_err(message)?;
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
     one_storey(&scene).map_err(|what| format!("{}: {what}", path.display()))?;
     let materials = materials(&scene, asked)?;
     let _waiting = Waiting::new("running the exact method");
-    let prepared = Prepared::new(&scene, super::folder(path)).map_err(message)?;
+    let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;
     let exact = prepared.run(None).map_err(message)?;
     let script = opensees::script(&opensees::Contents {
         prepared: &prepared,
@@ -132,7 +132,7 @@ const TIME_STEPS: [f64; 7] = [1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5];
 const STEPS: f64 = 200.0;
 
 /// A time step \[s\] that follows the shortest period and the hardest touch.
-fn time_step(prepared: &Prepared, exact: &Outcome) -> f64 {
+fn time_step(prepared: &Simulation, exact: &RunResult) -> f64 {
     let structures = prepared.scene().structures.iter();
     let shortest = structures.filter_map(Structure::period);
     let force = |one: &Collision| one.peak_force.unwrap_or(0.0);

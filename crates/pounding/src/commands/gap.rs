@@ -2,10 +2,8 @@
 
 use std::path::PathBuf;
 
-use pounding::studies::{
-    Cell, Contact, Method, Prepared, Rule, Scene, Separation, Structure, StudyError, csv_text,
-    digits, json_text, rounded_up,
-};
+use pounding::scene::{Contact, Error, Method, Rule, Scene, Separation, Simulation, Structure};
+use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
 
 use super::suite;
@@ -53,7 +51,7 @@ type Line = suite::Line<Vec<Separation>>;
 /// The widths under every record.
 pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let path = &asked.scene;
-    let message = |error: StudyError| error.in_file(path).to_string();
+    let message = |error: Error| error.in_file(path).to_string();
     let scene: Scene = Scene::read(path).map_err(message)?;
     if scene.structures.len() < 2 {
         return Err(format!(
@@ -77,7 +75,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         &apart,
         &asked.records,
         &[false, true],
-        Prepared::separations,
+        Simulation::separations,
     )?;
     let lines = &ran.lines;
     ran.answer(if asked.json {

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::new_file;
 use crate::text::paragraph;
-use pounding::studies::json_text;
+use pounding::text::json_text;
 use record::Named;
 
 const EXAMPLES: &str = "\

@@ -4,7 +4,7 @@ use pounding::contact::LawName;
 use serde_json::json;
 
 use crate::text::paragraph;
-use pounding::studies::json_text;
+use pounding::text::json_text;
 
 const EXAMPLES: &str = "\
 Examples:

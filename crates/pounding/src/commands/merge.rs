@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use pounding::studies::{Parts, merge};
+use pounding::sweep::{Parts, merge};
 
 use super::sweep::result;
 use crate::new_file;

@@ -20,7 +20,7 @@ mod sweep;
 use std::path::Path;
 
 use clap::{Parser, Subcommand};
-use pounding::studies::{Prepared, Scene, StudyError};
+use pounding::scene::{Error, Options, Scene, Simulation};
 
 use crate::progress::Progress;
 
@@ -119,16 +119,17 @@ impl Program {
     }
 }
 
-/// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`Prepared::forcing`].
-fn prepare(path: &Path, force: bool) -> Result<Prepared, StudyError> {
+/// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`Options`].
+fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
     let scene = Scene::read(path)?;
     let progress = Progress::new();
     let step = |of| progress.step(of);
-    if force {
-        Prepared::forcing(&scene, folder(path), &step)
-    } else {
-        Prepared::watched(&scene, folder(path), &step)
-    }
+    let options = Options {
+        force,
+        progress: Some(&step),
+        ..folder(path).into()
+    };
+    Simulation::new(&scene, options)
 }
 
 /// Folder of a file.

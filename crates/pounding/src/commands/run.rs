@@ -5,8 +5,9 @@ mod effects;
 
 use std::path::{Path, PathBuf};
 
+use pounding::report::{Report, Summary};
+use pounding::scene::{Effects, Error, Review, SceneError, Simulation};
 use pounding::solver::LedgerError;
-use pounding::studies::{Effects, Prepared, Report, Review, SceneError, StudyError, Summary};
 
 use crate::progress::Waiting;
 use crate::text::paragraph;
@@ -173,7 +174,7 @@ const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whate
 /// What is printed of a run.
 fn printed(
     json: bool,
-    (prepared, effects): (&Prepared, Option<Effects>),
+    (prepared, effects): (&Simulation, Option<Effects>),
     review: &Review,
 ) -> String {
     if json {
@@ -188,18 +189,18 @@ fn printed(
 }
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.
-fn hint(error: StudyError, path: &Path) -> String {
+fn hint(error: Error, path: &Path) -> String {
     let refused = matches!(
         &error,
-        StudyError::Broken { .. }
-            | StudyError::Scene {
+        Error::Broken { .. }
+            | Error::Scene {
                 source: SceneError::Unstable { .. },
                 ..
             }
     );
     let is_exact = matches!(
         &error,
-        StudyError::Broken {
+        Error::Broken {
             source: LedgerError::EnergyUnexplained { .. },
             ..
         }

@@ -1,6 +1,7 @@
 //! `pounding schema`: the form of a scene or sweep file, for editors.
 
-use pounding::studies::{scene_schema, sweep_schema};
+use pounding::scene::scene_schema;
+use pounding::sweep::sweep_schema;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::studies::{Motion, Orientation, Prepared, Scene, StudyError};
+use pounding::scene::{Error, Motion, Orientation, Scene, Simulation};
 use rayon::prelude::*;
 
 use crate::progress::Progress;
@@ -82,7 +82,7 @@ pub(super) fn lines<T: Send>(
     scene: &Scene,
     folder: &Path,
     directions: &[bool],
-    run: impl Fn(&Prepared) -> Result<T, StudyError> + Sync,
+    run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
     let motions = motions(folder)?;
     let cases: Vec<_> = motions
@@ -93,7 +93,7 @@ pub(super) fn lines<T: Send>(
     let line = |&(motion, reversed): &(&Motion, bool)| {
         let found = motion.shake_until(scene, reversed, Some(&STOPPED));
         let found = found.and_then(|prepared| run(&prepared));
-        if found.as_ref().is_err_and(StudyError::is_stopped) {
+        if found.as_ref().is_err_and(Error::is_stopped) {
             return None;
         }
         progress.step(cases.len());

@@ -6,8 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-use pounding::studies::{
-    ColumnErrors, Joined, Method, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
+use pounding::scene::Method;
+use pounding::sweep::{
+    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
 };
 
 use super::suite::{STOPPED, said_of_untold, stop_when_asked};

@@ -1,17 +1,18 @@
 //! The tables of a run: structures, what is left of their motion, storeys, pairs.
 
-use pounding::solver::Collision;
-use pounding::studies::{
-    Contact, Floor, Floors, Outcome, PairErrors, PairOutcome, Prepared, RunErrors, Scene,
-    StructureErrors, digits,
+use pounding::scene::{
+    Contact, Floor, Floors, PairErrors, PairOutcome, RunErrors, RunResult, Scene, Simulation,
+    StructureErrors,
 };
+use pounding::solver::Collision;
+use pounding::text::digits;
 
 use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
 
 /// Peaks of every floor and wall.
 pub(super) fn structures(
-    prepared: &Prepared,
-    outcome: &Outcome,
+    prepared: &Simulation,
+    outcome: &RunResult,
     errors: Option<&RunErrors>,
 ) -> String {
     let header = [
@@ -36,8 +37,8 @@ pub(super) fn structures(
 
 /// What is left of the motion at the end, and what stands on the floors felt of it; nothing of walls.
 pub(super) fn motions(
-    prepared: &Prepared,
-    outcome: &Outcome,
+    prepared: &Simulation,
+    outcome: &RunResult,
     errors: Option<&RunErrors>,
 ) -> String {
     let header = [
@@ -83,7 +84,7 @@ fn instant(time: f64) -> String {
 }
 
 /// Drifts of the storeys of buildings, from the ground up; nothing where every structure has one storey.
-pub(super) fn storeys(floors: &Floors, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+pub(super) fn storeys(floors: &Floors, outcome: &RunResult, errors: Option<&RunErrors>) -> String {
     let header = [
         ["Storey", ""],
         ["Peak", "drift [mm]"],
@@ -144,7 +145,11 @@ fn drift_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
     ]
 }
 
-fn structure_row((scene, floor): (&Scene, &Floor), index: usize, outcome: &Outcome) -> Vec<String> {
+fn structure_row(
+    (scene, floor): (&Scene, &Floor),
+    index: usize,
+    outcome: &RunResult,
+) -> Vec<String> {
     let momentum = short(outcome.momentum.of(index) / 1e3);
     let Some((period, damping_ratio)) = floor.oscillation(scene) else {
         let mut row = vec![floor.name.clone()];
@@ -192,7 +197,11 @@ fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
 const ERROR: &str = "  error";
 
 /// Collisions of every pair.
-pub(super) fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunErrors>) -> String {
+pub(super) fn pairs(
+    prepared: &Simulation,
+    outcome: &RunResult,
+    errors: Option<&RunErrors>,
+) -> String {
     let (floors, scene) = (prepared.floors(), prepared.scene());
     if floors.facing().is_empty() {
         return paragraph("Pairs", "none: no structure can touch another");
@@ -225,7 +234,7 @@ pub(super) fn pairs(prepared: &Prepared, outcome: &Outcome, errors: Option<&RunE
 }
 
 /// Pairs that lean on each other; nothing where none does.
-fn leaning(floors: &Floors, outcome: &Outcome) -> String {
+fn leaning(floors: &Floors, outcome: &RunResult) -> String {
     let said = |pair: usize| {
         let one = outcome.of_pair(pair).leaning()?;
         let [left, right] = floors.names(pair);

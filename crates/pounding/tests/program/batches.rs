@@ -37,7 +37,7 @@ fn issue_the_factor_of_every_record_is_shown() {
         assert!((factor / wanted - 1.0).abs() < 1e-2, "{factor} {wanted}");
         let line = printed(&text).lines().find(|line| line.starts_with(name));
         let shown = line.and_then(|line| line.split_whitespace().nth(2));
-        assert_eq!(shown, Some(&*pounding::studies::short(factor)));
+        assert_eq!(shown, Some(&*pounding::text::short(factor)));
     }
     let alone = pounding(&folder, &["run", "changed.toml"]);
     assert!(printed(&alone).contains("; in all × "), "{}", alone.stdout);
@@ -64,7 +64,7 @@ fn issue_the_forces_of_laws_that_have_one_are_shown() {
     assert!(pairs[0]["collisions"].as_u64() > Some(0), "{pairs}");
     assert_eq!(pairs[0]["peak_force_n"], Value::Null, "an impulse has none");
     let force = pairs[1]["peak_force_n"].as_f64().expect("a force");
-    assert_eq!(words[6], pounding::studies::short(force / 1e3), "{words:?}");
+    assert_eq!(words[6], pounding::text::short(force / 1e3), "{words:?}");
 }
 
 /// `--out` was refused of a folder of records.

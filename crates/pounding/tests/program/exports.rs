@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding::studies::{Method, Prepared, Scene};
+use pounding::scene::{Method, Scene, Simulation};
 use serde_json::{Value, json};
 
 use crate::runs::printed;
@@ -65,7 +65,7 @@ fn limit_the_script_holds_the_numbers_of_the_exact_run() {
     let script = export(&folder, &["--time-step", "1e-6"]).stdout;
     let mut scene: Scene = Scene::read(&folder.join("scene.json")).unwrap();
     scene.method = Method::EXACT;
-    let outcome = Prepared::new(&scene, &folder).unwrap().run(None).unwrap();
+    let outcome = Simulation::new(&scene, &folder).unwrap().run(None).unwrap();
     let peaks = [0, 1, 2].map(|index| outcome.peaks.of(index).displacement.value);
     let first = |pair| outcome.collisions.all().iter().find(|one| one.pair == pair);
     let firsts = [0, 1].map(|pair| first(pair).expect("they touch").start);

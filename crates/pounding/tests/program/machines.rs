@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use insta::assert_snapshot;
-use pounding::studies::Summary;
+use pounding::report::Summary;
 use serde_json::Value;
 
 use crate::suites::{TOWERS, suite};

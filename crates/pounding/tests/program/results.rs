@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding::studies::Summary;
+use pounding::report::Summary;
 use serde_json::{Value, json};
 
 use crate::{EXAMPLE, Ended, folder, good_scene, pounding, quiet};

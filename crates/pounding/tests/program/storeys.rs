@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use pounding::studies::Summary;
+use pounding::report::Summary;
 use serde_json::Value;
 
 use crate::runs::printed;
@@ -91,7 +91,7 @@ fn issue_pairs_of_storeys_are_compared_with_their_own_likes() {
     let drift = |run: &Summary| {
         let floor = run.structures.iter().find(|one| one.name == "seven 5");
         let drift = floor.and_then(|one| one.peak_drift_m).expect("a drift");
-        pounding::studies::short(1e3 * drift)
+        pounding::text::short(1e3 * drift)
     };
     let found = cells(text, "Structure 2, floor 5", "peak storey drift [mm]");
     assert_eq!(found, [drift(&runs[0]), drift(&runs[1])]);

@@ -5,8 +5,7 @@
 //! of series.
 
 use crate::Smoothness;
-use crate::exact::roots::CAPACITY;
-use crate::exact::watch::{LOST, SHORTEST};
+use crate::exact::roots::{CAPACITY, LOST, SHORTEST_WAY};
 use crate::span::{Power, value};
 
 /// Products that |y|ⁿ takes for n up to 31 at most.
@@ -131,7 +130,7 @@ impl Bend {
             if tail <= tolerance && self.is_bent(len, x, tolerance) {
                 return Some(x);
             }
-            if power.time(x) < SHORTEST {
+            if power.time(x) < SHORTEST_WAY {
                 return (tail <= LOST).then_some(x);
             }
             x *= 0.85;

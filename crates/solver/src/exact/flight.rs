@@ -5,6 +5,7 @@
 //! is to know. Where they cannot, the pieces of the general method take over until the next sample.
 
 use crate::exact::Run;
+use crate::exact::ahead::{Ahead, Turn};
 use crate::exact::body::in_flight;
 use crate::exact::contact::Link;
 use crate::exact::look_ahead::CARRIED;
@@ -52,29 +53,6 @@ struct Leap {
     growth: f64,
     /// Coefficients of its series that reach rounding.
     len: usize,
-}
-
-/// The flight of a structure to the next sample.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Ahead {
-    pub(super) flight: Flight,
-    /// Instant of the sample \[s\].
-    pub(super) end: f64,
-    /// State there, and the hysteretic part of its force.
-    pub(super) state: State,
-    pub(super) hysteretic_force: f64,
-    /// What its acceleration does not exceed on the way \[m/s²\].
-    acceleration: f64,
-    /// When it turns on the way.
-    turn: Option<Turn>,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Turn {
-    time: f64,
-    /// State at the end of the way there, and at the start of the way on: its acceleration differs by rounding.
-    before: State,
-    after: State,
 }
 
 impl Flights {
@@ -184,23 +162,6 @@ impl Leap {
             acceleration: most,
             turn,
         })
-    }
-}
-
-impl Ahead {
-    /// The same on a clock that shows less.
-    pub(super) fn set_back(&mut self, by: f64) {
-        self.flight = self.flight.later(-by);
-        self.end -= by;
-        if let Some(turn) = &mut self.turn {
-            turn.time -= by;
-        }
-    }
-
-    /// Whether the way goes on from here after a turn that changed nothing.
-    pub(super) fn goes_on(&self, time: f64, state: &State) -> bool {
-        let turns = |turn: Turn| turn.time.total_cmp(&time).is_eq();
-        state.velocity == 0.0 && self.turn.is_some_and(turns)
     }
 }
 

@@ -264,7 +264,7 @@ impl Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rounds::{Rounds, Touching};
+    use crate::impact::rounds::{Rounds, Touching};
     use proptest::prelude::*;
 
     fn chain(masses: &[f64], velocities: &[f64], restitution: f64) -> Chain {

@@ -1,7 +1,7 @@
 //! The landing of a piece: what is reported of it, and the states at its end.
 
 use crate::exact::Run;
-use crate::exact::flight::Ahead;
+use crate::exact::ahead::Ahead;
 use crate::exact::member::{Branch, Member};
 use crate::exact::watch::Event;
 use crate::span::{Power, Series, rise, value};

@@ -1,10 +1,10 @@
 //! A floor or wall between events: its state, the branch of its columns, and its motion as a power series.
 
+use crate::exact::ahead::Ahead;
 use crate::exact::bend::Bend;
-use crate::exact::flight::Ahead;
-use crate::exact::noise::Terms;
 use crate::exact::roots::CAPACITY;
-use crate::excitation::Segment;
+use crate::exact::terms::Terms;
+use crate::model::excitation::Segment;
 use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
 
 /// The branch of a piecewise-linear restoring force.

@@ -12,6 +12,7 @@
 //! Sources: the relations of several simultaneous impacts follow M. Frémond and F. Pfeiffer's complementarity form with
 //! Newton's restitution; Taylor series as an integrator: À. Jorba and M. Zou, *Experimental Mathematics* 14 (2005) 99.
 
+mod ahead;
 mod bend;
 mod body;
 mod clock;
@@ -26,15 +27,17 @@ mod look_ahead;
 mod member;
 mod noise;
 pub(crate) mod roots;
+mod rounding;
 mod series;
 mod settle;
 mod storey;
+mod terms;
 mod watch;
 
 use crate::budget::Guard;
 use crate::error::require;
-use crate::excitation::Segment;
-use crate::ground::Ground;
+use crate::model::excitation::Segment;
+use crate::model::ground::Ground;
 use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
 
 use body::Body;

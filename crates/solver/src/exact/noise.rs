@@ -3,27 +3,14 @@
 use crate::exact::contact::Contact;
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
+use crate::exact::rounding::ROUNDING;
 use crate::exact::storey::magnitude;
+use crate::exact::terms::Terms;
 
 /// Orders in time of a force at rest that are looked at for rounding.
 const ORDERS: usize = 8;
 /// The same between floors of buildings of several storeys, which feel each other two orders later from floor to floor.
 const ORDERS_OF_FLOORS: usize = 13;
-/// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
-/// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
-/// coefficients of both sides.
-pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f64 {
-    let terms = if n >= 2 * p && n.is_multiple_of(p) {
-        let order = n / p - 2;
-        let weight = ((order + 1) * (order + 2)) as f64;
-        (sides[0].noise(order) + sides[1].noise(order)) / weight
-    } else {
-        0.0
-    };
-    ROUNDING * (values[0].abs() + values[1].abs() + terms)
-}
 
 /// Finds what rounding of the coefficients of a body is measured by; clears forces at rest that are rounding.
 pub(super) fn clean(
@@ -122,67 +109,5 @@ fn share(group: Group<'_>, members: &mut [Member]) {
         if member.is_tied() {
             (member.terms.around, member.terms.rate) = (around, rate);
         }
-    }
-}
-
-/// What the first coefficients of an acceleration are sums of.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Terms {
-    /// Magnitude of the terms of the own forces \[N\].
-    own: f64,
-    /// Sum of the magnitudes of the terms of the acceleration \[m/s²\].
-    acceleration: f64,
-    /// The largest of those that storeys join with it.
-    around: f64,
-    /// Magnitude of the ground acceleration and its slope.
-    ground: (f64, f64),
-    /// The fastest rate of those that share the acceleration, or that storeys join, \[1/s\].
-    rate: f64,
-    /// Now \[s\].
-    time: f64,
-}
-
-impl Member {
-    /// What rounding of the acceleration's coefficient of this order in time is a part of: its terms, and what it
-    /// changes by in the time that has passed, whose rounding is that of every instant.
-    fn noise(&self, order: usize) -> f64 {
-        let next = (order + 1) as f64 * self.magnitude_of(order + 1);
-        self.magnitude_of(order) + self.terms.time * next
-    }
-
-    /// What rounding of a force that moves it is a part of; columns that yield smoothly have coefficients that grow faster than the
-    /// terms tell.
-    fn need_of_noise(&self, order: usize, p: usize) -> f64 {
-        if order == 0 {
-            self.mass * (self.noise(order) + self.terms.ground.0) + self.terms.own
-        } else {
-            let found = self.acceleration[order * p].abs();
-            self.mass * self.noise(order).max(found)
-        }
-    }
-
-    /// Rounding of coefficient `n` of the velocity.
-    pub(super) fn noise_of_velocity(&self, p: usize, n: usize) -> f64 {
-        if n >= p && n.is_multiple_of(p) {
-            let order = n / p - 1;
-            ROUNDING * self.noise(order) / (order + 1) as f64
-        } else {
-            0.0
-        }
-    }
-
-    fn magnitude_of(&self, order: usize) -> f64 {
-        let terms = &self.terms;
-        if order == 0 {
-            return terms.acceleration;
-        }
-        let mut noise = terms.around;
-        for n in 1..=order {
-            noise *= terms.rate / n as f64;
-            if n == 1 {
-                noise += terms.ground.1;
-            }
-        }
-        noise
     }
 }

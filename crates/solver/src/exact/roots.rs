@@ -8,6 +8,11 @@ use crate::span::value;
 /// Capacity of every series.
 pub(crate) const CAPACITY: usize = 64;
 
+/// Part of a series that its last quarter may be where nothing shorter can be told apart.
+pub(super) const LOST: f64 = 1e-3;
+/// The shortest piece that time can tell apart \[s\].
+pub(super) const SHORTEST_WAY: f64 = 1e-18;
+
 /// Part of the whole below which a stretch is as short as rounding.
 const SHORTEST: f64 = 1e-15;
 /// Steps of a search; Newton's method takes some three to eight, halving fifty.

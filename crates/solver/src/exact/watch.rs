@@ -4,7 +4,7 @@ use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{Branch, Member};
-use crate::exact::roots::{CAPACITY, first_rise};
+use crate::exact::roots::{CAPACITY, LOST, SHORTEST_WAY, first_rise};
 use crate::span::Power;
 
 /// What ends a piece, besides samples of the record and the reach of the series.
@@ -243,11 +243,6 @@ fn watch_columns(watch: &mut Watch, (node, member): (usize, &Member), len: usize
     }
 }
 
-/// Part of a series that its last quarter may be where nothing shorter can be told apart.
-pub(super) const LOST: f64 = 1e-3;
-/// The shortest piece that time can tell apart \[s\].
-pub(super) const SHORTEST: f64 = 1e-18;
-
 /// Length up to which the series of a touching pair have converged to the tolerance; nothing where there is none.
 pub(super) fn reach(
     contact: &Contact,
@@ -270,7 +265,7 @@ pub(super) fn reach(
             return Some(x);
         }
         // What still grows there is no series of this motion.
-        if power.time(x) < SHORTEST {
+        if power.time(x) < SHORTEST_WAY {
             return (tail <= LOST * sum).then_some(x);
         }
         x *= 0.85;

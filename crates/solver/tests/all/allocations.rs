@@ -8,8 +8,8 @@ use crate::common::{
 };
 use crate::watch::Watch;
 use pounding_solver::{
-    CentralDifference, Elastic, Excitation, Ledger, Node, Peaks, Row, RowsOf, SideBySide, Stepping,
-    Tallies, TransferredMomentum, Verlet, VerletImpacts,
+    CentralDifference, Elastic, Excitation, Ledger, Node, Peaks, Row, RowsOf, SceneSums,
+    SideBySide, Stepping, TransferredMomentum, Verlet, VerletImpacts,
 };
 
 /// The system's allocator with a counter.
@@ -103,7 +103,7 @@ fn limit_a_step_side_by_side_allocates_nothing() {
         let rows: Vec<_> = (0..9).map(row).collect();
         let rows: Vec<_> = rows.iter().collect();
         let beside = SideBySide::new(method, excitation, clock(0.005, 10.0)).unwrap();
-        let mut tallies = Tallies::default();
+        let mut tallies = SceneSums::default();
         let mut count = |n_steps: usize| {
             let n_steps = [n_steps; 9];
             let before = allocations();

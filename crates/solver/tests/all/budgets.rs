@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use pounding_contact::{ContactLaw, KelvinVoigt, Stereomechanical};
 use pounding_solver::{
     Budget, Clock, Elastic, Exact, ExactSideBySide, Excitation, Histories, Integrator, Peaks, Row,
-    RowsOf, RunError, SideBySide, Tallies, Work,
+    RowsOf, RunError, SceneSums, SideBySide, Work,
 };
 
 use crate::common::{METHODS, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs};
@@ -85,7 +85,7 @@ fn issue_whoever_stops_ends_runs_side_by_side() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
     let row = two(VISCOELASTIC);
-    let mut tallies = Tallies::default();
+    let mut tallies = SceneSums::default();
     for (budget, told) in [(Budget::default(), true), (STOP, false)] {
         let together = SideBySide::new(SETTINGS, excitation, LONG).expect("valid");
         let rows = [&row; 3];
@@ -127,7 +127,7 @@ fn limit_long_runs_side_by_side_have_the_bits_of_each_alone() {
     ];
     for method in methods {
         let together = SideBySide::new(method, excitation, clock(131_072)).expect("valid");
-        let mut tallies = Tallies::default();
+        let mut tallies = SceneSums::default();
         assert!(together.run(RowsOf::Elastic(&[&row; 6]), &lengths, &mut tallies));
         for (scene, length) in lengths.into_iter().enumerate() {
             let mut peaks = Peaks::new(2);

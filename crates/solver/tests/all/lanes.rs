@@ -3,7 +3,8 @@
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hysteretic,
-    Integrator, Node, Pair, PairTally, Peaks, Row, RowsOf, RunError, SideBySide, Stepping, Tallies,
+    Integrator, Node, Pair, PairSums, Peaks, Row, RowsOf, RunError, SceneSums, SideBySide,
+    Stepping,
 };
 use proptest::prelude::*;
 
@@ -69,7 +70,7 @@ fn steps(scene: usize) -> usize {
 }
 
 /// Displacements and pairs of a scene alone.
-type Alone = Result<(Vec<f64>, Vec<PairTally>), RunError>;
+type Alone = Result<(Vec<f64>, Vec<PairSums>), RunError>;
 
 fn alone<Column: Hysteretic>(
     (stepping, n_steps): (Stepping, usize),
@@ -80,7 +81,7 @@ fn alone<Column: Hysteretic>(
     let mut recorder = (Peaks::new(n), Collisions::new(n, pairs));
     Integrator::from(stepping).watch(row, excitation, Clock { n_steps, ..CLOCK }, &mut recorder)?;
     let (peaks, collisions) = recorder;
-    let mut tallies = vec![PairTally::default(); pairs.len()];
+    let mut tallies = vec![PairSums::default(); pairs.len()];
     for one in collisions.all() {
         let tally = &mut tallies[one.pair];
         tally.collisions += 1.0;
@@ -107,7 +108,7 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     let excitation = Excitation::new(0.01, ground).expect("the record is finite");
     let stepping = stepping.into();
     let together = SideBySide::new(stepping, excitation, CLOCK).expect("the settings are valid");
-    let mut found = Tallies::default();
+    let mut found = SceneSums::default();
     let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
     prop_assert!(
         together.run(kind(rows), &n_steps, &mut found),
@@ -142,7 +143,7 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
             );
         }
         for (pair, wanted) in pairs.iter().enumerate() {
-            let bits = |tally: &PairTally| {
+            let bits = |tally: &PairSums| {
                 [tally.collisions, tally.impulse, tally.peak_force].map(f64::to_bits)
             };
             let lane = found.pair(scene, pair);
@@ -236,7 +237,7 @@ fn pair_of(restitution: f64) -> Row<Elastic> {
 #[test]
 fn limit_rows_of_other_shapes_are_not_taken() {
     let together = side_by_side(SETTINGS, CLOCK).expect("valid");
-    let mut found = Tallies::default();
+    let mut found = SceneSums::default();
     let one = pair_of(0.5);
     let apart = Row::new(one.nodes().to_vec(), vec![]).expect("valid");
     assert!(
@@ -291,7 +292,7 @@ fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
         n_steps: 2,
     };
     let together = side_by_side(SETTINGS, clock).expect("valid");
-    let mut found = Tallies::default();
+    let mut found = SceneSums::default();
     assert!(
         together.run(RowsOf::Elastic(&[&row, &row]), &[1, 2], &mut found),
         "one shape"
@@ -307,7 +308,7 @@ fn issue_a_peak_to_both_sides_is_left_to_a_run_alone() {
 #[test]
 fn limit_no_lane_looks_at_contact_while_none_touches() {
     let together = side_by_side(SETTINGS, CLOCK).expect("valid");
-    let mut found = Tallies::default();
+    let mut found = SceneSums::default();
     // The first moves to the right until it meets the other.
     let with_gap = |gap: f64| {
         let row = pair_of(0.5);

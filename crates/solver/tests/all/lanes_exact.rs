@@ -5,7 +5,7 @@ use pounding_contact::{
 };
 use pounding_solver::{
     Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Integrator, Node, Pair,
-    PairTally, Peaks, Row, SimultaneousImpacts, Tallies,
+    PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
 };
 use proptest::prelude::*;
 
@@ -91,7 +91,7 @@ fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<Found> {
         .watch(row, excitation, CLOCK, &mut recorder)
         .ok()?;
     let (peaks, collisions) = recorder;
-    let mut tally = PairTally::default();
+    let mut tally = PairSums::default();
     for one in collisions.all() {
         tally.collisions += 1.0;
         tally.impulse += one.impulse;
@@ -101,7 +101,7 @@ fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<Found> {
     Some(found([peak(0), peak(1)], tally))
 }
 
-fn found([left, right]: [f64; 2], tally: PairTally) -> Found {
+fn found([left, right]: [f64; 2], tally: PairSums) -> Found {
     let numbers = [left, right, tally.impulse];
     (numbers, [tally.peak_force, tally.collisions])
 }
@@ -110,7 +110,7 @@ fn found([left, right]: [f64; 2], tally: PairTally) -> Found {
 fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> Vec<Option<Found>> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
     let together = ExactSideBySide::new(settings(tolerance), excitation, CLOCK).expect("valid");
-    let mut tallies = Tallies::default();
+    let mut tallies = SceneSums::default();
     tallies.begin(rows.len(), (2, 1));
     let places: Vec<_> = rows.iter().enumerate().collect();
     together.run(&places, &mut tallies);

@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Elastic, Excitation, Node, Row, RowsOf, SideBySide, Tallies, Verlet, VerletImpacts,
+    Elastic, Excitation, Node, Row, RowsOf, SceneSums, SideBySide, Verlet, VerletImpacts,
 };
 use proptest::prelude::*;
 
@@ -67,7 +67,7 @@ fn limit_rows_that_have_not_two_structures_are_not_taken() {
         impacts: VerletImpacts::Located,
     };
     let together = SideBySide::new(settings, excitation, CLOCK).expect("valid");
-    let mut found = Tallies::default();
+    let mut found = SceneSums::default();
     for n in [1, 2, 3] {
         let node = Node::structure(1e5, 1e4, Elastic { stiffness: 1e6 });
         let row = Row::new(vec![node; n], vec![]).expect("valid");

@@ -1,93 +1,19 @@
-//! What is of the paper alone: the program that gave its numbers.
+//! What is of the paper alone: its tables, figures, claims and printed numbers.
 
+pub(crate) mod agreement;
+pub(crate) mod claims;
 mod combinations;
-mod program;
+pub(crate) mod converged;
+pub(crate) mod figures;
+pub(crate) mod printed;
 mod slips;
-mod stepping;
+pub(crate) mod tables;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use pounding_contact::ContactLaw;
-use pounding_solver::Pair;
-use serde::{Deserialize, Serialize};
-
-use crate::{Completed, Method, Prepared, PublishedValues, Scene, Structure, StudyError};
-pub(crate) use program::{Program, Start};
-pub(crate) use slips::Exact;
-
-/// The choice of the paper's program for a study: it runs those scenes that name the central difference method.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PapersProgram {
-    /// Names of the scenes that use the first load; the others skip it.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub first_load_used: Vec<String>,
-}
-
-impl PapersProgram {
-    /// The program that gives the printed numbers of a scene; nothing where another method is named.
-    pub(crate) fn of(&self, scene: &Scene) -> Option<Program> {
-        let is_used = self.first_load_used.contains(&scene.name);
-        let start = if is_used {
-            Start::FirstLoadUsed
-        } else {
-            Start::FirstLoadSkipped
-        };
-        let stepped = matches!(scene.method, Method::CentralDifference { .. });
-        stepped.then(|| Program::printed(start))
-    }
-
-    /// What the program cannot run, or does not know, of a study: what was found, and what is allowed.
-    pub(crate) fn refusal(
-        &self,
-        scenes: &[Scene],
-        prepared: &[Prepared],
-    ) -> Option<(String, &'static str)> {
-        for name in &self.first_load_used {
-            let runs = |scene: &Scene| scene.name == *name && self.of(scene).is_some();
-            if !scenes.iter().any(runs) {
-                let allowed =
-                    "in `first_load_used` names of scenes of the study by central differences";
-                return Some((format!("\"{name}\""), allowed));
-            }
-        }
-        let mut both = scenes.iter().zip(prepared);
-        let (scene, _) = both.find(|(scene, prepared)| {
-            let is_open = matches!(scene.method, Method::Accuracy(_));
-            is_open || (self.of(scene).is_some() && !can_run(scene, prepared))
-        })?;
-        Some((
-            format!("the scene \"{}\"", scene.name),
-            "structures of one storey at rest, no walls, no arrivals, stereomechanical impact or the nonlinear viscoelastic element, and a \
-             method with a time step that divides the record's, without sub-steps",
-        ))
-    }
-}
-
-fn can_run(scene: &Scene, prepared: &Prepared) -> bool {
-    let at_rest = |structure: &Structure| match structure {
-        Structure::Sdof(sdof) => {
-            sdof.initial_displacement_m == 0.0 && sdof.initial_velocity_m_per_s == 0.0
-        }
-        Structure::Building(_) | Structure::Wall => false,
-    };
-    let is_known = |pair: &Pair| {
-        matches!(
-            pair.law,
-            ContactLaw::Stereomechanical(_) | ContactLaw::NonlinearViscoelastic(_)
-        )
-    };
-    let divides = |step: f64| {
-        let parts = prepared.record().time_step() / step;
-        parts > 0.5 && (parts - parts.round()).abs() < 1e-9
-    };
-    scene.structures.iter().all(at_rest)
-        && scene.arrivals_s.is_none()
-        && prepared.pairs().iter().all(is_known)
-        && scene.method.contact_substeps() == 1
-        && scene.method.time_step().is_some_and(divides)
-}
+use crate::{Completed, PublishedValues, StudyError};
+use converged::Exact;
 
 /// What each choice of the program is worth, and what all combinations of them give, by their paths in the results folder.
 ///

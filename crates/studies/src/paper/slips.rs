@@ -1,17 +1,22 @@
 //! What each choice of the paper's program is worth: totals with all of them, without each, without any, and exact.
 
+use crate::StudyError;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use super::program::{Choice, Program};
-use crate::cell::to_csv;
-use crate::converged::{Quantities, STUDIES, find, quantities};
-use crate::figures::capital;
-use crate::plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
-use crate::tables::Value;
-use crate::{Completed, Printed, Published, StudyError, digits};
+use crate::paper::figures::capital;
+use crate::paper::tables::Value;
+use crate::program::{Choice, Program};
+use crate::{Completed, Printed, Published};
+use crate::{
+    paper::converged::Exact, paper::converged::Quantities, paper::converged::STUDIES,
+    paper::converged::find, paper::converged::quantities,
+};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
+use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// Marks of the choices in the figure.
 const MARKS: [Mark; Choice::ALL.len()] = [
@@ -23,15 +28,6 @@ const MARKS: [Mark; Choice::ALL.len()] = [
     Mark::HollowTriangle,
     Mark::Diamond,
 ];
-
-/// Numbers by the exact method.
-#[derive(Clone, Copy)]
-pub(crate) struct Exact<'a> {
-    /// In 10 s.
-    pub of_loads: &'a Quantities,
-    /// Of runs that go on without loads, as those of the program.
-    pub running_on: &'a Quantities,
-}
 
 /// The numbers of the paper's totals by its program and by what it should have been.
 pub(super) struct Slips<'a> {

@@ -1,7 +1,8 @@
 //! A certificate as text, CSV or JSON.
 
 use pounding::contact::Calibration;
-use pounding::studies::{Cell, Delivered, StepMethod, csv_text, digits, json_text};
+use pounding::scene::{Delivered, StepMethod};
+use pounding::text::{Cell, csv_text, digits, json_text};
 use serde_json::{Map, Value, json};
 
 use crate::text::{NONE, paragraph, short, table};

@@ -1,11 +1,12 @@
-//! The plan of a scene as JSON: fields of [`Summary`](pounding::studies::Summary) where it has them, SI units.
+//! The plan of a scene as JSON: fields of [`Summary`](pounding::report::Summary) where it has them, SI units.
 
+use pounding::report::RecordSummary;
+use pounding::scene::{ContactLimit, FloorPair, Implausible, Structure};
 use pounding::solver::Opening;
-use pounding::studies::{ContactLimit, Doubt, Facing, RecordSummary, Structure};
 use serde_json::{Value, json};
 
 use super::Plan;
-use pounding::studies::json_text;
+use pounding::text::json_text;
 
 /// What is not known, or does not apply, is null; what follows from an exact run that fails is null as a whole.
 pub(super) fn of(plan: &Plan<'_>) -> String {
@@ -13,8 +14,7 @@ pub(super) fn of(plan: &Plan<'_>) -> String {
     let scene = prepared.scene();
     let limits = prepared.critical_time_steps();
     let structures = scene.structures.iter().zip(&limits);
-    let doubt =
-        |doubt: &Doubt| json!({"place": doubt.place, "found": doubt.found, "usual": doubt.usual});
+    let doubt = |doubt: &Implausible| json!({"place": doubt.place, "found": doubt.found, "usual": doubt.usual});
     let exact = plan.expected.as_ref().map(|expected| {
         let work = &expected.outcome.work;
         json!({"segments": work.segments, "events": work.events})
@@ -72,7 +72,7 @@ fn pairs(plan: &Plan<'_>) -> Vec<Value> {
         .map(|expected| &expected.limits.contacts);
     let contacts: Vec<_> = scene.contacts.iter().flatten().collect();
     let floors = plan.prepared.floors();
-    let pair = |(index, facing): (usize, &Facing)| {
+    let pair = |(index, facing): (usize, &FloorPair)| {
         let contact = contacts[facing.contact];
         let [left, right] = floors.names(index);
         let limit = limits

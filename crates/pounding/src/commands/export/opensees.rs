@@ -2,18 +2,18 @@
 
 use std::fmt::Write as _;
 
-use pounding::studies::{Outcome, PairOutcome, Prepared, Scene, Sdof, Structure};
+use pounding::scene::{PairOutcome, RunResult, Scene, Sdof, Simulation, Structure};
 use serde_json::json;
 
 use super::Material;
 
 /// What a script holds.
 pub(super) struct Contents<'a> {
-    pub(super) prepared: &'a Prepared,
+    pub(super) prepared: &'a Simulation,
     /// The material of every contact.
     pub(super) materials: Vec<Material>,
     /// What the exact method finds.
-    pub(super) exact: &'a Outcome,
+    pub(super) exact: &'a RunResult,
     /// Time step where the script is run without one \[s\].
     pub(super) time_step: f64,
 }

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use pounding::motion::{AccelerationUnit, Accelerogram, Declared, ReadError, read_declared};
-use pounding::studies::{STANDARD_GRAVITY, digits};
+use pounding::scene::STANDARD_GRAVITY;
+use pounding::text::digits;
 use serde_json::json;
 
 use crate::commands::folder;

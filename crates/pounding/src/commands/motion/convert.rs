@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use pounding::motion::{Record, read};
-use pounding::studies::{GroundMotion, Origin, RecordUse, Scene, digits};
+use pounding::scene::{GroundMotion, Origin, RecordUse, Scene};
+use pounding::text::digits;
 
 use super::source::{Declared, processed};
 use crate::new_file;

@@ -5,7 +5,7 @@ mod printed;
 use std::path::PathBuf;
 
 use pounding::motion::{Drift, Measures, components};
-use pounding::studies::Orientation;
+use pounding::scene::Orientation;
 use rayon::prelude::*;
 
 use super::source::{Declared, Named, Opened, files};

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use pounding::motion::{AccelerationUnit, Accelerogram, Record};
-use pounding::studies::{
-    FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source, StudyError, Unit,
+use pounding::scene::{
+    Error, FileUse, GroundMotion, Origin, RecordUse, STANDARD_GRAVITY, Source, Unit,
 };
 use serde_json::json;
 
@@ -128,7 +128,7 @@ impl Declared {
     }
 }
 
-fn read(record: &RecordUse) -> Result<Opened, StudyError> {
+fn read(record: &RecordUse) -> Result<Opened, Error> {
     let motion = GroundMotion::of(record, Path::new(""), "")?;
     let Origin { file, sha256, .. } = motion.origin.expect("the source is a file");
     Ok(Opened {
@@ -167,10 +167,10 @@ const OPTIONS: [(&str, &str); 19] = [
 ];
 
 /// The message of a record that is refused, with the options of the program where a scene has fields.
-fn message(path: &Path, error: &StudyError) -> String {
-    let text = if let StudyError::NoRecord { source, .. } = error {
+fn message(path: &Path, error: &Error) -> String {
+    let text = if let Error::NoRecord { source, .. } = error {
         format!("cannot be read: {source}")
-    } else if let StudyError::Scene { source, .. } = error {
+    } else if let Error::Scene { source, .. } = error {
         source.to_string()
     } else {
         error.reason()
@@ -187,7 +187,7 @@ pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<Named>, String> {
     let mut files = Vec::new();
     for path in paths {
         if path.is_dir() {
-            let found = pounding::studies::files_in(path).map_err(|error| error.to_string())?;
+            let found = pounding::scene::files_in(path).map_err(|error| error.to_string())?;
             if found.is_empty() {
                 return Err(format!(
                     "{}: found no file, allowed is a folder with one record or more",

@@ -2,10 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use pounding::studies::{
-    Cell, Shown, SpectralValues, Spectrum, csv_text, json_text, response_spectrum_watched,
-    spectra_figure,
-};
+use pounding::report::{SpectraLabels, spectra_figure};
+use pounding::scene::{SpectralValues, Spectrum, response_spectrum_watched};
+use pounding::text::{Cell, csv_text, json_text};
 use serde_json::{Value, json};
 
 use super::source::{Declared, Opened};
@@ -143,8 +142,8 @@ fn periods(asked: &Arguments) -> Result<Vec<f64>, String> {
         ));
     }
     Ok(match asked.count {
-        Some(count) => pounding::studies::periods_between(from, to, count),
-        None if asked.csv || asked.json => pounding::studies::periods_between(from, to, COUNT),
+        Some(count) => pounding::scene::periods_between(from, to, count),
+        None if asked.csv || asked.json => pounding::scene::periods_between(from, to, COUNT),
         None => {
             let inside = TABLE
                 .into_iter()
@@ -164,7 +163,7 @@ fn between(asked: &Arguments, periods: &[f64]) -> Vec<f64> {
     if from >= to {
         (from, to) = (asked.from.min(from), asked.to.max(to));
     }
-    pounding::studies::periods_between(from, to, DRAWN)
+    pounding::scene::periods_between(from, to, DRAWN)
 }
 
 /// Curves that go through the values of a table, too.
@@ -189,7 +188,7 @@ fn draw(
         Some(component) => format!("{} {component}", name.to_string_lossy()),
         None => name.to_string_lossy().into_owned(),
     };
-    let shown = Shown {
+    let shown = SpectraLabels {
         title: &title,
         gravity: asked.declared.gravity,
     };

@@ -5,10 +5,11 @@ mod data;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use pounding::studies::{
-    CollisionSummary, Doubt, Errors, PairOutcome, PairSummary, Prepared, Quantity, Review, Scene,
-    StructureSummary, StudyError, digits,
+use pounding::report::{CollisionSummary, PairSummary, StructureSummary};
+use pounding::scene::{
+    Error, Errors, Implausible, PairOutcome, Quantity, Review, Scene, Simulation,
 };
+use pounding::text::digits;
 
 use super::{Arguments, Printed};
 use crate::commands::suite;
@@ -29,7 +30,7 @@ struct Found {
     /// Why it was not, in a word.
     why: &'static str,
     /// What looks wrong.
-    unusual: Vec<Doubt>,
+    unusual: Vec<Implausible>,
     warnings: Vec<String>,
     /// The collisions of all pairs.
     all: PairOutcome,
@@ -38,7 +39,7 @@ struct Found {
 }
 
 impl Found {
-    fn new(prepared: &Prepared, review: &Review) -> Self {
+    fn new(prepared: &Simulation, review: &Review) -> Self {
         let (error, why) = match &review.errors {
             Errors::Measured(errors, _) => (Some(errors.largest(Quantity::All).0), ""),
             Errors::Exact => (None, "exact"),
@@ -89,8 +90,7 @@ impl Found {
 /// The scene under every record of a folder.
 pub(super) fn answer(asked: &Arguments, folder: &Path) -> Result<String, String> {
     let path = &asked.scene;
-    let scene: Scene =
-        Scene::read(path).map_err(|error: StudyError| error.in_file(path).to_string())?;
+    let scene: Scene = Scene::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
     let directions: &[bool] = if asked.suite.both {
         &[false, true]
     } else {

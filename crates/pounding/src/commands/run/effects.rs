@@ -1,11 +1,11 @@
 //! What pounding does to every storey, as text.
 
-use pounding::studies::{Effects, FloorEffects, Known, NOTHING_TOUCHES, Prepared, ROBUST};
+use pounding::scene::{Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST, Simulation};
 
 use crate::text::{NONE, paragraph, percent, short, table};
 
 /// A table with a line for each direction of every storey, each building from the ground up.
-pub(super) fn text(prepared: &Prepared, effects: &Effects) -> String {
+pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
     let header = [
         ["Storey,", "direction"],
         ["Colli-", "sions"],

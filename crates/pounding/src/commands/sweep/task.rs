@@ -1,6 +1,6 @@
 //! The shard of a task of a job array, from the variables that the schedulers set.
 
-use pounding::studies::Shard;
+use pounding::sweep::Shard;
 
 /// The shard of this process with the variable that names its task; nothing where none does.
 ///

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use pounding::studies::Origin;
+use pounding::scene::Origin;
 use serde_json::{Value, json};
 
 use super::{Arguments, Motion, To};
-use pounding::studies::json_text;
+use pounding::text::json_text;
 
 /// File, component, digits by which the file is known, and every step, as JSON.
 pub(super) fn json_of(asked: &Arguments, motion: &Motion) -> String {

@@ -1,7 +1,8 @@
 //! What record files hold, as text, CSV and JSON.
 
 use pounding::motion::{Interval, Reading};
-use pounding::studies::{Cell, Orientation, csv_text, digits, json_text};
+use pounding::scene::Orientation;
+use pounding::text::{Cell, csv_text, digits, json_text};
 use serde_json::{Value, json};
 
 use super::{Found, Line};

@@ -1,6 +1,8 @@
 //! The lines of a folder of records for programs: CSV and JSON, SI units.
 
-use pounding::studies::{Cell, PairSummary, Scene, StructureSummary, csv_text, json_text};
+use pounding::report::{PairSummary, StructureSummary};
+use pounding::scene::Scene;
+use pounding::text::{Cell, csv_text, json_text};
 use serde_json::json;
 
 use super::Line;

@@ -1,0 +1,55 @@
+//! The loop of two elastic structures, written by hand for the vectors of x86-64: what lanes are measured by.
+
+#[cfg(target_arch = "x86_64")]
+mod steps;
+#[cfg(target_arch = "x86_64")]
+mod vector;
+
+/// Scenes in a group.
+pub(super) const GROUP: usize = 16;
+
+/// Numbers of a group of scenes, a scene after the other.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Group {
+    pub(super) masses: [[f64; GROUP]; 2],
+    pub(super) stiffnesses: [[f64; GROUP]; 2],
+    pub(super) dampings: [[f64; GROUP]; 2],
+    pub(super) gaps: [f64; GROUP],
+    pub(super) law: Law,
+}
+
+/// What acts between the two, in all scenes.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Law {
+    /// e \[–\].
+    Stereomechanical(f64),
+    /// β̄ \[N/m^1.5\] and ξ̄ \[–\].
+    Viscoelastic(f64, f64),
+}
+
+/// Peak displacements and the sum of the impulses of each scene.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Found {
+    pub(super) peaks: [[f64; GROUP]; 2],
+    pub(super) impulses: [f64; GROUP],
+}
+
+/// The widest instructions of this machine for which the loop is written.
+pub(crate) fn instructions() -> Option<&'static str> {
+    #[cfg(target_arch = "x86_64")]
+    return steps::instructions();
+    #[cfg(not(target_arch = "x86_64"))]
+    None
+}
+
+/// Runs a group, with peaks and impulses or bare; nothing on a machine without [`instructions`].
+#[cfg(target_arch = "x86_64")]
+pub(super) fn run<const PEAKS: bool>(group: &Group, ground: &[f64], dt: f64) -> Option<Found> {
+    steps::run::<PEAKS>(group, ground, dt)
+}
+
+/// Nothing: the loop is not written for this machine.
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) fn run<const PEAKS: bool>(_: &Group, _: &[f64], _: f64) -> Option<Found> {
+    None
+}

@@ -1,0 +1,122 @@
+//! This project's methods, timed as the others are.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use cpu_time::ProcessTime;
+use pounding_solver::{
+    CentralDifference, Exact, ExactSideBySide, Integrator, RowsOf, SceneSums, SideBySide,
+    SimultaneousImpacts, Stepping, Verlet, VerletImpacts,
+};
+
+use super::scenes::{Found, IN_LANES, Measured, SCENES, Scenes, clock, exact, solved};
+
+/// Names of the methods in tables.
+pub(super) const LANES: &str = "central_difference_in_lanes";
+pub(super) const VERLET_LANES: &str = "velocity_verlet_in_lanes";
+pub(super) const EXACT: &str = "exact";
+pub(super) const EXACT_LANES: &str = "exact_in_lanes";
+
+/// A measurement repeats what is shorter, as `worker.py` does.
+const LEAST: Duration = Duration::from_millis(20);
+
+const CENTRAL_DIFFERENCE: Stepping = Stepping::CentralDifference(CentralDifference {
+    contact_substeps: 1,
+});
+
+const VERLET: Stepping = Stepping::Verlet(Verlet {
+    impacts: VerletImpacts::Located,
+});
+
+/// Runs the scenes by a method at a setting and measures the CPU time of one.
+pub(super) fn measured(
+    scenes: &Scenes<'_>,
+    method: &str,
+    setting: f64,
+) -> Result<Measured, String> {
+    match method {
+        LANES => in_lanes(scenes, CENTRAL_DIFFERENCE, setting),
+        VERLET_LANES => in_lanes(scenes, VERLET, setting),
+        // The exact method keeps no time step; a clock says how long it runs.
+        EXACT_LANES => exact_in_lanes(scenes, setting),
+        EXACT => Ok(alone(scenes, exact(setting), 0.02)),
+        _ => Err(format!(
+            "{method}: no such method; name one of those in own.rs"
+        )),
+    }
+}
+
+/// Vectors full of scenes: those that are compared, and others like them.
+fn in_lanes(scenes: &Scenes<'_>, stepping: Stepping, time_step: f64) -> Result<Measured, String> {
+    let clock = clock(time_step);
+    let together = SideBySide::new(stepping, scenes.excitation, clock);
+    let together = together.map_err(|error| error.to_string())?;
+    let rows: Vec<_> = scenes.rows.iter().collect();
+    let n_steps = [clock.n_steps; IN_LANES];
+    Ok(beside(|tallies| {
+        together.run(RowsOf::Elastic(&rows), &n_steps, tallies);
+    }))
+}
+
+/// The same by the exact method.
+fn exact_in_lanes(scenes: &Scenes<'_>, tolerance: f64) -> Result<Measured, String> {
+    let settings = Exact {
+        // The least that lanes take; with impacts it changes nothing.
+        tolerance: tolerance.max(1e-12),
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    };
+    let together = ExactSideBySide::new(settings, scenes.excitation, clock(0.02));
+    let together = together.map_err(|error| error.to_string())?;
+    let rows: Vec<_> = scenes.rows.iter().enumerate().collect();
+    Ok(beside(|tallies| {
+        tallies.begin(rows.len(), (2, 1));
+        together.run(&rows, tallies);
+    }))
+}
+
+/// What a run of all scenes side by side takes and tells; a scene that it does not tell has no error that could be compared.
+fn beside(mut run: impl FnMut(&mut SceneSums)) -> Measured {
+    let mut tallies = SceneSums::default();
+    let seconds = timed(|| {
+        run(&mut tallies);
+        black_box(&tallies);
+    });
+    let found = |scene: usize| -> Found {
+        if scene >= tallies.len() || !tallies.is_told(scene) {
+            return [f64::NAN; 3];
+        }
+        let peak = |structure| tallies.displacement(scene, structure).abs();
+        [peak(0), peak(1), tallies.pair(scene, 0).impulse]
+    };
+    Measured {
+        seconds: seconds / IN_LANES as f64,
+        found: (0..SCENES).map(found).collect(),
+    }
+}
+
+/// One scene after the other, each with its recorders.
+fn alone(scenes: &Scenes<'_>, integrator: Integrator, time_step: f64) -> Measured {
+    let run = (integrator, clock(time_step));
+    let mut found = Vec::new();
+    let seconds = timed(|| {
+        let rows = scenes.rows[..SCENES].iter();
+        let one = |row| solved(row, scenes.excitation, run).map_or([f64::NAN; 3], |one| one.0);
+        found = rows.map(one).collect();
+    });
+    Measured {
+        seconds: seconds / SCENES as f64,
+        found,
+    }
+}
+
+/// CPU time of a run \[s\], repeated where it is short, after one that is not timed.
+fn timed(mut run: impl FnMut()) -> f64 {
+    run();
+    let start = ProcessTime::now();
+    let mut runs = 0;
+    while runs == 0 || start.elapsed() < LEAST {
+        run();
+        runs += 1;
+    }
+    start.elapsed().as_secs_f64() / f64::from(runs)
+}

@@ -1,0 +1,177 @@
+//! Primitives in millimetres.
+
+use super::Shade;
+
+/// A point is x to the right and y upwards, from the lower left corner of the paper \[mm\].
+pub type Point = (f64, f64);
+
+/// A drawing is a sheet of paper with shapes on it, the later ones over the earlier.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// Width of the paper \[mm\].
+    pub width: f64,
+    /// Height of the paper \[mm\].
+    pub height: f64,
+    /// What is on it, from back to front.
+    pub shapes: Vec<Shape>,
+}
+
+/// A pen is how a line looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pen {
+    /// Colour.
+    pub shade: Shade,
+    /// Width of the line in points (1/72 inch).
+    pub points: f64,
+    /// Whether the line is broken into dashes.
+    pub dashed: bool,
+}
+
+impl Pen {
+    /// Returns the pen of an unbroken line of that width in points.
+    pub const fn solid(shade: Shade, points: f64) -> Self {
+        Self {
+            shade,
+            points,
+            dashed: false,
+        }
+    }
+
+    /// Returns the pen of a dashed line of that width in points.
+    pub const fn dashed(shade: Shade, points: f64) -> Self {
+        Self {
+            shade,
+            points,
+            dashed: true,
+        }
+    }
+}
+
+/// A fill is how the inside of a shape looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fill {
+    /// Colour.
+    pub shade: Shade,
+    /// How much it hides what lies behind, 0 to 1.
+    pub opacity: f64,
+}
+
+impl Fill {
+    /// Returns a fill that hides what lies behind.
+    pub const fn solid(shade: Shade) -> Self {
+        Self {
+            shade,
+            opacity: 1.0,
+        }
+    }
+}
+
+/// The part of a text that stands at its point, along the line of writing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Align {
+    /// The first letter.
+    Start,
+    /// The middle.
+    Middle,
+    /// The last letter.
+    End,
+}
+
+/// A shape is one thing on the paper. Lengths are in millimetres.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A rectangle, filled or outlined or both.
+    Rectangle {
+        /// Lower left corner.
+        corner: Point,
+        /// Width and height.
+        size: Point,
+        /// Inside, if any.
+        fill: Option<Fill>,
+        /// Outline, if any.
+        outline: Option<Pen>,
+    },
+    /// A disc, filled or outlined or both.
+    Circle {
+        /// Centre.
+        centre: Point,
+        /// Radius.
+        radius: f64,
+        /// Inside, if any.
+        fill: Option<Fill>,
+        /// Outline, if any; never dashed.
+        outline: Option<Pen>,
+    },
+    /// A filled polygon.
+    Polygon {
+        /// Corners in order; the last is joined to the first.
+        corners: Vec<Point>,
+        /// Inside.
+        fill: Fill,
+        /// Outline, if any.
+        outline: Option<Pen>,
+    },
+    /// A line through two or more points.
+    Line {
+        /// The points in order.
+        points: Vec<Point>,
+        /// How it looks.
+        pen: Pen,
+    },
+    /// A straight line with a head at both ends, as on a dimension.
+    Arrow {
+        /// One end.
+        from: Point,
+        /// The other end.
+        to: Point,
+        /// How the shaft looks; the heads have the same colour.
+        pen: Pen,
+    },
+    /// One line of text; the middle of its capital letters is at the height of `at`.
+    Text {
+        /// Where.
+        at: Point,
+        /// What.
+        text: String,
+        /// Size in points.
+        points: f64,
+        /// Which part of the text stands at `at`.
+        align: Align,
+        /// Whether it is written upwards.
+        upright: bool,
+        /// Colour.
+        shade: Shade,
+    },
+}
+
+impl Shape {
+    /// Returns a straight line.
+    pub fn line(from: Point, to: Point, pen: Pen) -> Self {
+        Self::Line {
+            points: vec![from, to],
+            pen,
+        }
+    }
+
+    /// Returns a filled rectangle without outline.
+    pub fn filled(corner: Point, size: Point, fill: Fill) -> Self {
+        Self::Rectangle {
+            corner,
+            size,
+            fill: Some(fill),
+            outline: None,
+        }
+    }
+
+    /// Returns a text in ink, written to the right.
+    pub fn text(at: Point, text: impl Into<String>, points: f64, align: Align) -> Self {
+        Self::Text {
+            at,
+            text: text.into(),
+            points,
+            align,
+            upright: false,
+            shade: Shade::Ink,
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Figures of print quality, described as plain data and drawn the same on every run.
+//!
+//! A [`Figure`] says what to show: panels with curves, marks, notes, and axes that are linear, logarithmic or of names.
+//! A [`Drawing`] says where every line and letter goes, in millimetres; schematic pictures are written as one directly.
+//! Both are a [`Picture`], and both end in [`render_png`]. A figure is laid out into a drawing, so there is one way to
+//! paper only.
+//!
+//! Quantities arrive in the units of their axis: this crate converts nothing and knows no mechanics.
+//! The one font is bundled, so no font of the machine is ever read.
+//!
+//! Left out on purpose: second y axes, colour maps, interactivity.
+
+mod clip;
+mod curves;
+mod dash;
+mod decades;
+mod drawing;
+mod error;
+mod figure;
+mod layout;
+mod legend;
+mod marks;
+mod page;
+mod panel;
+mod raster;
+mod ruler;
+mod scale;
+mod shade;
+mod text;
+mod ticks;
+
+#[cfg(test)]
+mod tests;
+
+use std::borrow::Cow;
+
+pub use drawing::{Align, Drawing, Fill, Pen, Point, Shape};
+pub use error::PlotError;
+pub use figure::{Axis, Curve, Figure, Kind, Legend, Mark, Note, Panel, Scale, sparse_markers};
+pub use shade::Shade;
+
+/// A picture is anything that can say where each of its lines and letters goes.
+pub trait Picture {
+    /// Returns the picture as primitives in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// What the picture describes cannot be drawn: see [`PlotError`].
+    fn drawing(&self) -> Result<Cow<'_, Drawing>, PlotError>;
+}
+
+impl Picture for Drawing {
+    fn drawing(&self) -> Result<Cow<'_, Drawing>, PlotError> {
+        Ok(Cow::Borrowed(self))
+    }
+}
+
+impl Picture for Figure {
+    fn drawing(&self) -> Result<Cow<'_, Drawing>, PlotError> {
+        layout::lay_out(self).map(Cow::Owned)
+    }
+}
+
+/// Renders a picture as a PNG of 300 dots per inch, eight bits per colour, on white.
+///
+/// # Errors
+///
+/// What the picture describes cannot be drawn: see [`PlotError`].
+pub fn render_png(picture: &impl Picture) -> Result<Vec<u8>, PlotError> {
+    raster::png(&page::svg(&*picture.drawing()?)?)
+}
+
+/// Renders a picture as SVG and as the same PNG as [`render_png`].
+///
+/// The letters of the SVG are outlines, so that it looks the same where the font is not at hand.
+///
+/// # Errors
+///
+/// What the picture describes cannot be drawn: see [`PlotError`].
+pub fn render_both(picture: &impl Picture) -> Result<(String, Vec<u8>), PlotError> {
+    let svg = page::svg(&*picture.drawing()?)?;
+    Ok((raster::outlined(&svg)?, raster::png(&svg)?))
+}
+
+/// The text with a question mark for what the bundled font does not have.
+pub fn writable(text: &str) -> String {
+    let known = |character| {
+        if text::covered(character) {
+            character
+        } else {
+            '?'
+        }
+    };
+    text.chars().map(known).collect()
+}
+
+/// Writes the real minus sign.
+pub fn minus(text: &str) -> String {
+    text.replace('-', "\u{2212}")
+}

@@ -1,0 +1,129 @@
+//! Impacts of an instant, and the bounces that end in rest.
+
+use super::impact::{self, NOISE, SHORTEST};
+use super::law::Law;
+use super::model::velocity;
+use super::phases::Contact;
+use super::runner::Runner;
+use super::state::Bounces;
+
+/// Impacts of a pair, each within that time of the one before, after which it stops.
+const MOST_BOUNCES: u32 = 50;
+
+impl Runner {
+    /// Impacts of all impulsive pairs that touch now; then they rest or part.
+    pub(super) fn collide(&mut self, time: f64) {
+        let touching = impact::touching(&self.motion, &self.state.high);
+        for &pair in &touching {
+            self.state
+                .set(self.motion.model.pairs[pair].deformation, 0.0);
+        }
+        let again = |of: &Bounces| time - of.last < SHORTEST && of.count >= MOST_BOUNCES;
+        let mut stops: Vec<bool> = self.bounces.iter().map(again).collect();
+        let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
+        let impulses = loop {
+            let model = &self.motion.model;
+            let impulses = impact::collide(model, &mut self.state.high, &touching, &stops);
+            self.motion.phases.redirect(model, &self.state.high);
+            for &pair in &touching {
+                // What rounding took from the rate before is none of this one.
+                self.state.low[model.pairs[pair].deformation + 1] = 0.0;
+                let rests = model.rate(pair, &self.state.high) >= 0.0;
+                let contact = if rests { Contact::IDLE } else { Contact::Apart };
+                self.motion.phases.pairs[pair].contact = contact;
+            }
+            self.motion.decide(&self.state.high, &mut self.scratch);
+            let hit = touching.iter().filter(|&&pair| impulses[pair] > 0.0);
+            let over = hit.filter(|&&pair| !stops[pair] && self.is_over(pair));
+            let over: Vec<_> = over.collect();
+            if over.is_empty() {
+                break impulses;
+            }
+            for &pair in over {
+                stops[pair] = true;
+            }
+            self.state.copy_from(&state);
+            self.motion.phases.clone_from(&phases);
+        };
+        for &pair in touching.iter().filter(|&&pair| impulses[pair] > 0.0) {
+            let bounces = &mut self.bounces[pair];
+            let soon = time - bounces.last < SHORTEST;
+            *bounces = Bounces {
+                last: time,
+                count: if soon { bounces.count + 1 } else { 0 },
+            };
+        }
+        self.scales.enlarge(&self.motion.model, &self.state.high);
+        let sizes = self.scales.sizes();
+        let least = |pair: usize| NOISE * sizes[self.motion.model.impulse(pair)];
+        let least: Vec<_> = (0..impulses.len()).map(least).collect();
+        for &pair in &touching {
+            // An impact that a pair at rest passes on is a touch of its own.
+            if impulses[pair] > least[pair] && phases.presses(pair) {
+                self.part(pair, time);
+                phases.pairs[pair].contact = Contact::IDLE;
+            }
+        }
+        self.record.impacts(&self.motion, (&impulses, &least), time);
+        self.begin_or_end(&phases, time);
+    }
+
+    /// Whether the bounces of a pair that has just been hit are over: it closes again within the shortest time.
+    fn is_over(&self, pair: usize) -> bool {
+        let Law::Impulsive { restitution } = self.motion.model.pairs[pair].law else {
+            return false;
+        };
+        let y = &self.state.high;
+        let rate = self.motion.model.rate(pair, y);
+        let closing = self.motion.closing(pair, y, &self.scratch);
+        rate < 0.0
+            && restitution < 1.0
+            && closing > 0.0
+            && -2.0 * rate < SHORTEST * closing * (1.0 - restitution)
+    }
+
+    /// Decides which pairs at rest press on.
+    pub(super) fn rest(&mut self, time: f64) {
+        if !self.motion.rests() {
+            return;
+        }
+        let before = self.motion.phases.clone();
+        self.motion.decide(&self.state.high, &mut self.scratch);
+        self.begin_or_end(&before, time);
+    }
+
+    /// Records which pairs begin to press at rest, and which no longer do.
+    fn begin_or_end(&mut self, before: &super::phases::Phases, time: f64) {
+        for pair in 0..before.pairs.len() {
+            match (before.presses(pair), self.motion.phases.presses(pair)) {
+                (false, true) => self.touch(pair, time),
+                (true, false) => self.part(pair, time),
+                (true, true) | (false, false) => {}
+            }
+        }
+        self.unite();
+    }
+
+    /// Gives floors of a block on the same ground the same velocity, to the last bit.
+    fn unite(&mut self) {
+        let blocks: Vec<_> = self.motion.blocks().collect();
+        for block in blocks {
+            let model = &self.motion.model;
+            let floors: Vec<_> = self.motion.floors(block).collect();
+            let inverse_mass = |floor: &usize| model.structures[*floor].inverse_mass;
+            let heaviest = floors
+                .iter()
+                .copied()
+                .min_by(|one, other| inverse_mass(one).total_cmp(&inverse_mass(other)));
+            let Some(heaviest) = heaviest else { continue };
+            let arrival = |floor: usize| model.structures[floor].arrival;
+            for floor in floors {
+                if arrival(floor).total_cmp(&arrival(heaviest)).is_eq() {
+                    let [from, to] = [heaviest, floor].map(velocity);
+                    self.state.high[to] = self.state.high[from];
+                    self.state.low[to] = self.state.low[from];
+                }
+            }
+        }
+    }
+}

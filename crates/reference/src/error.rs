@@ -1,0 +1,40 @@
+/// Why the second route ended early.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SecondRouteError {
+    /// A setting out of range.
+    #[error("second route: {setting}: found {}, allowed {allowed}", pounding_text::plain(*found))]
+    Setting {
+        /// Name of the setting.
+        setting: &'static str,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// The motion is no longer finite.
+    #[error("second route: the motion is no longer finite at t = {time} s")]
+    NotFinite {
+        /// Start of the step that bore it \[s\].
+        time: f64,
+    },
+    /// No step is short enough for the tolerance.
+    #[error(
+        "second route: no step meets the tolerance {tolerance:e} at t = {time} s; raise the tolerance"
+    )]
+    Tolerance {
+        /// Start of the step \[s\].
+        time: f64,
+        /// The tolerance asked for.
+        tolerance: f64,
+    },
+    /// More events between two samples of the record than can be told apart.
+    #[error(
+        "second route: more than {limit} events within one sample of the record, at t = {time} s"
+    )]
+    TooManyEvents {
+        /// When the limit was passed \[s\].
+        time: f64,
+        /// The limit.
+        limit: usize,
+    },
+}

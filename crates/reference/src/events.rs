@@ -1,0 +1,214 @@
+//! Events: instants at which the equations of motion, or what is recorded of them, change.
+
+use pounding_contact::SLOWEST_APPROACH;
+
+use super::branch::Branch;
+use super::law::Law;
+use super::model::{TIME, velocity};
+use super::motion::{Motion, NOW};
+use super::phases::Contact;
+use super::variable::Variable;
+
+/// An event that the present phases allow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Event {
+    /// The segment of the record ends; an event only where the variable is not the time.
+    SegmentEnd,
+    /// A velocity changes its sign: peak of displacement, of a storey on the ground unloading, too.
+    Turn(usize),
+    /// The drift rate of a storey on another floor changes its sign: peak of drift, unloading.
+    DriftTurn(usize),
+    /// Columns reach their yield force.
+    Yield(usize),
+    /// The elastic part of the drift of columns that yield smoothly changes its sign.
+    Straight(usize),
+    /// The net pounding force on a structure between two that touch it changes its sign.
+    Balance(usize),
+    /// The deformation rate of a pair changes its sign: largest or least distance or deformation.
+    Reversal(usize),
+    /// A pair touches.
+    Touch(usize),
+    /// A pair parts.
+    Part(usize),
+    /// The pounding force of a pair has a maximum or minimum while its damper acts.
+    ForcePeak(usize),
+    /// The formula of a pair begins to pull.
+    Clamp(usize),
+    /// It pushes again.
+    Grip(usize),
+    /// The force of a pair at rest fades.
+    Fade(usize),
+    /// A pair at rest without a force would close, or open.
+    Stir(usize),
+}
+
+/// Lists the events that the present phases allow while a step runs in a variable.
+pub(super) fn list(motion: &Motion, variable: Variable, events: &mut Vec<Event>) {
+    events.clear();
+    let parting = match variable {
+        Variable::RootOfDeformation { pair, .. } => {
+            events.push(Event::SegmentEnd);
+            Some(pair)
+        }
+        Variable::Time | Variable::RootOfTime { .. } => None,
+    };
+    for (index, phase) in motion.phases.structures.iter().enumerate() {
+        if motion.model.structures[index].inverse_mass == 0.0 {
+            continue;
+        }
+        events.push(Event::Turn(index));
+        let storey = &motion.model.structures[index];
+        if storey.below.is_some() {
+            events.push(Event::DriftTurn(index));
+        }
+        match phase.branch {
+            Branch::Elastic { .. } if storey.columns.yield_force.is_finite() => {
+                events.push(Event::Yield(index));
+            }
+            Branch::Elastic { .. } | Branch::Yielding { .. } => {}
+            Branch::Smooth { .. } => events.push(Event::Straight(index)),
+        }
+        if phase.push.is_some() {
+            events.push(Event::Balance(index));
+        }
+    }
+    for (index, phase) in motion.phases.pairs.iter().enumerate() {
+        if !matches!(phase.contact, Contact::Resting { .. }) {
+            events.push(Event::Reversal(index));
+        }
+        match phase.contact {
+            // Deformation grows only while the rate is positive, and every change of its sign ends a step.
+            Contact::Apart if phase.direction > 0.0 => events.push(Event::Touch(index)),
+            Contact::Apart => {}
+            Contact::Approach { .. } => events.push(Event::ForcePeak(index)),
+            Contact::Restitution { .. } => {
+                if parting != Some(index) {
+                    events.push(Event::Part(index));
+                }
+                if matches!(motion.model.pairs[index].law, Law::Compliant(law) if law.is_damped_throughout())
+                {
+                    events.extend([Event::ForcePeak(index), Event::Clamp(index)]);
+                }
+            }
+            Contact::Clamped => events.extend([Event::Part(index), Event::Grip(index)]),
+            Contact::Resting { presses: true, .. } => {
+                events.extend([Event::ForcePeak(index), Event::Fade(index)]);
+            }
+            Contact::Resting { presses: false, .. } => events.push(Event::Stir(index)),
+        }
+    }
+}
+
+impl Event {
+    /// Function that is negative once the event has happened.
+    ///
+    /// `scratch` takes a derivative of the unknowns.
+    pub(super) fn value(self, motion: &Motion, y: &[f64], scratch: &mut [f64]) -> f64 {
+        let Motion { model, phases, .. } = motion;
+        match self {
+            Self::SegmentEnd => motion.segment.length - y[TIME],
+            Self::Turn(structure) => {
+                phases.structures[structure].direction * y[velocity(structure)]
+            }
+            Self::DriftTurn(structure) => {
+                phases.structures[structure].drift_direction * model.drift_rate(structure, y)
+            }
+            Self::Yield(structure) => {
+                let direction = phases.structures[structure].drift_direction;
+                let limit = model.structures[structure].columns.limit();
+                limit - direction * motion.yielding_force(structure, y)
+            }
+            Self::Straight(structure) => {
+                let Branch::Smooth { side } = phases.structures[structure].branch else {
+                    return 0.0;
+                };
+                let smooth = model.structures[structure].columns.smooth;
+                smooth.map_or(0.0, |smooth| side * y[smooth.unknown])
+            }
+            Self::Balance(structure) => {
+                let push = phases.structures[structure].push;
+                motion.slope(NOW, y, scratch);
+                push.map_or(0.0, |sign| sign * motion.push(structure, scratch))
+            }
+            Self::Reversal(pair) => phases.pairs[pair].direction * model.rate(pair, y),
+            Self::Touch(pair) => -model.deformation(pair, y),
+            Self::Part(pair) => model.deformation(pair, y),
+            Self::ForcePeak(pair) => {
+                motion.slope(NOW, y, scratch);
+                match phases.pairs[pair].contact {
+                    Contact::Approach { rising, .. } | Contact::Restitution { rising } => {
+                        rising * motion.force_rate(pair, y, scratch)
+                    }
+                    Contact::Resting { .. } => motion.resting_peak(pair, y, scratch),
+                    Contact::Apart | Contact::Clamped => 0.0,
+                }
+            }
+            Self::Clamp(pair) => motion.grip(pair, y),
+            Self::Grip(pair) => -motion.grip(pair, y),
+            Self::Fade(pair) => {
+                motion.slope(NOW, y, scratch);
+                scratch[model.impulse(pair)]
+            }
+            Self::Stir(pair) => motion.idles(pair, y, scratch),
+        }
+    }
+
+    /// Whether its function is a velocity, so that two changes of sign in one step can be told from the middle.
+    pub(super) fn is_reversal(self) -> bool {
+        matches!(self, Self::Turn(_) | Self::DriftTurn(_) | Self::Reversal(_))
+    }
+
+    /// Changes the phases by what the event means for them; touches and rest of impulsive pairs are decided afterwards.
+    pub(super) fn apply(self, motion: &mut Motion, y: &[f64]) {
+        let Motion { model, phases, .. } = motion;
+        match self {
+            // What is at rest is decided anew after every event.
+            Self::SegmentEnd | Self::Fade(_) | Self::Stir(_) => {}
+            Self::Turn(structure) => phases.turn(structure, model, y),
+            Self::DriftTurn(structure) => phases.turn_drift(structure, model, y),
+            Self::Yield(structure) => motion.yields(structure, y),
+            Self::Straight(structure) => phases.straighten(structure),
+            Self::Balance(structure) => {
+                let push = &mut phases.structures[structure].push;
+                *push = push.map(|sign| -sign);
+            }
+            Self::Reversal(pair) => {
+                let phase = &mut phases.pairs[pair];
+                phase.direction = -phase.direction;
+                phase.contact = phase.contact.turned(phase.direction);
+            }
+            Self::Touch(pair) => {
+                if matches!(model.pairs[pair].law, Law::Compliant(_)) {
+                    let phase = &mut phases.pairs[pair];
+                    phase.contact = Contact::Approach {
+                        touch: Some(y[TIME]),
+                        rising: 1.0,
+                    };
+                    phase.approach_speed = model.rate(pair, y).max(SLOWEST_APPROACH);
+                }
+            }
+            Self::Part(pair) => phases.pairs[pair].contact = Contact::Apart,
+            Self::ForcePeak(pair) => {
+                if let Contact::Approach { rising, .. }
+                | Contact::Restitution { rising }
+                | Contact::Resting { rising, .. } = &mut phases.pairs[pair].contact
+                {
+                    *rising = -*rising;
+                }
+            }
+            // At once with a parting or a reversal the phase is another one already.
+            Self::Clamp(pair) => {
+                let contact = &mut phases.pairs[pair].contact;
+                if matches!(contact, Contact::Restitution { .. }) {
+                    *contact = Contact::Clamped;
+                }
+            }
+            Self::Grip(pair) => {
+                let contact = &mut phases.pairs[pair].contact;
+                if matches!(contact, Contact::Clamped) {
+                    *contact = Contact::Restitution { rising: 1.0 };
+                }
+            }
+        }
+    }
+}

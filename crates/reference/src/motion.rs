@@ -1,0 +1,227 @@
+//! Equations of motion between two events.
+
+use super::branch::{Branch, sign};
+use super::law::{Law, Touching};
+use super::model::{Model, TIME, displacement, velocity};
+use super::phases::{Contact, Phases};
+use super::variable::Variable;
+
+/// Where derivatives with respect to time are asked for.
+pub(super) const NOW: (Variable, f64) = (Variable::Time, 0.0);
+
+/// Everything the equations of motion depend on.
+#[derive(Debug, Clone)]
+pub(super) struct Motion {
+    pub model: Model,
+    pub phases: Phases,
+    pub segment: Segment,
+}
+
+/// A segment of the record.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Segment {
+    /// Its start \[s\].
+    pub start: f64,
+    /// Its length \[s\].
+    pub length: f64,
+    /// Ground acceleration at its start \[m/s²\] and its rate \[m/s³\], under every structure.
+    pub grounds: Vec<(f64, f64)>,
+}
+
+impl Segment {
+    /// Ground acceleration under a structure, at a time since the start of the segment \[m/s²\].
+    pub(super) fn ground(&self, structure: usize, since: f64) -> f64 {
+        let (start, rate) = self.grounds[structure];
+        start + rate * since
+    }
+}
+
+impl Motion {
+    /// Derivative of the unknowns with respect to a variable, at a position of it.
+    pub(super) fn slope(&self, (variable, position): (Variable, f64), y: &[f64], dy: &mut [f64]) {
+        let Self {
+            model,
+            phases,
+            segment,
+        } = self;
+        for (index, structure) in model.structures.iter().enumerate() {
+            dy[displacement(index)] = y[velocity(index)];
+            let rate = model.drift_rate(index, y);
+            let force = self.restoring_force(index, y) + structure.damping * rate;
+            dy[velocity(index)] = -force;
+            if let Some(below) = structure.below {
+                dy[velocity(index)] -= structure.ground_damping * y[velocity(index)];
+                dy[velocity(below)] += force;
+            }
+        }
+        self.bend(y, dy);
+        for (index, (pair, phase)) in model.pairs.iter().zip(&phases.pairs).enumerate() {
+            let mut force = 0.0;
+            if phase.contact.touches() {
+                let known = variable.deformation(index, position);
+                let deformation = known.unwrap_or_else(|| model.deformation(index, y));
+                force = self.pounding_force(index, deformation, model.rate(index, y));
+                dy[velocity(pair.left)] -= force;
+                dy[velocity(pair.right)] += force;
+            }
+            dy[model.impulse(index)] = force;
+        }
+        // From forces to accelerations in space.
+        for (index, structure) in model.structures.iter().enumerate() {
+            let slope = &mut dy[velocity(index)];
+            *slope = if model.is_wall(index) {
+                segment.ground(index, y[TIME])
+            } else {
+                *slope * structure.inverse_mass
+            };
+        }
+        self.lean(dy);
+        self.close(y, dy);
+        for index in 0..model.structures.len() {
+            let slope = &mut dy[velocity(index)];
+            *slope = if model.is_wall(index) {
+                0.0
+            } else {
+                *slope - segment.ground(index, y[TIME])
+            };
+        }
+        dy[TIME] = 1.0;
+        if !matches!(variable, Variable::Time) {
+            let pace = variable.pace(position, |pair| model.rate(pair, y));
+            for slope in dy {
+                *slope *= pace;
+            }
+        }
+    }
+
+    /// Derivatives of deformations and their rates, from accelerations in space.
+    fn close(&self, y: &[f64], dy: &mut [f64]) {
+        for (pair, phase) in self.model.pairs.iter().zip(&self.phases.pairs) {
+            let rests = matches!(phase.contact, Contact::Resting { .. });
+            let [rate, closing] = if rests {
+                [0.0; 2]
+            } else {
+                let of = |structure: usize| dy[velocity(structure)];
+                [y[pair.deformation + 1], of(pair.left) - of(pair.right)]
+            };
+            dy[pair.deformation] = rate;
+            dy[pair.deformation + 1] = closing;
+        }
+    }
+
+    /// Derivatives of the elastic parts of drifts with respect to time.
+    fn bend(&self, y: &[f64], dy: &mut [f64]) {
+        for (index, smooth) in self.model.smooth() {
+            let phase = &self.phases.structures[index];
+            if let Branch::Smooth { side } = phase.branch {
+                let columns = &self.model.structures[index].columns;
+                let signs = (side, phase.drift_direction);
+                let bend = columns.bend(smooth, y[smooth.unknown], signs);
+                dy[smooth.unknown] = self.model.drift_rate(index, y) * bend;
+            }
+        }
+    }
+
+    /// Restoring force of the storey below a floor \[N\].
+    pub(super) fn restoring_force(&self, structure: usize, y: &[f64]) -> f64 {
+        let branch = self.phases.structures[structure].branch;
+        let drift = self.model.drift(structure, y);
+        self.model.structures[structure]
+            .columns
+            .force(branch, drift, y)
+    }
+
+    /// Part of the restoring force that yields \[N\].
+    pub(super) fn yielding_force(&self, structure: usize, y: &[f64]) -> f64 {
+        let columns = &self.model.structures[structure].columns;
+        let force = self.restoring_force(structure, y);
+        columns.yielding_part(force, self.model.drift(structure, y))
+    }
+
+    /// Columns yield; not where the drift turned at the same instant.
+    pub(super) fn yields(&mut self, structure: usize, y: &[f64]) {
+        let part = self.yielding_force(structure, y);
+        let phase = &mut self.phases.structures[structure];
+        if phase.drift_direction * part > 0.0 {
+            let limit = self.model.structures[structure].columns.limit();
+            phase.branch = Branch::Yielding {
+                force: phase.drift_direction * limit,
+            };
+        }
+    }
+
+    /// Pounding force of a pair \[N\].
+    pub(super) fn pounding_force(&self, pair: usize, deformation: f64, rate: f64) -> f64 {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
+            return 0.0;
+        };
+        let touching = self.touching(pair, deformation, rate);
+        match self.phases.pairs[pair].contact {
+            Contact::Apart | Contact::Resting { .. } | Contact::Clamped => 0.0,
+            Contact::Approach { .. } => force.on_approach(touching),
+            Contact::Restitution { .. } => force.on_return(touching),
+        }
+    }
+
+    fn touching(&self, pair: usize, deformation: f64, rate: f64) -> Touching {
+        Touching {
+            deformation,
+            rate,
+            approach_speed: self.phases.pairs[pair].approach_speed,
+        }
+    }
+
+    /// Net pounding force on a structure \[N\], positive to the right; `slope` is the derivative of the unknowns.
+    pub(super) fn push(&self, structure: usize, slope: &[f64]) -> f64 {
+        let mut push = 0.0;
+        for (index, pair) in self.model.pairs.iter().enumerate() {
+            let force = slope[self.model.impulse(index)];
+            if pair.left == structure {
+                push -= force;
+            } else if pair.right == structure {
+                push += force;
+            }
+        }
+        push
+    }
+
+    /// Whether both neighbours of a structure touch it.
+    pub(super) fn is_between(&self, structure: usize) -> bool {
+        let pairs = self.model.pairs.iter().zip(&self.phases.pairs);
+        let touching = pairs.filter(|(pair, phase)| {
+            (pair.left == structure || pair.right == structure) && phase.contact.touches()
+        });
+        touching.count() == 2
+    }
+
+    /// Takes the sign of the net pounding force where both neighbours have begun to touch.
+    pub(super) fn settle(&mut self, slope: &[f64]) {
+        for index in 0..self.model.structures.len() {
+            let known = self.phases.structures[index].push;
+            let between = self.is_between(index);
+            self.phases.structures[index].push =
+                between.then(|| known.unwrap_or_else(|| sign(self.push(index, slope))));
+        }
+    }
+
+    /// Rate of a pair's pounding force, times its deformation \[N·m/s\].
+    ///
+    /// `slope` is the derivative of the unknowns `y` with respect to time. After the approach the damper has to act, too.
+    pub(super) fn force_rate(&self, pair: usize, y: &[f64], slope: &[f64]) -> f64 {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
+            return 0.0;
+        };
+        let (deformation, rate) = (self.model.deformation(pair, y), self.model.rate(pair, y));
+        let touching = self.touching(pair, deformation, rate);
+        force.rate_on_approach(touching, self.model.rate(pair, slope))
+    }
+
+    /// Negative where the formula of a pair would pull after the approach.
+    pub(super) fn grip(&self, pair: usize, y: &[f64]) -> f64 {
+        let Law::Compliant(force) = self.model.pairs[pair].law else {
+            return 1.0;
+        };
+        let (deformation, rate) = (self.model.deformation(pair, y), self.model.rate(pair, y));
+        force.grip(self.touching(pair, deformation, rate))
+    }
+}

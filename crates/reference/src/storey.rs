@@ -1,0 +1,160 @@
+//! The columns of a storey, each loop written out from its source.
+//!
+//! d is the drift, k the stiffness, `f_y` the yield force and a the stiffness after yielding over k. The sources are those
+//! that the columns of `pounding_solver` name.
+
+use pounding_solver::{Hysteresis, Knee};
+
+use super::branch::{Branch, sign};
+
+/// Columns of a storey.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Columns {
+    /// k \[N/m\].
+    pub stiffness: f64,
+    /// `f_y` \[N\]; infinite for columns that never yield.
+    pub yield_force: f64,
+    /// a \[–\].
+    pub hardening: f64,
+    /// Nothing for columns with a sharp knee or none.
+    pub smooth: Option<Smooth>,
+}
+
+/// Bouc–Wen columns: f = a k d + (1 − a) k z, ż = ḋ (1 − |z k/`f_y`|ⁿ (1 − β + β sgn(z ḋ))).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Smooth {
+    /// Index of z \[m\] in the vector of unknowns.
+    pub unknown: usize,
+    /// n.
+    pub exponent: u32,
+    /// β.
+    pub unloading: f64,
+}
+
+/// Steps over a drift of `f_y`/k, times n, in which z is found at t = 0: an error of 1e-14.
+const INITIAL_STEPS: f64 = 1000.0;
+
+/// Drift, in units of `f_y`/k, from which on z is `f_y`/k to rounding.
+const FAR: f64 = 60.0;
+
+impl Columns {
+    pub(super) fn of(loop_of: Hysteresis) -> Self {
+        let Hysteresis {
+            stiffness,
+            hardening,
+            yield_force,
+            knee,
+        } = loop_of;
+        let smooth = match knee {
+            // The unknown is numbered by the model.
+            Knee::Smooth(shape) if yield_force.is_finite() => Some(Smooth {
+                unknown: 0,
+                exponent: shape.exponent,
+                unloading: shape.unloading,
+            }),
+            Knee::Smooth(_) | Knee::Sharp => None,
+        };
+        Self {
+            stiffness,
+            yield_force,
+            hardening,
+            smooth,
+        }
+    }
+
+    /// Force of the spring that never yields, beside the part that does \[N\].
+    fn hardened(&self, drift: f64) -> f64 {
+        self.hardening * self.stiffness * drift
+    }
+
+    /// Largest force of the part that yields \[N\].
+    pub(super) fn limit(&self) -> f64 {
+        (1.0 - self.hardening) * self.yield_force
+    }
+
+    /// dz/dd where z has the sign `side` and the drift grows in `direction`.
+    pub(super) fn bend(&self, smooth: Smooth, z: f64, (side, direction): (f64, f64)) -> f64 {
+        let y = side * (z * self.stiffness / self.yield_force);
+        let mut power = 1.0;
+        for _ in 0..smooth.exponent {
+            power *= y;
+        }
+        let Smooth { unloading, .. } = smooth;
+        1.0 - power * (1.0 - unloading + unloading * side * direction)
+    }
+
+    /// z after a first drift from 0 \[m\].
+    pub(super) fn loaded(&self, smooth: Smooth, drift: f64) -> f64 {
+        let unit = self.yield_force / self.stiffness;
+        let side = sign(drift);
+        let way = drift.abs().min(FAR * unit);
+        let steps = (way / unit * INITIAL_STEPS * f64::from(smooth.exponent)).ceil();
+        let (h, mut z, mut step) = (side * way / steps, 0.0, 0.0);
+        let slope = |z: f64| self.bend(smooth, z, (side, side));
+        while step < steps {
+            let first = slope(z);
+            let second = slope(z + 0.5 * h * first);
+            let third = slope(z + 0.5 * h * second);
+            let fourth = slope(z + h * third);
+            z += h * (first + 2.0 * second + 2.0 * third + fourth) / 6.0;
+            step += 1.0;
+        }
+        z
+    }
+
+    /// Branch at t = 0, after a first drift from 0 \[m\].
+    pub(super) fn first_branch(&self, drift: f64) -> Branch {
+        if self.smooth.is_some() {
+            return Branch::Smooth { side: sign(drift) };
+        }
+        let force = self.stiffness * drift - self.hardened(drift);
+        let excess = force - force.clamp(-self.limit(), self.limit());
+        let plastic_displacement = if excess == 0.0 {
+            0.0
+        } else {
+            excess / self.stiffness
+        };
+        Branch::Elastic {
+            plastic_displacement,
+        }
+    }
+
+    /// Force \[N\] on a branch.
+    pub(super) fn force(&self, branch: Branch, drift: f64, y: &[f64]) -> f64 {
+        match (branch, self.smooth) {
+            (
+                Branch::Elastic {
+                    plastic_displacement,
+                },
+                _,
+            ) => self.stiffness * (drift - plastic_displacement),
+            (Branch::Yielding { force }, _) => force + self.hardened(drift),
+            (Branch::Smooth { .. }, smooth) => {
+                let z = smooth.map_or(0.0, |smooth| y[smooth.unknown]);
+                self.hardened(drift) + (1.0 - self.hardening) * self.stiffness * z
+            }
+        }
+    }
+
+    /// Force of the part that yields \[N\], of a force of all.
+    pub(super) fn yielding_part(&self, force: f64, drift: f64) -> f64 {
+        force - self.hardened(drift)
+    }
+
+    /// The force \[N\], kept from going beyond yielding by a rounding.
+    pub(super) fn bounded(&self, force: f64, drift: f64) -> f64 {
+        if self.smooth.is_some() {
+            return force;
+        }
+        let (hardened, limit) = (self.hardened(drift), self.limit());
+        force.clamp(hardened - limit, hardened + limit)
+    }
+
+    /// The elastic branch on which columns that yield under `force` \[N\] of their yielding part unload from a drift.
+    pub(super) fn unloading(&self, force: f64, drift: f64) -> Branch {
+        let elastic = (force + self.hardened(drift)) / self.stiffness;
+        Branch::Elastic {
+            plastic_displacement: drift - elastic,
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! What pounding does to every storey, drawn: amplifications in both directions, with their ranges.
+
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, writable};
+use pounding_scene::{Effects, Simulation};
+
+/// Most storeys of one figure; of more those are shown that pounding changes most.
+const MOST: usize = 30;
+/// What the panels show, in the order of [`responses`](pounding_scene::FloorEffects::responses).
+const PANELS: [&str; 3] = ["Drift", "Shear", "Acceleration"];
+/// How far the two directions of a storey stand apart, in storeys.
+const APART: f64 = 0.16;
+
+/// The figure with its caption; nothing where nothing touches.
+pub(super) fn figure(effects: &Effects, prepared: &Simulation) -> Option<(Figure, String)> {
+    let floors = shown(effects, prepared);
+    if floors.is_empty() || !effects.touch() {
+        return None;
+    }
+    let all = prepared.floors().all().iter();
+    let n = all.filter(|floor| !floor.is_wall()).count();
+    let left_out = if floors.len() < n {
+        format!(" Of {n} storeys those {MOST} are shown that pounding changes most.")
+    } else {
+        String::new()
+    };
+    let caption = format!(
+        "Peak drift, shear force and absolute acceleration of every storey beside its neighbours, as multiples of those of the \
+         same building alone, by the exact method. Lines reach from the least to the largest value when the record is made \
+         one per cent weaker, stronger, faster or slower.{left_out}"
+    );
+    Some((picture(effects, prepared, &floors), caption))
+}
+
+/// The storeys that are shown: building by building, from the roof down.
+fn shown(effects: &Effects, prepared: &Simulation) -> Vec<usize> {
+    let floors = prepared.floors();
+    let moves = |floor: &usize| !floors.all()[*floor].is_wall();
+    let structures = 0..prepared.scene().structures.len();
+    let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev().copied());
+    let mut shown: Vec<_> = downwards.filter(moves).collect();
+    if shown.len() > MOST {
+        let mut order = shown.clone();
+        order.sort_by(|one, other| most(effects, *other).total_cmp(&most(effects, *one)));
+        order.truncate(MOST);
+        shown.retain(|floor| order.contains(floor));
+    }
+    shown
+}
+
+/// Largest change of a response of a floor by pounding, up or down.
+fn most(effects: &Effects, floor: usize) -> f64 {
+    let both = [&effects.as_given[floor], &effects.reversed[floor]];
+    let effects = both.iter().flat_map(|one| one.responses());
+    let ratios = effects.filter_map(|effect| effect?.amplification);
+    let changes = ratios.map(|ratio| (ratio.value - 1.0).abs());
+    changes.fold(0.0, f64::max)
+}
+
+fn picture(effects: &Effects, prepared: &Simulation, floors: &[usize]) -> Figure {
+    let name = |floor: &usize| writable(&prepared.floors().all()[*floor].name);
+    let names: Vec<String> = floors.iter().map(name).collect();
+    let panels = PANELS.iter().enumerate().map(|(response, title)| Panel {
+        title: (*title).into(),
+        x: Some(Axis::auto("Beside / alone (–)")),
+        y: Axis::names(names.clone()),
+        curves: curves(effects, floors, response),
+        markers: vec![1.0],
+        legend: Legend::Shared,
+        ..Panel::default()
+    });
+    Figure {
+        height_in: 1.3 + 0.2 * floors.len() as f64,
+        columns: PANELS.len(),
+        panels: panels.collect(),
+        ..Figure::default()
+    }
+}
+
+fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
+    let directions = [
+        (
+            &effects.as_given,
+            "as given",
+            Shade::Blue,
+            Mark::Disc,
+            -APART,
+        ),
+        (
+            &effects.reversed,
+            "reversed",
+            Shade::Vermilion,
+            Mark::Square,
+            APART,
+        ),
+    ];
+    let mut curves = Vec::new();
+    for (all, label, shade, mark, aside) in directions {
+        let found = floors.iter().enumerate().filter_map(|(place, floor)| {
+            let known = all[*floor].responses()[response]?.amplification?;
+            Some((known, place as f64 + aside))
+        });
+        let found: Vec<_> = found.collect();
+        for (known, y) in &found {
+            let range = vec![(known.low, *y), (known.high, *y)];
+            curves.push(Curve::new(Kind::Line, shade, range));
+        }
+        let points = found.iter().map(|(known, y)| (known.value, *y)).collect();
+        curves.push(
+            Curve::new(Kind::Points, shade, points)
+                .marked(mark)
+                .named(label),
+        );
+    }
+    curves
+}

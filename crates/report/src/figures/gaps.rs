@@ -1,0 +1,64 @@
+//! How far every pair closes its gap.
+
+use super::{Seen, around, brief, heights, name};
+use pounding_plot::sparse_markers;
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
+
+/// Nothing for structures that stand apart.
+pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {
+    let pairs = &seen.shown.panels;
+    if pairs.is_empty() {
+        return None;
+    }
+    let figure = Figure {
+        // The table of pairs and all panels fit on one page.
+        height_in: 1.0 + if pairs.len() > 2 { 1.25 } else { 1.5 } * pairs.len() as f64,
+        x: Axis::over("Time (s)", 0.0, seen.prepared.duration()),
+        panels: pairs.iter().map(|&pair| panel(seen, pair)).collect(),
+        ..Figure::default()
+    };
+    let n = seen.prepared.pairs().len();
+    let left_out = if pairs.len() < n {
+        format!(
+            " Of {n} pairs the {} are shown that are hit hardest, or come closest to it.",
+            pairs.len()
+        )
+    } else {
+        String::new()
+    };
+    let caption = format!(
+        "Displacement of the left neighbour relative to the right one. Where it reaches the gap the two touch; what is beyond \
+         is overlap.{left_out}"
+    );
+    Some((figure, caption))
+}
+
+fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
+    let gap = 1e3 * seen.prepared.pairs()[pair].gap;
+    let closing = seen.curve(|row| gap - 1e3 * seen.motion.opening(pair, row));
+    let level = vec![(0.0, gap), (seen.prepared.duration(), gap)];
+    let starts = seen.collisions(&[pair]).map(|one| one.start).collect();
+    let touches = sparse_markers(starts);
+    let mut curves = vec![
+        Curve::new(Kind::Dashed, Shade::Vermilion, level).named("gap at rest"),
+        Curve::new(Kind::Line, Shade::Blue, closing).named("left relative to right"),
+    ];
+    if !touches.is_empty() {
+        let points = touches.into_iter().map(|time| (time, gap)).collect();
+        curves.push(Curve::new(Kind::Points, Shade::Ink, points).named("collision"));
+    }
+    let facing = seen.prepared.floors().facing()[pair];
+    let floors = seen.prepared.floors().all();
+    let [left, right] = [facing.left, facing.right].map(|index| name(&floors[index]));
+    Panel {
+        title: format!("{left} – {right}, gap {} mm", brief(gap, 4)),
+        y: Axis {
+            range: around(heights(&curves), (0.05, 0.08)),
+            ..Axis::auto("Displacement (mm)")
+        },
+        levels: vec![0.0],
+        curves,
+        legend: Legend::Shared,
+        ..Panel::default()
+    }
+}

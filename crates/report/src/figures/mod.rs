@@ -1,0 +1,162 @@
+//! What a report shows: each picture as plain data, then as SVG and PNG.
+
+mod displacements;
+mod effects;
+mod gaps;
+mod ground;
+mod hysteresis;
+mod shown;
+mod thin;
+
+use pounding_solver::Collision;
+use rayon::prelude::*;
+
+use super::history::Motion;
+use crate::PairSummary;
+use pounding_plot::minus;
+use pounding_plot::{Curve, Figure, PlotError, render_both, writable};
+use pounding_scene::{Effects, Floor, RunResult, Simulation};
+use pounding_text::digits;
+use shown::Selection;
+
+/// The names that pictures can have, without the ends of their files.
+pub(super) const NAMES: [&str; 5] = [
+    "displacements",
+    "gaps",
+    "effects",
+    "hysteresis",
+    "ground-motion",
+];
+
+/// A picture of a report.
+#[derive(Debug)]
+pub(super) struct Illustration {
+    /// One of [`NAMES`].
+    pub(super) name: &'static str,
+    /// What it shows, in sentences.
+    pub(super) caption: String,
+    /// SVG and PNG, or why it cannot be drawn: the numbers of a run that was forced can be too large for paper.
+    pub(super) drawn: Result<(String, Vec<u8>), PlotError>,
+}
+
+/// All that pictures are made of.
+#[derive(Debug, Clone, Copy)]
+struct Seen<'a> {
+    prepared: &'a Simulation,
+    outcome: &'a RunResult,
+    motion: Motion<'a>,
+    shown: &'a Selection,
+}
+
+impl<'a> Seen<'a> {
+    /// Collisions between these pairs.
+    fn collisions<'p>(&self, pairs: &'p [usize]) -> impl Iterator<Item = &'p Collision>
+    where
+        'a: 'p,
+    {
+        let all = self.outcome.collisions.all().iter();
+        all.filter(|one| pairs.contains(&one.pair))
+    }
+
+    /// A quantity of one structure over time.
+    fn curve(&self, quantity: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
+        let rows = 0..self.motion.len();
+        thin::thinned(
+            rows.map(|row| (self.motion.time(row), quantity(row)))
+                .collect(),
+        )
+    }
+}
+
+/// The pictures of a run; those that would show nothing are left out.
+pub(super) fn illustrations(
+    (motion, outcome): (Motion<'_>, &RunResult),
+    pairs: &[PairSummary],
+    known: Option<&Effects>,
+) -> Vec<Illustration> {
+    let prepared = motion.prepared;
+    let seen = Seen {
+        prepared,
+        outcome,
+        motion,
+        shown: &Selection::of(prepared, pairs),
+    };
+    let figures: [Option<(Figure, String)>; 5] = [
+        Some(displacements::figure(&seen)),
+        gaps::figure(&seen),
+        known.and_then(|all| effects::figure(all, prepared)),
+        hysteresis::figure(&seen),
+        Some(ground::figure(&seen)),
+    ];
+    NAMES
+        .into_par_iter()
+        .zip(figures)
+        .filter_map(|(name, figure)| figure.map(|(figure, caption)| (name, figure, caption)))
+        .map(|(name, figure, caption)| Illustration {
+            name,
+            caption,
+            drawn: render_both(&figure),
+        })
+        .collect()
+}
+
+/// Longest name in a picture, in characters.
+const LONGEST: usize = 22;
+
+/// A name as a picture can write it: not too long, in the letters of its font.
+fn name(floor: &Floor) -> String {
+    fitting(&floor.name)
+}
+
+fn fitting(name: &str) -> String {
+    let name = writable(name);
+    if name.chars().count() <= LONGEST {
+        return name;
+    }
+    name.chars().take(LONGEST - 1).chain(['…']).collect()
+}
+
+/// Name, and the period where the curve is the first of its building, for a legend; a wall stands for all of its levels.
+fn named(prepared: &Simulation, (index, first): (usize, bool)) -> String {
+    let floor = &prepared.floors().all()[index];
+    if floor.is_wall() {
+        return fitting(prepared.scene().structures[floor.structure].name());
+    }
+    match floor.oscillation(prepared.scene()).filter(|_| first) {
+        Some((period, _)) => format!("{} (T = {} s)", name(floor), brief(period, 3)),
+        None => name(floor),
+    }
+}
+
+/// A number with so many significant digits, without zeros at its end.
+fn brief(value: f64, significant: usize) -> String {
+    let rounded = format!("{value:.*e}", significant - 1);
+    minus(&digits(rounded.parse().unwrap_or(value)))
+}
+
+/// What an axis shows of some values: all of them, with a margin in parts of their extent below and above.
+fn around(values: impl Iterator<Item = f64>, (below, above): (f64, f64)) -> Option<(f64, f64)> {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    let extent = high - low;
+    (extent > 0.0).then_some((low - below * extent, high + above * extent))
+}
+
+/// The values of all points of some curves.
+fn heights(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    let points = curves.iter().flat_map(|curve| &curve.points);
+    points.map(|point| point.1)
+}
+
+/// A unit for an axis that reaches this magnitude, and its factor: of `N`, `kN` and `MN`, or of the same with seconds.
+fn unit(largest: f64, of: &str) -> (String, f64) {
+    let (prefix, factor) = if largest.abs() >= 2e6 {
+        ("M", 1e-6)
+    } else if largest.abs() >= 2e3 {
+        ("k", 1e-3)
+    } else {
+        ("", 1.0)
+    };
+    (format!("{prefix}{of}"), factor)
+}

@@ -1,0 +1,166 @@
+//! `history.csv`: the motion of every structure and what is between neighbours, row by row in time.
+
+use pounding_solver::{Histories, State, Travel};
+
+use super::names::Names;
+use pounding_scene::{Floors, RunResult, Simulation};
+use pounding_text::digits;
+use pounding_text::to_csv;
+
+/// The states of a run at equal intervals.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Motion<'a> {
+    pub(super) prepared: &'a Simulation,
+    histories: &'a Histories,
+    /// How the ground motion travels; nothing where all are shaken at once.
+    travel: Option<&'a Travel>,
+}
+
+impl<'a> Motion<'a> {
+    /// Of a run that kept its histories.
+    pub(super) fn of(
+        (prepared, travel): (&'a Simulation, Option<&'a Travel>),
+        outcome: &'a RunResult,
+    ) -> Self {
+        let kept = outcome.histories.as_ref();
+        Self {
+            prepared,
+            histories: kept.expect("a report keeps histories"),
+            travel,
+        }
+    }
+
+    /// Number of instants.
+    pub(super) fn len(&self) -> usize {
+        let lengths = (0..self.floors().all().len()).map(|index| self.states(index).len());
+        lengths.min().unwrap_or(0)
+    }
+
+    /// The floors whose states they are.
+    pub(super) fn floors(&self) -> &'a Floors {
+        self.prepared.floors()
+    }
+
+    /// Instant \[s\].
+    pub(super) fn time(&self, row: usize) -> f64 {
+        row as f64 * self.histories.interval()
+    }
+
+    /// States of a floor or wall.
+    pub(super) fn states(&self, floor: usize) -> &'a [State] {
+        &self.histories.of(floor).states
+    }
+
+    /// Drift of the storey below a floor over time \[m\].
+    pub(super) fn drifts(&self, floor: usize) -> impl Iterator<Item = f64> {
+        let below = self.floors().below(floor).map(|below| self.states(below));
+        let states = self.states(floor).iter().enumerate();
+        states.map(move |(row, state)| {
+            state.displacement - below.map_or(0.0, |below| below[row].displacement)
+        })
+    }
+
+    /// What of the gap of a pair is open \[m\]; negative where its neighbours overlap.
+    pub(super) fn opening(&self, pair: usize, row: usize) -> f64 {
+        let pounding_solver::Pair {
+            left, right, gap, ..
+        } = self.prepared.pairs()[pair];
+        let own = gap + self.states(right)[row].displacement - self.states(left)[row].displacement;
+        let bases = |travel: &Travel| travel.opening([left, right], self.time(row)).displacement;
+        own - self.travel.map_or(0.0, bases)
+    }
+
+    /// Acceleration of the ground under a floor at an instant \[m/s²\].
+    fn ground(&self, floor: usize, time: f64) -> f64 {
+        let arrival = self.travel.map_or(0.0, |travel| travel.arrival(floor));
+        self.prepared.record().at(time - arrival)
+    }
+
+    /// Pounding force of a compliant pair \[N\], ≥ 0.
+    fn force(&self, pair: usize, row: usize) -> f64 {
+        // A wall does not move, whatever pushes it: its neighbour tells the force.
+        let facing = self.floors().facing()[pair];
+        if self.floors().all()[facing.left].is_wall() {
+            self.states(facing.right)[row].force_from_left
+        } else {
+            -self.states(facing.left)[row].force_from_right
+        }
+    }
+}
+
+/// The file.
+pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
+    let floors = prepared.floors();
+    let names = Names::of(floors);
+    let moves = |index: &usize| !floors.all()[*index].is_wall();
+    let columns: Vec<usize> = (0..floors.all().len()).filter(moves).collect();
+    // Not the pairs of the model, of which a full one has more.
+    let facing = floors.facing().iter().enumerate();
+    let compliant: Vec<bool> = facing
+        .map(|(pair, _)| prepared.pairs()[pair].law.is_compliant())
+        .collect();
+    let drifts: Vec<Option<Vec<f64>>> = (0..floors.all().len())
+        .map(|floor| has_drift(floors, floor).then(|| motion.drifts(floor).collect()))
+        .collect();
+    let row = |row: usize| {
+        let time = motion.time(row);
+        let ground = prepared.record().at(time);
+        let mut values = vec![time, ground];
+        for &structure in &columns {
+            let state = motion.states(structure)[row];
+            values.extend([
+                state.displacement,
+                state.velocity,
+                state.acceleration + motion.ground(structure, time),
+                state.restoring_force,
+            ]);
+            if let Some(drifts) = &drifts[structure] {
+                values.push(drifts[row]);
+            }
+        }
+        for (pair, compliant) in compliant.iter().enumerate() {
+            if *compliant {
+                values.push(motion.force(pair, row));
+            }
+            values.push(motion.opening(pair, row));
+        }
+        values.into_iter().map(digits).collect()
+    };
+    let rows: Vec<Vec<String>> = (0..motion.len()).map(row).collect();
+    to_csv(&header((floors, &names), &columns, &compliant), &rows)
+}
+
+/// Whether the drift of a storey has a column: in a building of several storeys it is not the displacement.
+fn has_drift(floors: &Floors, floor: usize) -> bool {
+    let one = &floors.all()[floor];
+    one.storey.is_some() && floors.of_structure(one.structure).len() > 1
+}
+
+/// Names of the columns.
+fn header(
+    (floors, names): (&Floors, &Names),
+    structures: &[usize],
+    compliant: &[bool],
+) -> Vec<String> {
+    let mut header = vec!["time_s".into(), "ground_acceleration_m_per_s2".into()];
+    for &structure in structures {
+        let name = &names.structures[structure];
+        let quantities = [
+            "displacement_m",
+            "velocity_m_per_s",
+            "absolute_acceleration_m_per_s2",
+            "shear_force_n",
+        ];
+        header.extend(quantities.map(|quantity| format!("{name}_{quantity}")));
+        if has_drift(floors, structure) {
+            header.push(format!("{name}_storey_drift_m"));
+        }
+    }
+    for (name, compliant) in names.pairs.iter().zip(compliant) {
+        if *compliant {
+            header.push(format!("{name}_pounding_force_n"));
+        }
+        header.push(format!("{name}_gap_m"));
+    }
+    header
+}

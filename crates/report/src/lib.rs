@@ -1,0 +1,134 @@
+//! The files of a results folder, in memory: histories, impacts, a summary for machines, figures, and a page to forward.
+//!
+//! They tell nothing of the machine or the day: the same scene gives the same bytes.
+
+mod figures;
+mod history;
+mod impacts;
+mod names;
+mod page;
+mod sampling;
+mod spectra;
+mod summary;
+
+use std::collections::BTreeMap;
+
+use history::Motion;
+use pounding_scene::{Effects, Error, Review, Simulation};
+use sampling::Sampling;
+pub use spectra::{SpectraLabels, spectra_figure};
+pub use summary::{
+    CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
+    RecordSummary, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+};
+
+/// A run with its histories, ready to be written to a folder.
+#[derive(Debug)]
+pub struct Report<'a> {
+    prepared: &'a Simulation,
+    review: Review,
+    sampling: Sampling,
+    effects: Option<Effects>,
+}
+
+impl<'a> Report<'a> {
+    /// Runs a scene as [`Simulation::review`] does, and keeps the histories of its structures.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::review`].
+    pub fn of(prepared: &'a Simulation, measure: bool) -> Result<Self, Error> {
+        let sampling = Sampling::of(prepared);
+        Ok(Self {
+            prepared,
+            review: prepared.review_recorded(measure, Some(sampling.interval))?,
+            sampling,
+            effects: None,
+        })
+    }
+
+    /// The same with what pounding does to every storey.
+    #[must_use]
+    pub fn with_effects(self, effects: Option<Effects>) -> Self {
+        Self { effects, ..self }
+    }
+
+    /// The run with what is known of its errors.
+    pub fn review(&self) -> &Review {
+        &self.review
+    }
+
+    /// What came out, for machines.
+    pub fn summary(&self) -> Summary {
+        Summary {
+            effects: self.effects.clone(),
+            ..Summary::of(self.prepared, &self.review)
+        }
+    }
+
+    /// The files of a results folder, by name:
+    ///
+    /// | File | Holds |
+    /// |---|---|
+    /// | `report.html` | everything, for people; it needs no other file |
+    /// | `summary.json` | [`Summary`] |
+    /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps what is open of them |
+    /// | `impacts.csv` | a line per collision |
+    /// | `effects.csv` | what pounding does to every storey, where that was asked for |
+    /// | `*.svg`, `*.png` | the figures of the report |
+    pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
+        let (prepared, outcome) = (self.prepared, &self.review.outcome);
+        let travel = prepared.travel();
+        let motion = Motion::of((prepared, travel.as_ref()), outcome);
+        let summary = self.summary();
+        let illustrations =
+            figures::illustrations((motion, outcome), &summary.pairs, self.effects.as_ref());
+        let page = page::html(self, &summary, &illustrations);
+        let mut files = BTreeMap::from([
+            (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
+            (
+                IMPACTS.into(),
+                impacts::csv(prepared.floors(), outcome).into_bytes(),
+            ),
+            (SUMMARY.into(), summary.to_json().into_bytes()),
+            (PAGE.into(), page.into_bytes()),
+        ]);
+        if let Some(effects) = &self.effects {
+            files.insert(
+                EFFECTS.into(),
+                effects.to_csv(prepared.floors()).into_bytes(),
+            );
+        }
+        for illustration in illustrations {
+            if let Ok((svg, png)) = illustration.drawn {
+                files.insert(format!("{}.svg", illustration.name), svg.into_bytes());
+                files.insert(format!("{}.png", illustration.name), png);
+            }
+        }
+        files
+    }
+
+    /// Whether a results folder can have a file of this name.
+    pub fn has_file(name: &str) -> bool {
+        let is_figure = |(stem, end): (&str, &str)| {
+            figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
+        };
+        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE].contains(&name)
+            || name.rsplit_once('.').is_some_and(is_figure)
+    }
+}
+
+const HISTORY: &str = "history.csv";
+const IMPACTS: &str = "impacts.csv";
+const EFFECTS: &str = "effects.csv";
+const SUMMARY: &str = "summary.json";
+const PAGE: &str = "report.html";
+
+impl Summary {
+    /// As JSON, with a line break at the end.
+    ///
+    /// # Panics
+    /// Never: a summary is made of text and numbers.
+    pub fn to_json(&self) -> String {
+        pounding_text::json_text(self)
+    }
+}

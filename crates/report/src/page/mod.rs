@@ -1,0 +1,186 @@
+//! `report.html`: one file that a person forwards; it shows the same without a network, and on paper.
+
+mod effects;
+mod markup;
+mod scene;
+mod tables;
+mod verdict;
+
+use markup::{digits, escaped, list, short};
+
+use super::Report;
+use super::figures::Illustration;
+use super::summary::Summary;
+use pounding_scene::{Source, Structure};
+
+const STYLE: &str = include_str!("style.css");
+
+/// The page.
+pub(super) fn html(
+    report: &Report<'_>,
+    summary: &Summary,
+    illustrations: &[Illustration],
+) -> String {
+    let review = report.review();
+    let title = escaped(&summary.scene.name);
+    let figure = |name: &str| {
+        let found = illustrations.iter().position(|one| one.name == name);
+        found.map_or_else(String::new, |at| illustrated(at + 1, &illustrations[at]))
+    };
+    let sections = [
+        format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&lead(summary))),
+        verdict::verdict(summary, review),
+        warnings(summary),
+        unusual(summary),
+        figure("displacements"),
+        format!(
+            "<h2>Pairs</h2>\n{}",
+            tables::pairs(summary, report.prepared.floors())
+        ),
+        figure("gaps"),
+        tables::collisions(summary, review),
+        effects::effects(summary, report.prepared.floors(), &figure("effects")),
+        format!(
+            "<h2>Structures</h2>\n{}",
+            tables::structures(summary, report.prepared.floors())
+        ),
+        figure("hysteresis"),
+        format!(
+            "<h2>Scene</h2>\n{}",
+            scene::scene(summary, report.prepared.floors())
+        ),
+        format!("<h2>Ground motion</h2>\n{}", tables::record(summary)),
+        figure("ground-motion"),
+        format!(
+            "<h2>Method</h2>\n{}",
+            tables::method(summary, review, report.sampling.words)
+        ),
+        format!("<h2>Energy</h2>\n{}", tables::ledger(summary)),
+        again(summary),
+    ];
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title} – pounding</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+        sections.concat()
+    )
+}
+
+/// What was computed, in a sentence.
+fn lead(summary: &Summary) -> String {
+    let scene = &summary.scene;
+    let is_wall = |structure: &&Structure| matches!(structure, Structure::Wall);
+    let walls = scene.structures.iter().filter(is_wall).count();
+    let structures = match scene.structures.len() - walls {
+        1 => "One structure".into(),
+        n => format!("{n} structures"),
+    };
+    let walls = match walls {
+        0 => "",
+        1 => " and a wall",
+        _ => " and walls",
+    };
+    let steps = summary.method.time_step_s.map_or_else(String::new, |step| {
+        format!(" in steps of {} s", digits(step))
+    });
+    let source = match &scene.record.source {
+        // The folders stand in the table.
+        Source::File(file) => file.file.rsplit(['/', '\\']).next().unwrap_or_default(),
+        Source::Generated(_) => "a generated motion",
+    };
+    let processed = match &summary.record.processing[..] {
+        [] => "",
+        [_] if scene.record.reversed => ", reversed,",
+        _ => ", processed as told below,",
+    };
+    format!(
+        "{structures}{walls} in a row, shaken by {source}{processed} with a peak ground acceleration of {} g for {} s, computed by pounding \
+         {} with the method “{}”{steps}.",
+        short(summary.record.peak_m_per_s2.abs() / scene.record.gravity_m_per_s2),
+        digits(summary.method.duration_s),
+        summary.version,
+        summary.method.name.replace('_', " ")
+    )
+}
+
+fn warnings(summary: &Summary) -> String {
+    if summary.warnings.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<div class=\"warnings\">\n<p><strong>Before the numbers are believed</strong></p>\n{}</div>\n",
+        list(&summary.warnings)
+    )
+}
+
+/// What looks wrong in the scene.
+fn unusual(summary: &Summary) -> String {
+    if summary.unusual.is_empty() {
+        return String::new();
+    }
+    let doubts: Vec<String> = summary.unusual.iter().map(ToString::to_string).collect();
+    format!(
+        "<div class=\"warnings\">\n<p><strong>Unusual in the scene</strong></p>\n{}</div>\n",
+        list(&doubts)
+    )
+}
+
+/// A figure with its caption, or why there is none.
+fn illustrated(number: usize, one: &Illustration) -> String {
+    match &one.drawn {
+        Ok((svg, _)) => format!(
+            "<figure>\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>\n",
+            inline(svg, &one.caption),
+            escaped(&one.caption)
+        ),
+        Err(reason) => format!(
+            "<p class=\"soft\">Figure {number} ({}) could not be drawn: {}</p>\n",
+            one.name,
+            escaped(&reason.to_string())
+        ),
+    }
+}
+
+/// An SVG as part of a page: without its declarations, as wide as the page, with its caption for those who cannot see it.
+fn inline(svg: &str, caption: &str) -> String {
+    let start = svg.find("<svg").unwrap_or(0);
+    let (head, body) = svg[start..].split_once('>').unwrap_or_default();
+    let attribute = |name: &str| {
+        let (_, rest) = head.split_once(&format!(" {name}=\""))?;
+        rest.split_once('"').map(|(value, _)| value)
+    };
+    let (width, height) = (attribute("width"), attribute("height"));
+    let size = width
+        .zip(height)
+        .map_or_else(String::new, |(width, height)| {
+            format!(" viewBox=\"0 0 {width} {height}\"")
+        });
+    format!(
+        "<svg{size} role=\"img\" aria-label=\"{}\">{}",
+        escaped(caption),
+        body.trim_end()
+    )
+}
+
+/// How to get the same again.
+fn again(summary: &Summary) -> String {
+    let scene = serde_json::to_string_pretty(&summary.scene).unwrap_or_default();
+    let record = match (&summary.record.file, &summary.record.sha256) {
+        (Some(file), Some(hash)) => format!(
+            " The record is <code>{}</code>, looked for from the folder of the scene’s file; the SHA-256 of what was read is \
+             <code>{}</code>.",
+            escaped(file),
+            escaped(hash)
+        ),
+        _ => String::new(),
+    };
+    format!(
+        "<h2>How to repeat it</h2>\n<p>Save the scene below as <code>scene.json</code> and run, with pounding {},</p>\n\
+         <pre>pounding run scene.json --out results</pre>\n<p>The same version gives the same numbers, to the last bit; pictures were \
+         found to be the same, byte for byte, on Linux x86-64.{record} Beside this page the folder holds \
+         <code>history.csv</code> and <code>impacts.csv</code>, which <code>pandas.read_csv</code> reads as they are, and \
+         <code>summary.json</code>.</p>\n<pre class=\"scene\">{}</pre>\n",
+        escaped(&summary.version),
+        escaped(&scene)
+    )
+}

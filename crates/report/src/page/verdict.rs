@@ -1,0 +1,202 @@
+//! The answer in a few sentences: whether they touch, how often, how hard, and how sure that is.
+
+use super::markup::{digits, escaped, list, short};
+use super::tables::opening;
+use crate::{summary::CollisionSummary, summary::PairSummary, summary::Summary};
+use pounding_scene::{Errors, Quantity, Review};
+use pounding_text::percent;
+
+/// More pairs than this are counted, not named.
+const MOST: usize = 5;
+
+/// The box at the top of the page.
+pub(super) fn verdict(summary: &Summary, review: &Review) -> String {
+    let mut touching: Vec<(&PairSummary, &CollisionSummary)> = summary
+        .pairs
+        .iter()
+        .filter_map(|pair| Some((pair, pair.largest.as_ref()?)))
+        .collect();
+    touching.sort_by(|one, other| other.1.impulse_n_s.total_cmp(&one.1.impulse_n_s));
+    let exact = exact_collisions(summary);
+    if touching.is_empty() && exact.is_some_and(|exact| exact > 0) {
+        return missed(summary, review);
+    }
+    if touching.is_empty() {
+        return format!(
+            "<div class=\"verdict\">\n{}<p>{}</p>\n</div>\n",
+            apart(summary),
+            escaped(&certainty(review))
+        );
+    }
+    let mut lines: Vec<String> = touching
+        .iter()
+        .take(MOST)
+        .map(|(pair, largest)| collisions(pair, largest))
+        .collect();
+    if touching.len() > MOST {
+        let more = touching.len() - MOST;
+        lines.push(format!(
+            "{more} further pairs touch; see the table of pairs"
+        ));
+    }
+    let n: usize = touching.iter().map(|one| one.0.collisions).sum();
+    let pairs = match summary.pairs.len() {
+        1 => String::new(),
+        all => format!(" at {} of {all} gaps", touching.len()),
+    };
+    format!(
+        "<div class=\"verdict touch\">\n<p><strong>They touch {}{pairs}{}.</strong></p>\n{}<p>{}</p>\n</div>\n",
+        times(n),
+        against(n, exact),
+        list(&lines),
+        escaped(&certainty(review))
+    )
+}
+
+fn times(n: usize) -> String {
+    match n {
+        1 => "once".into(),
+        n => format!("{n} times"),
+    }
+}
+
+/// Number of collisions of the exact run, where it was measured and can be compared: a pair that rests has as many impacts as
+/// steps.
+fn exact_collisions(summary: &Summary) -> Option<usize> {
+    let pairs = summary.pairs.iter();
+    let exact = pairs.map(|pair| {
+        let errors = pair.errors.as_ref().filter(|errors| !errors.rests)?;
+        Some(errors.exact_collisions)
+    });
+    exact.sum()
+}
+
+/// What exact motion has instead of so many touches, behind them.
+fn against(n: usize, exact: Option<usize>) -> String {
+    match exact {
+        Some(0) => " in this run; exact motion has no touch".into(),
+        Some(exact) if exact != n => format!(" in this run, {} in exact motion", times(exact)),
+        Some(_) | None => String::new(),
+    }
+}
+
+/// What is said where this run has no touch and exact motion does.
+fn missed(summary: &Summary, review: &Review) -> String {
+    let pairs = summary.pairs.iter().filter_map(|pair| {
+        let exact = pair.errors.as_ref()?.exact_collisions;
+        let collisions = if exact == 1 {
+            "collision"
+        } else {
+            "collisions"
+        };
+        (exact > 0).then(|| {
+            format!(
+                "{} – {}: exact motion has {exact} {collisions}, this run none",
+                pair.left, pair.right
+            )
+        })
+    });
+    let pairs: Vec<String> = pairs.collect();
+    format!(
+        "<div class=\"verdict touch\">\n<p><strong>The steps of this run miss the touches that exact motion has.</strong></p>\n\
+         {}<p>{}</p>\n</div>\n",
+        list(&pairs),
+        escaped(&certainty(review))
+    )
+}
+
+/// What is said where nobody touches.
+fn apart(summary: &Summary) -> String {
+    let nearest = summary
+        .pairs
+        .iter()
+        .min_by(|one, other| one.least_opening_m.total_cmp(&other.least_opening_m));
+    let Some(pair) = nearest else {
+        return "<p><strong>Contact was not asked for.</strong></p>\n<p>The scene gives no gaps: each structure moves by \
+                itself.</p>\n"
+            .into();
+    };
+    format!(
+        "<p><strong>They do not touch.</strong></p>\n<p>{}</p>\n",
+        escaped(&format!(
+            "The narrowest place: of the {} mm between {} and {} at least {} mm stay open, at {} s.",
+            digits(1e3 * pair.gap_m),
+            pair.left,
+            pair.right,
+            opening(pair.least_opening_m),
+            short(pair.least_opening_time_s)
+        ))
+    )
+}
+
+/// What happens between two neighbours.
+fn collisions(pair: &PairSummary, largest: &CollisionSummary) -> String {
+    let times = match pair.collisions {
+        1 => "one collision".into(),
+        n => format!("{n} collisions"),
+    };
+    let first = pair.first.map_or(largest.start_s, |first| first.start_s);
+    let errors = pair.errors.as_ref();
+    let impulse = with_error(
+        format!("{} kN·s", short(largest.impulse_n_s / 1e3)),
+        errors.and_then(|errors| errors.largest_impulse),
+    );
+    let force = pair.peak_force_n.map_or_else(String::new, |force| {
+        let force = format!("{} kN", short(force / 1e3));
+        let error = errors.and_then(|errors| errors.peak_force);
+        let at = pair.peak_force_time_s;
+        let at = at.map_or_else(String::new, |time| format!(" at {} s", short(time)));
+        format!(", the largest force {}{at}", with_error(force, error))
+    });
+    format!(
+        "{} – {}: {times}, the first at {} s; the largest impulse is {impulse} at {} s{force}",
+        pair.left,
+        pair.right,
+        short(first),
+        short(largest.start_s)
+    )
+}
+
+fn with_error(text: String, error: Option<f64>) -> String {
+    match error {
+        Some(error) => format!("{text} (error {})", percent(error)),
+        None => text,
+    }
+}
+
+/// How far the numbers are from the exact run.
+fn certainty(review: &Review) -> String {
+    match &review.errors {
+        Errors::Exact => {
+            "The method is exact: the numbers have no error beyond rounding and its tolerance. What the model leaves out is \
+             not part of that."
+                .into()
+        }
+        Errors::Doubtful => {
+            "The method is exact, but this run has gone wrong by what its energies tell (see the warnings): how far its numbers \
+             are off is not known."
+                .into()
+        }
+        Errors::NotMeasured => {
+            "How far the numbers are from an exact run of the same scene was not measured.".into()
+        }
+        Errors::Unknown(_) => {
+            "How far the numbers are from an exact run of the same scene is not known: that run fails."
+                .into()
+        }
+        Errors::Measured(errors, _) => {
+            let (largest, of) = errors.largest(Quantity::All);
+            if largest == 0.0 {
+                "Every number equals that of an exact run of the same scene.".into()
+            } else if largest.is_finite() {
+                format!(
+                    "Every number is within {} of an exact run of the same scene; farthest off is the {of}.",
+                    percent(largest)
+                )
+            } else {
+                "Some numbers are not those of an exact run of the same scene; the tables say which."
+                    .into()
+            }
+        }
+    }
+}

@@ -1,0 +1,386 @@
+//! `summary.json`: what was run, what came out and how far to believe it, for machines.
+
+mod of_run;
+
+use pounding_solver::{Terms, Work};
+use serde::{Deserialize, Serialize};
+
+use pounding_scene::{Effects, Implausible, Scene};
+
+/// What was run, what came out and how far to believe it; units stand in the names of its fields.
+///
+/// A field that is absent does not apply. Fields are added in later versions, never renamed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Version of the program.
+    pub version: String,
+    /// The scene as it ran: with its duration, and with the method found where it asks for an accuracy.
+    pub scene: Scene,
+    /// How it was integrated.
+    pub method: MethodSummary,
+    /// The ground motion.
+    pub record: RecordSummary,
+    /// The structures and walls, from left to right.
+    pub structures: Vec<StructureSummary>,
+    /// The pairs of neighbours that can touch, from left to right.
+    pub pairs: Vec<PairSummary>,
+    /// What pounding does to every storey, where that was asked for: in the order of the structures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub effects: Option<Effects>,
+    /// Where the energy went.
+    pub ledger: LedgerSummary,
+    /// What the run cost.
+    pub work: WorkSummary,
+    /// What looks wrong in the scene, though it can be modelled.
+    #[serde(default)]
+    pub unusual: Vec<Implausible>,
+    /// What to know before believing the numbers, in words.
+    pub warnings: Vec<String>,
+}
+
+/// How a scene was integrated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MethodSummary {
+    /// Name, as scene files spell it.
+    pub name: String,
+    /// Time step \[s\]; absent for the exact method.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_step_s: Option<f64>,
+    /// Duration of the run \[s\].
+    pub duration_s: f64,
+    /// Interval of the histories \[s\].
+    pub history_interval_s: f64,
+    /// Largest relative error that the scene allows \[–\], where it asks for an accuracy.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chosen_for_error: Option<f64>,
+    /// How errors are known: `exact` (there are none beyond rounding and the tolerance), `measured` (against the exact
+    /// run), `not_measured` (not asked for) or `unknown` (the exact run fails, or breaks a law of mechanics).
+    pub errors: String,
+    /// Largest relative error of all that were measured \[–\]; `null` where a number of one run has none in the other.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub largest_error: Option<f64>,
+}
+
+/// The ground motion of a scene.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RecordSummary {
+    /// File as the scene names it; absent for a motion from a formula.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// SHA-256 of the file, in hexadecimal digits.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha256: Option<String>,
+    /// Format of the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub format: Option<String>,
+    /// Unit of the values in the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// What its source was multiplied by, all scales together \[–\]; 1 where nothing was scaled.
+    #[serde(default = "one")]
+    pub scale_factor: f64,
+    /// Number of samples, as used.
+    pub samples: usize,
+    /// Time between them \[s\].
+    pub time_step_s: f64,
+    /// Ground acceleration of largest magnitude, as used \[m/s²\].
+    pub peak_m_per_s2: f64,
+    /// Its instant \[s\].
+    pub peak_time_s: f64,
+    /// What the file says of itself.
+    pub provenance: String,
+    /// What was read of the file, and where it stood.
+    pub readings: Vec<ReadingSummary>,
+    /// What was done to it before it shook the row, in words, in this order.
+    pub processing: Vec<String>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// One thing that was read of a file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ReadingSummary {
+    /// What it is.
+    pub what: String,
+    /// Line of the file, from 1; absent for a binary file and for what was declared.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// What was found, with its unit.
+    pub found: String,
+}
+
+/// What happened to a structure or a wall.
+///
+/// A wall has its name and its transferred momentum only.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct StructureSummary {
+    /// Its name; of a floor of a building that of the building and the number of the storey.
+    pub name: String,
+    /// Storey below the floor, counted from 1; absent for a structure of one storey and a wall.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub storey: Option<usize>,
+    /// Natural period \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub period_s: Option<f64>,
+    /// Damping ratio \[–\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub damping_ratio: Option<f64>,
+    /// Displacement of largest magnitude, relative to the ground, positive to the right \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_displacement_m: Option<f64>,
+    /// Its instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_displacement_time_s: Option<f64>,
+    /// Shear force of largest magnitude \[N\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_shear_force_n: Option<f64>,
+    /// Its instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_shear_force_time_s: Option<f64>,
+    /// Drift of largest magnitude of the storey, displacement of the floor relative to the one below \[m\]; absent where the
+    /// storey stands on the ground, whose drift is the displacement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_drift_m: Option<f64>,
+    /// Its instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_drift_time_s: Option<f64>,
+    /// Displacement at the end of the run, relative to the ground \[m\]: the residual one, once the free vibration has died
+    /// away.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual_displacement_at_end_m: Option<f64>,
+    /// The same of the drift of the storey; absent where the storey stands on the ground.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual_drift_at_end_m: Option<f64>,
+    /// Absolute acceleration of largest magnitude \[m/s²\], that of the ground included; impulsive impacts, which have no
+    /// limit, are left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_acceleration_m_per_s2: Option<f64>,
+    /// Its instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_acceleration_time_s: Option<f64>,
+    /// Peak drift over the drift at which the columns yield \[–\]; of columns that can.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ductility: Option<f64>,
+    /// Peak drift over the height of the storey \[–\], ≥ 0; where the scene gives the height.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drift_ratio: Option<f64>,
+    /// Sum of the impulses that it got from its neighbours, by magnitude \[N·s\].
+    pub transferred_momentum_n_s: f64,
+    /// How far these numbers are from the exact run, where measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub errors: Option<StructureErrorSummary>,
+}
+
+/// Distances from the exact run; relative to its magnitude \[–\] where no unit is given, `null` where it is 0 and this run's
+/// number is not.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StructureErrorSummary {
+    /// Of the peak displacement, and so of the drift ratio and the ductility where the storey stands on the ground.
+    pub peak_displacement: Option<f64>,
+    /// Of its instant \[s\].
+    pub peak_displacement_time_s: Option<f64>,
+    /// Of the peak drift of a storey on another floor, and so of its drift ratio and ductility; absent for others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_drift: Option<f64>,
+    /// Of the displacement at the end, relative to itself, or to 5 % of the exact peak displacement where it is less.
+    #[serde(default)]
+    pub residual_displacement_at_end: Option<f64>,
+    /// The same of the drift at the end, and 5 % of the exact peak drift; absent where the storey stands on the ground.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual_drift_at_end: Option<f64>,
+    /// Of the peak absolute acceleration.
+    #[serde(default)]
+    pub peak_acceleration: Option<f64>,
+    /// Of the peak shear force.
+    pub peak_shear_force: Option<f64>,
+    /// Of the transferred momentum.
+    pub transferred_momentum: Option<f64>,
+}
+
+/// What happened between two neighbours.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PairSummary {
+    /// Name of the left neighbour.
+    pub left: String,
+    /// Name of the right neighbour.
+    pub right: String,
+    /// Gap at rest \[m\].
+    pub gap_m: f64,
+    /// Contact law, as scene files spell it.
+    pub law: String,
+    /// Number of collisions, each from touch to parting; of impacts every bounce, the last one with the rest that follows.
+    pub collisions: usize,
+    /// The first of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<CollisionSummary>,
+    /// The one with the largest impulse.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub largest: Option<CollisionSummary>,
+    /// Largest pounding force \[N\]; absent where an impact is impulsive, which has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_force_n: Option<f64>,
+    /// Its first instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_force_time_s: Option<f64>,
+    /// Sum of the impulses \[N·s\].
+    pub total_impulse_n_s: f64,
+    /// Time for which they touch, all collisions together \[s\].
+    #[serde(default)]
+    pub touching_s: f64,
+    /// The collision that lasts longest, where it lasts more than 0.25 s: the neighbours lean on each other, and its impulse is
+    /// that of a push.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leaning: Option<CollisionSummary>,
+    /// Least opening of the gap \[m\], between time steps and rows of the histories too; not more than 0 where they touch,
+    /// negative where they overlap.
+    pub least_opening_m: f64,
+    /// Its instant \[s\].
+    pub least_opening_time_s: f64,
+    /// How far these numbers are from the exact run, where measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub errors: Option<PairErrorSummary>,
+}
+
+/// One touching of two neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CollisionSummary {
+    /// First instant \[s\].
+    pub start_s: f64,
+    /// Last instant \[s\].
+    pub end_s: f64,
+    /// Impulse \[N·s\].
+    pub impulse_n_s: f64,
+    /// Largest pounding force \[N\]; absent for an impulsive impact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_force_n: Option<f64>,
+    /// Its first instant \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_force_time_s: Option<f64>,
+}
+
+/// Distances from the exact run; relative to its magnitude \[–\] where no unit is given, `null` where they cannot be compared:
+/// one run has no such number, or the pair rests.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PairErrorSummary {
+    /// Number of collisions in the exact run.
+    pub exact_collisions: usize,
+    /// Whether the pair comes to rest in the exact run, where this one has an impact in every step: then only the time of
+    /// the first is compared.
+    pub rests: bool,
+    /// Of the time of the first collision \[s\].
+    pub first_time_s: Option<f64>,
+    /// Of the impulse of the first collision.
+    pub first_impulse: Option<f64>,
+    /// Of the largest impulse.
+    pub largest_impulse: Option<f64>,
+    /// Of the peak pounding force.
+    pub peak_force: Option<f64>,
+    /// Of the sum of all impulses.
+    #[serde(default)]
+    pub total_impulse: Option<f64>,
+    /// Of the time for which they touch, relative to itself, or to 0.25 s where it is less.
+    #[serde(default)]
+    pub touching: Option<f64>,
+    /// Of the least opening, relative to itself, or to 5 % of the larger exact peak displacement of both where it is less.
+    #[serde(default)]
+    pub least_opening: Option<f64>,
+}
+
+/// Where the energy of the row went, at the end of the run; of the motion relative to the ground.
+///
+/// kinetic + strain + damping + hysteretic + impact + contact = initial + input + opening.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LedgerSummary {
+    /// Energy at the start \[J\].
+    pub initial_j: f64,
+    /// Work of the shaking \[J\].
+    pub input_j: f64,
+    /// Work that bases which move towards each other do through contact \[J\]; left out where all are shaken at once.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub opening_j: f64,
+    /// Kinetic energy \[J\].
+    pub kinetic_j: f64,
+    /// Energy stored in the columns \[J\].
+    pub strain_j: f64,
+    /// Energy that viscous damping took \[J\].
+    pub damping_j: f64,
+    /// Energy that yielding took \[J\].
+    pub hysteretic_j: f64,
+    /// Energy that impulsive impacts took \[J\].
+    pub impact_j: f64,
+    /// Energy that compliant contact took \[J\].
+    pub contact_j: f64,
+    /// Largest over time of what the balance leaves over, relative to the scale \[–\].
+    pub residual: f64,
+    /// Largest over time of the initial energy plus the magnitudes of the terms \[J\].
+    pub scale_j: f64,
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
+impl LedgerSummary {
+    pub(super) fn of(balance: &pounding_scene::Balance) -> Self {
+        let Terms {
+            initial,
+            input,
+            opening,
+            kinetic,
+            strain,
+            damping,
+            hysteretic,
+            impact,
+            contact,
+        } = balance.terms;
+        Self {
+            initial_j: initial,
+            input_j: input,
+            opening_j: opening,
+            kinetic_j: kinetic,
+            strain_j: strain,
+            damping_j: damping,
+            hysteretic_j: hysteretic,
+            impact_j: impact,
+            contact_j: contact,
+            residual: balance.residual,
+            scale_j: balance.scale,
+        }
+    }
+}
+
+/// What a run cost, in counts that are the same on every machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct WorkSummary {
+    /// Time steps of the row.
+    pub steps: u64,
+    /// Evaluations of a restoring force.
+    pub force_evaluations: u64,
+    /// Newton iterations.
+    pub newton_iterations: u64,
+    /// Steps in contact.
+    pub touching_steps: u64,
+    /// Pieces of motion of the exact method.
+    pub segments: u64,
+    /// Events of the exact method.
+    pub events: u64,
+}
+
+impl WorkSummary {
+    pub(super) fn of(work: &Work) -> Self {
+        Self {
+            steps: work.steps,
+            force_evaluations: work.force_evaluations,
+            newton_iterations: work.newton_iterations,
+            touching_steps: work.touching_steps,
+            segments: work.segments,
+            events: work.events,
+        }
+    }
+}

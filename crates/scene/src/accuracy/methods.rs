@@ -1,0 +1,200 @@
+//! The methods that compete, in the trade and for advice: to add one is a line.
+
+use pounding_solver::{Newmark, SimultaneousImpacts, VerletImpacts};
+
+use crate::{Method, Scene};
+
+/// A method with all its settings but one: its time step or its tolerance.
+#[derive(Debug, Clone, Copy)]
+pub struct ComparedMethod {
+    /// Name in tables.
+    pub key: &'static str,
+    /// Name in figures.
+    pub label: &'static str,
+    /// What its ladder changes.
+    pub knob: Knob,
+    /// Where it differs from another contender.
+    pub(crate) differs: Differs,
+    /// The method at a time step \[s\] or tolerance \[–\].
+    pub method: fn(f64) -> Method,
+}
+
+/// What the ladder of a method changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Knob {
+    /// The time step \[s\].
+    TimeStep,
+    /// The tolerance \[–\]; it acts in compliant contact only.
+    Tolerance,
+}
+
+/// The scenes in which a method is not the same as another one of the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Differs {
+    Everywhere,
+    /// Where structures can touch.
+    InContact,
+    /// Where contact is impulsive; elsewhere Moreau–Jean time stepping with θ = 1/2 is Newmark's average acceleration.
+    InImpacts,
+}
+
+/// The method whose results the others are measured by, at its finest.
+pub const REFERENCE: &str = "exact";
+/// The stepping method that the exact one is held against.
+pub const RIVAL: &str = "central_difference";
+
+/// A method with a time step, by name.
+#[derive(Debug, Clone, Copy)]
+pub struct StepMethod(&'static ComparedMethod);
+
+impl StepMethod {
+    /// Every method with a time step, in the order of tables.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let steps = |contender: &&ComparedMethod| contender.knob == Knob::TimeStep;
+        COMPARED_METHODS.iter().filter(steps).map(Self)
+    }
+
+    /// Those of them that are not the same as another one under an impulsive law, or a compliant one.
+    pub fn differing(impulsive: bool) -> impl Iterator<Item = Self> {
+        let differs = move |method: &Self| impulsive || method.0.differs != Differs::InImpacts;
+        Self::all().filter(differs)
+    }
+
+    /// Name in tables.
+    pub fn name(self) -> &'static str {
+        self.0.key
+    }
+
+    /// Name in text.
+    pub fn label(self) -> &'static str {
+        self.0.label
+    }
+
+    /// The method at a time step \[s\].
+    pub fn at(self, time_step: f64) -> Method {
+        (self.0.method)(time_step)
+    }
+}
+
+/// Every contender, in the order of tables and legends.
+pub const COMPARED_METHODS: &[ComparedMethod] = &[
+    ComparedMethod {
+        key: RIVAL,
+        label: "Central difference",
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        method: |step| Method::central_difference(step, 1),
+    },
+    ComparedMethod {
+        key: "central_difference_10_contact_substeps",
+        label: "Central difference, 10 sub-steps in contact",
+        knob: Knob::TimeStep,
+        differs: Differs::InContact,
+        method: |step| Method::central_difference(step, 10),
+    },
+    ComparedMethod {
+        key: "velocity_verlet",
+        label: "Velocity Verlet",
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        method: |step| verlet(step, VerletImpacts::VelocityJump),
+    },
+    ComparedMethod {
+        key: "velocity_verlet_located",
+        label: "Velocity Verlet, impacts located",
+        knob: Knob::TimeStep,
+        differs: Differs::InImpacts,
+        method: |step| verlet(step, VerletImpacts::Located),
+    },
+    ComparedMethod {
+        key: "newmark_average_acceleration",
+        label: "Newmark, average acceleration",
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        method: |step| newmark(step, Newmark::AVERAGE_ACCELERATION),
+    },
+    ComparedMethod {
+        key: "newmark_linear_acceleration",
+        label: "Newmark, linear acceleration",
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        method: |step| newmark(step, Newmark::LINEAR_ACCELERATION),
+    },
+    ComparedMethod {
+        key: "hht",
+        label: "HHT, α = −0.1",
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        method: |time_step_s| Method::Hht {
+            time_step_s,
+            alpha: -0.1,
+        },
+    },
+    ComparedMethod {
+        key: "moreau_jean",
+        label: "Moreau–Jean, θ = 1/2",
+        knob: Knob::TimeStep,
+        differs: Differs::InImpacts,
+        method: |time_step_s| Method::MoreauJean {
+            time_step_s,
+            theta: 0.5,
+        },
+    },
+    ComparedMethod {
+        key: "rk4",
+        label: "Runge–Kutta 4",
+        knob: Knob::TimeStep,
+        differs: Differs::Everywhere,
+        method: |time_step_s| Method::Rk4 { time_step_s },
+    },
+    ComparedMethod {
+        key: REFERENCE,
+        label: "Exact",
+        knob: Knob::Tolerance,
+        differs: Differs::Everywhere,
+        method: |tolerance| Method::Exact {
+            tolerance,
+            simultaneous_impacts: SimultaneousImpacts::Together,
+        },
+    },
+];
+
+/// Name of a contender in figures, by its name in tables.
+pub fn label_of(key: &str) -> &'static str {
+    let found = COMPARED_METHODS
+        .iter()
+        .find(|contender| contender.key == key);
+    found.map_or("", |contender| contender.label)
+}
+
+fn verlet(time_step_s: f64, impacts: VerletImpacts) -> Method {
+    Method::VelocityVerlet {
+        time_step_s,
+        impacts,
+    }
+}
+
+fn newmark(time_step_s: f64, Newmark { beta, gamma }: Newmark) -> Method {
+    Method::Newmark {
+        time_step_s,
+        beta,
+        gamma,
+    }
+}
+
+impl ComparedMethod {
+    /// Whether the method is run on a scene.
+    pub(crate) fn enters(&self, scene: &Scene) -> bool {
+        match self.differs {
+            Differs::Everywhere => true,
+            Differs::InContact => scene.contacts.is_some(),
+            Differs::InImpacts => scene.is_impulsive(),
+        }
+    }
+}
+
+/// Whether a contact of the scene has a force over time, and not only impulses.
+pub fn is_compliant(scene: &Scene) -> bool {
+    let mut contacts = scene.contacts.iter().flatten();
+    contacts.any(|contact| contact.law.is_compliant())
+}

@@ -1,0 +1,285 @@
+//! Buildings of several storeys, as files give them.
+
+use pounding_solver::{Damping as SolverDamping, Elastic, Mode, Storey as SolverStorey, modes};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::choice;
+use super::columns::{BoucWen, Columns, ColumnsFile, ColumnsFileError, positive};
+use crate::Damping;
+
+/// A building whose floors move as rigid plates on the columns of their storeys (shear building).
+///
+/// A file may give the natural period of the building instead of the stiffness of its storeys, and a storey may stand for
+/// several equal ones.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "BuildingFile")]
+#[schemars(with = "BuildingFile")]
+pub struct Building {
+    /// Name for tables and figures.
+    pub name: String,
+    /// Viscous damping; it stays that of the elastic building when columns yield.
+    pub damping: Damping,
+    /// The storeys, from the ground up.
+    pub storeys: Vec<Storey>,
+}
+
+/// A storey: its columns, and the floor that they carry.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Storey {
+    /// Mass of the floor \[kg\], > 0.
+    pub mass_kg: f64,
+    /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height_m: Option<f64>,
+    /// Its columns.
+    #[serde(flatten)]
+    pub columns: Columns,
+    /// Displacement of the floor at t = 0 \[m\], relative to the ground.
+    #[serde(skip_serializing_if = "super::is_zero")]
+    pub initial_displacement_m: f64,
+    /// Its velocity at t = 0 \[m/s\].
+    #[serde(skip_serializing_if = "super::is_zero")]
+    pub initial_velocity_m_per_s: f64,
+}
+
+/// A building in the words of a file.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(inline)]
+struct BuildingFile {
+    /// Name for tables and figures.
+    name: String,
+    /// Viscous damping: a `ratio` holds in the first two modes.
+    #[serde(deserialize_with = "choice::one")]
+    damping: Damping,
+    /// First natural period of the building \[s\], > 0: storeys then need no stiffness; with `stiffness_n_per_m` in all of
+    /// them, only their proportions count.
+    period_s: Option<f64>,
+    /// The storeys, from the ground up, 1 to 200.
+    storeys: Vec<StoreyFile>,
+}
+
+/// A storey, or several equal ones, in the words of a file.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct StoreyFile {
+    /// Mass of the floor \[kg\], > 0.
+    mass_kg: f64,
+    /// Stiffness of the columns \[N/m\], > 0; may be left out where the building gives `period_s`.
+    stiffness_n_per_m: Option<f64>,
+    /// Shear force at which the columns yield \[N\], > 0; without it, and without a yield displacement or drift ratio, they
+    /// stay elastic.
+    yield_force_n: Option<f64>,
+    /// Drift at which the columns yield \[m\], > 0.
+    yield_displacement_m: Option<f64>,
+    /// The same divided by `height_m` \[–\], > 0.
+    yield_drift_ratio: Option<f64>,
+    /// Stiffness after yielding over that before \[–\], 0 to less than 1; 0 if left out.
+    hardening_ratio: Option<f64>,
+    /// Smooth yielding; if left out, columns yield at one point.
+    bouc_wen: Option<BoucWen>,
+    /// Height of the storey \[m\], > 0; for drift ratios and for which floors face each other.
+    height_m: Option<f64>,
+    /// Displacement of the floor at t = 0 \[m\], relative to the ground.
+    #[serde(default)]
+    initial_displacement_m: f64,
+    /// Its velocity at t = 0 \[m/s\].
+    #[serde(default)]
+    initial_velocity_m_per_s: f64,
+    /// Number of equal storeys, one above the other; 1 if left out.
+    #[serde(default = "once")]
+    repeat: usize,
+}
+
+fn once() -> usize {
+    1
+}
+
+/// Most storeys of a building.
+const MOST_STOREYS: usize = 200;
+
+/// A building that a file gives in too few, too many or wrong words.
+#[derive(Debug, thiserror::Error)]
+enum BuildingFileError {
+    #[error("storeys: found {0}, allowed are 1 to 200; `repeat` counts too")]
+    Storeys(usize),
+    #[error(
+        "storeys[{0}].repeat: found 0, allowed a whole number from 1; leave the storey out instead"
+    )]
+    NoRepeat(usize),
+    #[error(
+        "storeys[{0}]: found no `stiffness_n_per_m`, which must be there, or the building's `period_s` instead; add one of them"
+    )]
+    NoStiffness(usize),
+    #[error(
+        "storeys: found `stiffness_n_per_m` in some of them, allowed is in all or, with `period_s`, in none"
+    )]
+    SomeStiffnesses,
+    #[error(
+        "storeys: found masses and stiffnesses so unlike that their modes cannot be told; give like ones"
+    )]
+    NoPeriod,
+    #[error("{field}: found {}, allowed a finite number > 0", pounding_text::plain(*found))]
+    OutOfRange { field: String, found: f64 },
+    #[error("storeys[{storey}]: {source}")]
+    Columns {
+        storey: usize,
+        source: ColumnsFileError,
+    },
+}
+
+impl TryFrom<BuildingFile> for Building {
+    type Error = BuildingFileError;
+
+    fn try_from(words: BuildingFile) -> Result<Self, BuildingFileError> {
+        if let Some(storey) = words.storeys.iter().position(|one| one.repeat == 0) {
+            return Err(BuildingFileError::NoRepeat(storey));
+        }
+        let count = words.storeys.iter().map(|one| one.repeat);
+        let count = count.fold(0_usize, usize::saturating_add);
+        if !(1..=MOST_STOREYS).contains(&count) {
+            return Err(BuildingFileError::Storeys(count));
+        }
+        let stiffnesses = words.stiffnesses()?;
+        let mut storeys = Vec::with_capacity(count);
+        for (index, (storey, stiffness)) in words.storeys.iter().zip(stiffnesses).enumerate() {
+            let one = storey
+                .storey(stiffness)
+                .map_err(|source| BuildingFileError::Columns {
+                    storey: index,
+                    source,
+                })?;
+            storeys.extend(std::iter::repeat_n(one, storey.repeat));
+        }
+        Ok(Self {
+            name: words.name,
+            damping: words.damping,
+            storeys,
+        })
+    }
+}
+
+impl BuildingFile {
+    /// Stiffness of every storey as listed \[N/m\].
+    fn stiffnesses(&self) -> Result<Vec<f64>, BuildingFileError> {
+        let given = self.storeys.iter().map(|one| one.stiffness_n_per_m);
+        let Some(period) = self.period_s else {
+            let stiffness = |(index, given): (usize, Option<f64>)| {
+                given.ok_or(BuildingFileError::NoStiffness(index))
+            };
+            return given.enumerate().map(stiffness).collect();
+        };
+        let n_given = given.clone().flatten().count();
+        if n_given != 0 && n_given != self.storeys.len() {
+            return Err(BuildingFileError::SomeStiffnesses);
+        }
+        let period = check("period_s".into(), period)?;
+        let proportions: Vec<f64> = given.map(|given| given.unwrap_or(1.0)).collect();
+        let mut storeys = Vec::new();
+        for (index, (storey, proportion)) in self.storeys.iter().zip(&proportions).enumerate() {
+            let mass = check(format!("storeys[{index}].mass_kg"), storey.mass_kg)?;
+            let field = format!("storeys[{index}].stiffness_n_per_m");
+            let stiffness = check(field, *proportion)?;
+            let one = undamped(mass, stiffness);
+            storeys.extend(std::iter::repeat_n(one, storey.repeat));
+        }
+        let found = modes(&storeys).ok();
+        let found = found.and_then(|modes| modes.first().map(Mode::period));
+        let found = found.ok_or(BuildingFileError::NoPeriod)?;
+        let factor = (found / period) * (found / period);
+        Ok(proportions.iter().map(|one| factor * one).collect())
+    }
+}
+
+/// What is converted must be in range here: what comes of it would not tell which field is wrong.
+fn check(field: String, found: f64) -> Result<f64, BuildingFileError> {
+    positive("", found).map_err(|_| BuildingFileError::OutOfRange { field, found })
+}
+
+impl StoreyFile {
+    fn storey(&self, stiffness: f64) -> Result<Storey, ColumnsFileError> {
+        let words = ColumnsFile {
+            yield_force_n: self.yield_force_n,
+            yield_displacement_m: self.yield_displacement_m,
+            yield_drift_ratio: self.yield_drift_ratio,
+            hardening_ratio: self.hardening_ratio,
+            bouc_wen: self.bouc_wen,
+            height_m: self.height_m,
+        };
+        Ok(Storey {
+            mass_kg: self.mass_kg,
+            height_m: self.height_m,
+            columns: words.columns(stiffness)?,
+            initial_displacement_m: self.initial_displacement_m,
+            initial_velocity_m_per_s: self.initial_velocity_m_per_s,
+        })
+    }
+}
+
+/// A storey without damping, for modes.
+fn undamped(mass: f64, stiffness: f64) -> SolverStorey<Elastic> {
+    SolverStorey {
+        mass,
+        damping: 0.0,
+        ground_damping: 0.0,
+        column: Elastic { stiffness },
+    }
+}
+
+impl Building {
+    /// Natural modes of the elastic building, the slowest first; none of values that its check refuses.
+    pub fn modes(&self) -> Vec<Mode> {
+        modes(&self.elastic()).unwrap_or_default()
+    }
+
+    /// The elastic storeys with their damping, from the ground up.
+    fn elastic(&self) -> Vec<SolverStorey<Elastic>> {
+        let storeys = self.storeys.iter().zip(self.dampings());
+        let storey = |(storey, (damping, ground_damping)): (&Storey, (f64, f64))| SolverStorey {
+            damping,
+            ground_damping,
+            ..undamped(storey.mass_kg, storey.columns.stiffness_n_per_m)
+        };
+        storeys.map(storey).collect()
+    }
+
+    /// Damping coefficients of every storey \[N·s/m\]: between its floor and what it stands on, and of its floor against the
+    /// ground.
+    pub fn dampings(&self) -> Vec<(f64, f64)> {
+        let of = |storey: &Storey| match self.rayleigh() {
+            SolverDamping::Rayleigh { alpha, beta } => (
+                beta * storey.columns.stiffness_n_per_m,
+                alpha * storey.mass_kg,
+            ),
+            // Of one storey.
+            damping @ SolverDamping::Ratio(_) => (
+                damping.coefficient(storey.mass_kg, storey.columns.stiffness_n_per_m),
+                0.0,
+            ),
+        };
+        self.storeys.iter().map(of).collect()
+    }
+
+    /// Rayleigh damping of all storeys; a ratio for a building of one.
+    fn rayleigh(&self) -> SolverDamping {
+        let (of_modes, ratios) = match self.damping {
+            Damping::Ratio(ratio) if self.storeys.len() > 1 => ([1, 2], [ratio, ratio]),
+            Damping::Modes { modes, ratios } => (modes, ratios),
+            Damping::Ratio(_) | Damping::Rayleigh { .. } | Damping::TwoFrequencies { .. } => {
+                return self.damping.to_solver();
+            }
+        };
+        let storeys = self.storeys.iter();
+        let storeys = storeys
+            .map(|storey| undamped(storey.mass_kg, storey.columns.stiffness_n_per_m))
+            .collect::<Vec<_>>();
+        let all = modes(&storeys).unwrap_or_default();
+        let mode = |number: usize| all.get(number.wrapping_sub(1));
+        let found = mode(of_modes[0])
+            .zip(mode(of_modes[1]))
+            .and_then(|(one, other)| SolverDamping::rayleigh_from_modes([one, other], ratios).ok());
+        // Modes that are not there are refused by the check of a scene.
+        found.unwrap_or(SolverDamping::Ratio(0.0))
+    }
+}

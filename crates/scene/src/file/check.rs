@@ -1,0 +1,212 @@
+//! Checks a scene, field by field, before anything is built from it.
+
+pub(crate) mod record;
+mod structure;
+
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+
+use crate::{Method, Scene, SceneError, Structure};
+
+/// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
+fn require(
+    valid: bool,
+    place: impl Display,
+    found: f64,
+    allowed: &'static str,
+) -> Result<(), SceneError> {
+    let usual = found == 0.0 || USUAL.contains(&found.abs());
+    if valid && usual {
+        return Ok(());
+    }
+    Err(SceneError::OutOfRange {
+        place: place.to_string(),
+        found,
+        allowed: if valid { IN_USUAL } else { allowed },
+    })
+}
+
+/// Magnitudes of the numbers of a scene that are not 0: products of some of them, such as a mass times the square of a
+/// frequency, remain numbers, and so does what follows from them.
+const USUAL: RangeInclusive<f64> = 1e-100..=1e100;
+const IN_USUAL: &str = "0, or numbers from 1e-100 to 1e100 in magnitude";
+
+const POSITIVE: &str = "a finite number > 0";
+const NOT_NEGATIVE: &str = "a finite number >= 0";
+const FINITE: &str = "a finite number";
+
+impl Scene {
+    /// Refuses the first field that cannot be modelled, in the order of the file.
+    ///
+    /// # Errors
+    /// [`SceneError`] of that field.
+    pub fn check(&self) -> Result<(), SceneError> {
+        named("name", &self.name, "a name, for tables and figures")?;
+        record::check(&self.record)?;
+        if self.structures.is_empty() {
+            return Err(SceneError::NoStructures);
+        }
+        for (index, structure) in self.structures.iter().enumerate() {
+            structure::check(index, structure)?;
+        }
+        check_budget(self)?;
+        self.check_method()?;
+        check_contacts(self)?;
+        check_arrivals(self)
+    }
+
+    /// Refuses settings of the method and a duration that do not fit each other.
+    ///
+    /// # Errors
+    /// [`SceneError`] of the field.
+    pub fn check_method(&self) -> Result<(), SceneError> {
+        if let Method::Accuracy(accuracy) = self.method {
+            let valid = accuracy > 0.0 && accuracy < 1.0;
+            let allowed = "a number > 0 and < 1, such as 0.01 for 1 %";
+            require(valid, "method.accuracy", accuracy, allowed)?;
+        }
+        if let Some(duration) = self.duration_s {
+            require(duration > 0.0, "duration_s", duration, POSITIVE)?;
+        }
+        let Some(dt) = self.method.time_step() else {
+            return Ok(());
+        };
+        let place = format_args!("method.{}.time_step_s", self.method.name());
+        require(dt > 0.0, place, dt, POSITIVE)?;
+        match self.duration_s {
+            Some(duration) => check_steps(self, dt, duration),
+            None => Ok(()),
+        }
+    }
+}
+
+fn check_arrivals(scene: &Scene) -> Result<(), SceneError> {
+    let Some(arrivals) = &scene.arrivals_s else {
+        return Ok(());
+    };
+    let n_structures = scene.structures.len();
+    if arrivals.len() != n_structures {
+        return Err(SceneError::ArrivalCount {
+            found: arrivals.len(),
+            n_structures,
+        });
+    }
+    for (index, &arrival) in arrivals.iter().enumerate() {
+        let place = format_args!("arrivals_s[{index}]");
+        require(arrival >= 0.0, place, arrival, NOT_NEGATIVE)?;
+    }
+    Ok(())
+}
+
+/// Refuses a name without a letter.
+fn named(place: impl Display, name: &str, allowed: &'static str) -> Result<(), SceneError> {
+    if name.trim().is_empty() {
+        let place = place.to_string();
+        return Err(SceneError::NoName { place, allowed });
+    }
+    Ok(())
+}
+
+/// Refuses a time step with which a structure grows without bound, though it touch nobody.
+pub(crate) fn free_limit(scene: &Scene) -> Result<(), SceneError> {
+    let Some(time_step) = scene.method.time_step() else {
+        return Ok(());
+    };
+    match scene.critical_time_step() {
+        Some((structure, limit)) if time_step >= limit => Err(SceneError::Unstable {
+            method: scene.method.name(),
+            time_step,
+            limit,
+            structure,
+            name: scene.structures[structure].name().into(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Largest budget of steps.
+const MOST_STEPS: f64 = 1e9;
+
+fn check_steps(scene: &Scene, dt: f64, duration: f64) -> Result<(), SceneError> {
+    let place = "duration_s";
+    let steps = duration / dt;
+    let whole = duration > 0.0 && (steps - steps.round()).abs() <= 1e-6;
+    let allowed = "a whole number of the method's time_step_s, at least 1";
+    require(whole, place, duration, allowed)?;
+    let substeps = scene.method.contact_substeps();
+    let needed = steps * n_floors(scene) as f64 * f64::from(substeps);
+    let allowed = scene.budget.most_steps();
+    if needed <= allowed {
+        return Ok(());
+    }
+    Err(SceneError::TooManySteps {
+        duration,
+        needed,
+        allowed,
+        substeps,
+    })
+}
+
+/// Refuses a budget of nothing.
+fn check_budget(scene: &Scene) -> Result<(), SceneError> {
+    let budget = &scene.budget;
+    if let Some(steps) = budget.steps {
+        let valid = steps > 0.0 && steps <= MOST_STEPS;
+        let allowed = "a number > 0 and <= 1e9, of which a run remembers each for 8 bytes";
+        require(valid, "budget.steps", steps, allowed)?;
+    }
+    let others = [
+        ("budget.pieces", budget.pieces),
+        ("budget.seconds", budget.seconds),
+    ];
+    for (place, given) in others {
+        if let Some(given) = given {
+            require(given > 0.0, place, given, POSITIVE)?;
+        }
+    }
+    Ok(())
+}
+
+/// Number of floors of all structures, of which each wall is one.
+pub(crate) fn n_floors(scene: &Scene) -> usize {
+    let floors = |structure: &Structure| match structure {
+        Structure::Building(building) => building.storeys.len(),
+        Structure::Sdof(_) | Structure::Wall => 1,
+    };
+    scene.structures.iter().map(floors).sum()
+}
+
+fn check_contacts(scene: &Scene) -> Result<(), SceneError> {
+    let Some(contacts) = &scene.contacts else {
+        return Ok(());
+    };
+    let (n_structures, allowed) = (scene.structures.len(), scene.structures.len() - 1);
+    if contacts.len() != allowed {
+        return Err(SceneError::ContactCount {
+            found: contacts.len(),
+            allowed,
+            n_structures,
+        });
+    }
+    for (index, contact) in contacts.iter().enumerate() {
+        require(
+            contact.gap_m >= 0.0,
+            format_args!("contacts[{index}].gap_m"),
+            contact.gap_m,
+            NOT_NEGATIVE,
+        )?;
+        contact
+            .law
+            .check()
+            .map_err(|error| SceneError::OutOfRange {
+                place: format!(
+                    "contacts[{index}].law.{}.{}",
+                    contact.law.name(),
+                    error.parameter
+                ),
+                found: error.found,
+                allowed: error.allowed,
+            })?;
+    }
+    Ok(())
+}

@@ -1,0 +1,177 @@
+//! Choices in the words of a file: a word, or a table with one key and its settings.
+//!
+//! A word alone stands for the table with nothing in it, `"exact"` for `{"exact": {}}`. Where the choice needs settings, the
+//! message shows them by an example.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use pounding_contact::ContactLaw;
+use schemars::Schema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{DeserializeOwned, Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Value, json};
+
+use crate::file::fault::TWO_CHOICES;
+
+/// A type of which a file chooses one variant.
+pub(super) trait Choice: DeserializeOwned + Serialize {
+    /// An example in JSON of every variant that needs settings.
+    const EXAMPLES: &'static [&'static str];
+}
+
+/// Reads a choice.
+pub(super) fn one<'de, T: Choice, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
+    from.deserialize_any(OfFile(PhantomData))
+}
+
+/// Reads a choice that may be left out.
+pub(super) fn maybe<'de, T: Choice, D: Deserializer<'de>>(from: D) -> Result<Option<T>, D::Error> {
+    Ok(Option::<Chosen<T>>::deserialize(from)?.map(|Chosen(choice)| choice))
+}
+
+/// A choice that was read.
+struct Chosen<T>(T);
+
+impl<'de, T: Choice> Deserialize<'de> for Chosen<T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        one(from).map(Self)
+    }
+}
+
+struct OfFile<T>(PhantomData<T>);
+
+impl<'de, T: Choice> Visitor<'de> for OfFile<T> {
+    type Value = T;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("string or map")
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
+        let whole = [json!(word), json!({ word: {} })];
+        let [alone, empty] = whole.map(serde_json::from_value::<T>);
+        alone.or(empty).map_err(|error| {
+            let message = error.to_string();
+            // The message lists the words that are known.
+            if message.starts_with("unknown variant") {
+                E::custom(message)
+            } else {
+                E::custom(needs_settings::<T>(word))
+            }
+        })
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<T, A::Error> {
+        let choice = T::deserialize(MapAccessDeserializer::new(&mut map))?;
+        match map.next_key::<String>()? {
+            Some(other) => Err(A::Error::custom(two_choices(&choice, &other))),
+            None => Ok(choice),
+        }
+    }
+}
+
+/// What is said of a choice and another word beside it.
+fn two_choices<T: Choice>(choice: &T, other: &str) -> String {
+    let choice = json!(choice);
+    let table = choice.as_object().and_then(|table| table.keys().next());
+    let first = table.map(String::as_str).or(choice.as_str());
+    format!("{TWO_CHOICES}`{}` and `{other}`", first.unwrap_or_default())
+}
+
+/// What is said of a word that needs settings.
+fn needs_settings<T: Choice>(word: &str) -> String {
+    let begin = format!("{{\"{word}\":");
+    let mut examples = T::EXAMPLES.iter();
+    let example = examples.find(|example| example.starts_with(&begin));
+    let example = example.map_or(String::new(), |json| {
+        format!(", such as {json} in JSON, {} in TOML", in_toml(json))
+    });
+    format!("found the word `{word}` alone, allowed is a table with its settings{example}")
+}
+
+/// An example in TOML: keys stand without quotes before an equals sign.
+fn in_toml(json: &str) -> String {
+    json.replace("\": ", " = ")
+        .replace("{\"", "{ ")
+        .replace(", \"", ", ")
+        .replace('}', " }")
+}
+
+/// Adds a way to say a choice to its schema.
+pub(super) fn also(schema: &mut Schema, way: Value) {
+    if let Some(Value::Array(ways)) = schema.get_mut("oneOf") {
+        ways.push(way);
+    }
+}
+
+impl Choice for ContactLaw {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"stereomechanical": {"restitution": 0.65}}"#,
+        r#"{"linear_spring": {"impact_stiffness_n_per_m": 1e8}}"#,
+        r#"{"hertz": {"impact_stiffness_n_per_m1_5": 2.75e9}}"#,
+        r#"{"kelvin_voigt": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
+        r#"{"modified_linear_viscoelastic": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
+        r#"{"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}"#,
+        r#"{"hertz_damp": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}}"#,
+        r#"{"modified_kelvin": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
+        r#"{"pant_wijeyewickrema": {"impact_stiffness_n_per_m": 1e8, "restitution": 0.65}}"#,
+        r#"{"kuwabara_kono": {"impact_stiffness_n_per_m1_5": 2.75e9, "impact_damping_n_s_per_m1_5": 1e6}}"#,
+    ];
+}
+
+#[cfg(test)]
+mod tests {
+    use pounding_contact::ContactLaw;
+    use serde::Deserialize;
+    use serde_json::Value;
+
+    use super::{Choice, Chosen, in_toml, needs_settings};
+    use crate::file::structure::Named;
+    use crate::{Damping, Generated, Ground, Method, ScaleTo};
+
+    /// Words that say all there is to say.
+    const ENOUGH: [&str; 5] = ["exact", "wall", "firm", "medium", "soft"];
+
+    /// The words that a type knows, as it lists them itself.
+    fn words<T: Choice>() -> Vec<String> {
+        let refused = serde_json::from_str::<T>("{\"?\": {}}").err();
+        let message = refused.expect("no choice has that name").to_string();
+        let words = message.split('`').skip(3).step_by(2);
+        words.map(String::from).collect()
+    }
+
+    fn check<T: Choice>() {
+        let words = words::<T>();
+        assert!(words.len() > 1, "{words:?}");
+        for word in words {
+            let alone = Chosen::<T>::deserialize(Value::from(word.clone()));
+            if ENOUGH.contains(&word.as_str()) {
+                assert!(alone.is_ok(), "{word} alone");
+                continue;
+            }
+            let message = alone.err().expect("settings are needed").to_string();
+            assert_eq!(message, needs_settings::<T>(&word));
+            assert!(message.contains("such as"), "{message}");
+        }
+        for json in T::EXAMPLES {
+            let value: Value = serde_json::from_str(json).expect("JSON");
+            assert!(Chosen::<T>::deserialize(value.clone()).is_ok(), "{json}");
+            let toml = format!("example = {}", in_toml(json));
+            let toml: Value = toml::from_str(&toml).expect("TOML");
+            assert_eq!(toml["example"], value, "{json}");
+        }
+    }
+
+    #[test]
+    fn limit_every_word_is_enough_or_has_an_example() {
+        check::<ContactLaw>();
+        check::<Damping>();
+        check::<Generated>();
+        check::<Ground>();
+        check::<Method>();
+        check::<Named>();
+        check::<ScaleTo>();
+    }
+}

@@ -1,0 +1,129 @@
+//! Columns of a storey, as files give them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The columns of a storey.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Columns {
+    /// Elastic stiffness k \[N/m\], > 0.
+    pub stiffness_n_per_m: f64,
+    /// Yield force \[N\], > 0; absent for elastic columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub yield_force_n: Option<f64>,
+    /// Stiffness after yielding over that before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardening_ratio: Option<f64>,
+    /// How columns yield smoothly; absent where they yield at one point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bouc_wen: Option<BoucWen>,
+}
+
+impl Columns {
+    /// Columns that never yield, of a stiffness \[N/m\].
+    pub fn elastic(stiffness_n_per_m: f64) -> Self {
+        Self {
+            stiffness_n_per_m,
+            yield_force_n: None,
+            hardening_ratio: None,
+            bouc_wen: None,
+        }
+    }
+}
+
+/// Shape of smooth yielding: dz/dd = 1 − |z/`u_y`|ⁿ (γ + β sgn(z ḋ)), γ = 1 − β.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoucWen {
+    /// n \[–\], 1 to 20: the larger, the sharper.
+    pub exponent: u32,
+    /// β \[–\], 0 to 1; 0.5 if left out: unloading along the elastic line.
+    #[serde(default = "half")]
+    pub beta: f64,
+}
+
+fn half() -> f64 {
+    0.5
+}
+
+/// How a file says when columns yield.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ColumnsFile {
+    pub(super) yield_force_n: Option<f64>,
+    pub(super) yield_displacement_m: Option<f64>,
+    pub(super) yield_drift_ratio: Option<f64>,
+    pub(super) hardening_ratio: Option<f64>,
+    pub(super) bouc_wen: Option<BoucWen>,
+    pub(super) height_m: Option<f64>,
+}
+
+/// Columns that a file gives in too many or wrong words.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum ColumnsFileError {
+    #[error(
+        "found several of `yield_force_n`, `yield_displacement_m` and `yield_drift_ratio`, allowed is at most one; delete \
+         the others"
+    )]
+    SeveralYieldPoints,
+    #[error(
+        "found `yield_drift_ratio` without `height_m`, which it is a part of; add the height, or give `yield_displacement_m`"
+    )]
+    DriftWithoutHeight,
+    #[error(
+        "found `{0}` of columns that never yield; give `yield_force_n`, `yield_displacement_m` or `yield_drift_ratio`, or \
+         delete it"
+    )]
+    NeverYields(&'static str),
+    #[error("{field}: found {}, allowed a finite number > 0", pounding_text::plain(*found))]
+    OutOfRange { field: &'static str, found: f64 },
+}
+
+/// What is converted must be in range here: what comes of it would not tell which field is wrong.
+pub(super) fn positive(field: &'static str, found: f64) -> Result<f64, ColumnsFileError> {
+    if found > 0.0 && found.is_finite() {
+        Ok(found)
+    } else {
+        Err(ColumnsFileError::OutOfRange { field, found })
+    }
+}
+
+impl ColumnsFile {
+    /// Columns of a stiffness \[N/m\].
+    pub(super) fn columns(&self, stiffness: f64) -> Result<Columns, ColumnsFileError> {
+        let yield_force = self.yield_force(stiffness)?;
+        if yield_force.is_none() {
+            if self.hardening_ratio.is_some() {
+                return Err(ColumnsFileError::NeverYields("hardening_ratio"));
+            }
+            if self.bouc_wen.is_some() {
+                return Err(ColumnsFileError::NeverYields("bouc_wen"));
+            }
+        }
+        Ok(Columns {
+            stiffness_n_per_m: stiffness,
+            yield_force_n: yield_force,
+            hardening_ratio: self.hardening_ratio,
+            bouc_wen: self.bouc_wen,
+        })
+    }
+
+    fn yield_force(&self, stiffness: f64) -> Result<Option<f64>, ColumnsFileError> {
+        match (
+            self.yield_force_n,
+            self.yield_displacement_m,
+            self.yield_drift_ratio,
+        ) {
+            (force, None, None) => Ok(force),
+            (None, Some(displacement), None) => Ok(Some(
+                stiffness * positive("yield_displacement_m", displacement)?,
+            )),
+            (None, None, Some(ratio)) => {
+                let height = self.height_m.ok_or(ColumnsFileError::DriftWithoutHeight)?;
+                let height = positive("height_m", height)?;
+                let displacement = positive("yield_drift_ratio", ratio)? * height;
+                Ok(Some(stiffness * displacement))
+            }
+            _ => Err(ColumnsFileError::SeveralYieldPoints),
+        }
+    }
+}

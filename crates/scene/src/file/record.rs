@@ -1,0 +1,293 @@
+//! The ground motion of a scene and how it is used.
+
+use pounding_motion::AccelerationUnit;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::choice;
+use super::generated::Generated;
+use super::processing::{Detrend, FilterBand, ScaleTo};
+
+/// A ground motion and how a scene uses it.
+///
+/// It is taken from its source, detrended, filtered, resampled, scaled to a target, multiplied and reversed, in this order;
+/// each only where asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "RecordUseFile", into = "RecordUseFile")]
+#[schemars(with = "RecordUseFile")]
+pub struct RecordUse {
+    /// Where the ground motion comes from.
+    pub source: Source,
+    /// What one g is worth \[m/s²\].
+    pub gravity_m_per_s2: f64,
+    /// Straight line that is taken away.
+    pub detrend: Option<Detrend>,
+    /// Band of frequencies that is kept.
+    pub band_pass: Option<FilterBand>,
+    /// New time step \[s\], linear between samples.
+    pub resample_s: Option<f64>,
+    /// What the motion is scaled to.
+    pub scale_to: Option<ScaleTo>,
+    /// Factor on the ground acceleration \[–\].
+    pub scale: f64,
+    /// Whether the shaking is reversed (left becomes right).
+    pub reversed: bool,
+}
+
+impl RecordUse {
+    /// A ground motion as its source has it.
+    pub fn of(source: Source) -> Self {
+        Self {
+            source,
+            gravity_m_per_s2: STANDARD_GRAVITY,
+            detrend: None,
+            band_pass: None,
+            resample_s: None,
+            scale_to: None,
+            scale: 1.0,
+            reversed: false,
+        }
+    }
+}
+
+/// Where a ground motion comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// A file.
+    File(FileUse),
+    /// A formula.
+    Generated(Generated),
+}
+
+impl std::fmt::Display for Source {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::File(file) => formatter.write_str(&file.file),
+            Self::Generated(generated) => generated.fmt(formatter),
+        }
+    }
+}
+
+/// A file of a record, and what it does not say of itself.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct FileUse {
+    /// The file, relative to the folder of the file that names it.
+    pub file: String,
+    /// Unit of its values.
+    pub unit: Option<Unit>,
+    /// Time between samples \[s\].
+    pub time_step_s: Option<f64>,
+    /// Component, by its name or its number from 1.
+    pub component: Option<String>,
+    /// What one count is worth, in `unit`.
+    pub per_count: Option<f64>,
+    /// Whether the values are accelerations although the file speaks for velocities.
+    pub acceleration: bool,
+}
+
+/// Unit of the values of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum Unit {
+    /// Multiples of g.
+    #[serde(rename = "g")]
+    StandardGravity,
+    /// m/s².
+    #[serde(rename = "m_per_s2")]
+    MetrePerSecondSquared,
+    /// cm/s², gal.
+    #[serde(rename = "cm_per_s2")]
+    CentimetrePerSecondSquared,
+    /// mm/s².
+    #[serde(rename = "mm_per_s2")]
+    MillimetrePerSecondSquared,
+    /// Thousandths of g.
+    #[serde(rename = "mg")]
+    MilliG,
+    /// Tenths of g.
+    #[serde(rename = "g_per_10")]
+    TenthG,
+}
+
+impl Unit {
+    /// In the words of a reader of records.
+    pub(crate) fn to_motion(self) -> AccelerationUnit {
+        match self {
+            Self::StandardGravity => AccelerationUnit::StandardGravity,
+            Self::MetrePerSecondSquared => AccelerationUnit::MetrePerSecondSquared,
+            Self::CentimetrePerSecondSquared => AccelerationUnit::CentimetrePerSecondSquared,
+            Self::MillimetrePerSecondSquared => AccelerationUnit::MillimetrePerSecondSquared,
+            Self::MilliG => AccelerationUnit::MilliG,
+            Self::TenthG => AccelerationUnit::TenthG,
+        }
+    }
+}
+
+/// One g \[m/s²\] where a scene does not say: the standard acceleration of gravity.
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// A ground motion and its use in the words of a file.
+#[derive(Clone, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(inline)]
+struct RecordUseFile {
+    /// File, relative to the folder of the file that names it; or `generated`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
+    /// Motion without a file; or `file`.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "choice::maybe"
+    )]
+    generated: Option<Generated>,
+    /// Unit of the file's values, where the file does not say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<Unit>,
+    /// Time between the file's samples \[s\], where the file does not say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_step_s: Option<f64>,
+    /// Component of a file that holds several, by its name or its number from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    component: Option<ComponentWord>,
+    /// What one count of the file is worth, in `unit`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    per_count: Option<f64>,
+    /// Whether the file holds accelerations although it speaks for velocities, by a seismometer's channel or by `cm/s`.
+    #[serde(default, skip_serializing_if = "is_false")]
+    acceleration: bool,
+    /// What one g is worth \[m/s²\]; without it 9.80665.
+    #[serde(default = "standard_gravity")]
+    gravity_m_per_s2: f64,
+    /// Straight line that is taken away.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    detrend: Option<Detrend>,
+    /// Band of frequencies that is kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    band_pass: Option<FilterBand>,
+    /// New time step \[s\], linear between samples.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    resample_s: Option<f64>,
+    /// What the motion is scaled to.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "choice::maybe"
+    )]
+    scale_to: Option<ScaleTo>,
+    /// Factor on the ground acceleration \[–\], after `scale_to`.
+    #[serde(default = "one")]
+    scale: f64,
+    /// Whether the shaking is reversed (left becomes right).
+    #[serde(default)]
+    reversed: bool,
+}
+
+/// The name of a component, or its number.
+#[derive(Clone, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+#[schemars(inline)]
+enum ComponentWord {
+    Name(String),
+    Number(u32),
+}
+
+impl From<ComponentWord> for String {
+    fn from(word: ComponentWord) -> Self {
+        match word {
+            ComponentWord::Name(name) => name,
+            ComponentWord::Number(number) => number.to_string(),
+        }
+    }
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
+fn standard_gravity() -> f64 {
+    STANDARD_GRAVITY
+}
+
+/// A ground motion that a file gives in too few or too many words.
+#[derive(Debug, thiserror::Error)]
+enum WordsError {
+    #[error("found neither `file` nor `generated`, allowed is one of them; name the record")]
+    NoSource,
+    #[error("found both `file` and `generated`, allowed is one of them; delete the other")]
+    TwoSources,
+    #[error("found `{0}` beside `generated`, allowed is it beside `file`; delete it")]
+    OfFile(&'static str),
+}
+
+impl TryFrom<RecordUseFile> for RecordUse {
+    type Error = WordsError;
+
+    fn try_from(words: RecordUseFile) -> Result<Self, WordsError> {
+        let source = match (words.file, words.generated) {
+            (None, None) => return Err(WordsError::NoSource),
+            (Some(_), Some(_)) => return Err(WordsError::TwoSources),
+            (Some(file), None) => Source::File(FileUse {
+                file,
+                unit: words.unit,
+                time_step_s: words.time_step_s,
+                component: words.component.map(String::from),
+                per_count: words.per_count,
+                acceleration: words.acceleration,
+            }),
+            (None, Some(generated)) => {
+                let of_file = [
+                    ("unit", words.unit.is_some()),
+                    ("time_step_s", words.time_step_s.is_some()),
+                    ("component", words.component.is_some()),
+                    ("per_count", words.per_count.is_some()),
+                    ("acceleration", words.acceleration),
+                ];
+                if let Some((field, _)) = of_file.into_iter().find(|(_, given)| *given) {
+                    return Err(WordsError::OfFile(field));
+                }
+                Source::Generated(generated)
+            }
+        };
+        Ok(Self {
+            source,
+            gravity_m_per_s2: words.gravity_m_per_s2,
+            detrend: words.detrend,
+            band_pass: words.band_pass,
+            resample_s: words.resample_s,
+            scale_to: words.scale_to,
+            scale: words.scale,
+            reversed: words.reversed,
+        })
+    }
+}
+
+impl From<RecordUse> for RecordUseFile {
+    fn from(record: RecordUse) -> Self {
+        let (file, generated) = match record.source {
+            Source::File(file) => (Some(file), None),
+            Source::Generated(generated) => (None, Some(generated)),
+        };
+        let of_file = file.clone().unwrap_or_default();
+        Self {
+            file: file.map(|file| file.file),
+            generated,
+            unit: of_file.unit,
+            time_step_s: of_file.time_step_s,
+            component: of_file.component.map(ComponentWord::Name),
+            per_count: of_file.per_count,
+            acceleration: of_file.acceleration,
+            gravity_m_per_s2: record.gravity_m_per_s2,
+            detrend: record.detrend,
+            band_pass: record.band_pass,
+            resample_s: record.resample_s,
+            scale_to: record.scale_to,
+            scale: record.scale,
+            reversed: record.reversed,
+        }
+    }
+}

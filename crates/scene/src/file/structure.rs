@@ -1,0 +1,324 @@
+//! The structures of a row, as files give them.
+
+use std::f64::consts::PI;
+
+use pounding_solver::{Mode, Oscillation};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::json;
+
+use super::Building;
+use super::choice::{self, Choice, also};
+use super::columns::{BoucWen, Columns, ColumnsFile, ColumnsFileError, positive};
+use crate::Damping;
+
+/// A structure or a wall of a row.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(transform = or_empty_wall)]
+pub enum Structure {
+    /// A structure of one storey (single degree of freedom).
+    Sdof(Sdof),
+    /// A building of one or more storeys.
+    Building(Building),
+    /// A fixed wall; it moves with the ground. Beside a building it faces every floor.
+    Wall,
+}
+
+/// A wall is a word, or a table of nothing: in TOML a list has tables.
+fn or_empty_wall(schema: &mut schemars::Schema) {
+    let nothing = json!({"type": "object", "additionalProperties": false});
+    let table = json!({
+        "description": "A fixed wall; it moves with the ground.",
+        "type": "object",
+        "properties": {"wall": nothing},
+        "additionalProperties": false,
+        "required": ["wall"],
+    });
+    also(schema, table);
+}
+
+/// A structure or a wall in the words of a file.
+#[derive(Deserialize, Serialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub(super) enum Named {
+    Sdof(Sdof),
+    Building(Building),
+    Wall {},
+}
+
+impl Choice for Named {
+    const EXAMPLES: &'static [&'static str] = &[
+        r#"{"sdof": {"name": "tower", "mass_kg": 3e5, "period_s": 0.8, "damping": {"ratio": 0.05}}}"#,
+        r#"{"building": {"name": "tower", "damping": {"ratio": 0.05}, "period_s": 0.8, "storeys": [{"mass_kg": 1e5, "repeat": 3}]}}"#,
+    ];
+}
+
+impl<'de> Deserialize<'de> for Structure {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        choice::one(from).map(|named| match named {
+            Named::Sdof(sdof) => Self::Sdof(sdof),
+            Named::Building(building) => Self::Building(building),
+            Named::Wall {} => Self::Wall,
+        })
+    }
+}
+
+impl Structure {
+    /// Name for tables and figures.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Sdof(structure) => &structure.name,
+            Self::Building(building) => &building.name,
+            Self::Wall => "wall",
+        }
+    }
+
+    /// Its fastest free oscillation, which a time step has to follow; nothing for a wall.
+    pub fn fastest(&self) -> Option<Oscillation> {
+        match self {
+            Self::Sdof(structure) => Some(structure.oscillation()),
+            Self::Building(building) => building.modes().last().map(Mode::oscillation),
+            Self::Wall => None,
+        }
+    }
+
+    /// Damping ratio ζ \[–\] of the elastic structure, of a building in the first mode; nothing for a wall.
+    pub fn damping_ratio(&self) -> Option<f64> {
+        match self {
+            Self::Sdof(structure) => Some(structure.damping_ratio()),
+            Self::Building(building) => building.modes().first().map(|mode| mode.damping_ratio),
+            Self::Wall => None,
+        }
+    }
+
+    /// Shear force at which every storey yields \[N\], from the ground up; nothing for columns that stay elastic. A wall has no
+    /// storeys.
+    pub fn yield_forces(&self) -> Vec<Option<f64>> {
+        match self {
+            Self::Sdof(structure) => vec![structure.yield_force_n],
+            Self::Building(building) => {
+                let storeys = building.storeys.iter();
+                storeys.map(|storey| storey.columns.yield_force_n).collect()
+            }
+            Self::Wall => Vec::new(),
+        }
+    }
+
+    /// Natural period \[s\], of a building the first; nothing for a wall.
+    pub fn period(&self) -> Option<f64> {
+        match self {
+            Self::Sdof(structure) => Some(structure.period()),
+            Self::Building(building) => building.modes().first().map(Mode::period),
+            Self::Wall => None,
+        }
+    }
+}
+
+/// A structure of one storey.
+///
+/// A file may give the period instead of the stiffness, and the yield displacement or drift ratio instead of the yield
+/// force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "SdofFile")]
+#[schemars(with = "SdofFile")]
+pub struct Sdof {
+    /// Name for tables and figures.
+    pub name: String,
+    /// Mass m \[kg\], > 0.
+    pub mass_kg: f64,
+    /// Elastic stiffness k \[N/m\], > 0.
+    pub stiffness_n_per_m: f64,
+    /// Viscous damping; it stays that of the elastic structure when the columns yield.
+    pub damping: Damping,
+    /// Yield force \[N\], > 0; absent for elastic columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub yield_force_n: Option<f64>,
+    /// Stiffness after yielding over that before \[–\], 0 ≤ a < 1; absent for perfectly plastic and for elastic columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardening_ratio: Option<f64>,
+    /// How columns yield smoothly; absent where they yield at one point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bouc_wen: Option<BoucWen>,
+    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
+    /// gap between neighbours of the same height; beside a building it says which floors face each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height_m: Option<f64>,
+    /// Displacement at t = 0 \[m\].
+    #[serde(skip_serializing_if = "super::is_zero")]
+    pub initial_displacement_m: f64,
+    /// Velocity at t = 0 \[m/s\].
+    #[serde(skip_serializing_if = "super::is_zero")]
+    pub initial_velocity_m_per_s: f64,
+}
+
+/// A structure of one storey in the words of a file.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(inline)]
+pub struct SdofFile {
+    /// Name for tables and figures.
+    name: String,
+    /// Mass \[kg\], > 0.
+    pub(super) mass_kg: f64,
+    /// Elastic stiffness \[N/m\], > 0; or `period_s`.
+    pub(super) stiffness_n_per_m: Option<f64>,
+    /// Natural period \[s\], > 0; or `stiffness_n_per_m`.
+    pub(super) period_s: Option<f64>,
+    /// Viscous damping.
+    #[serde(deserialize_with = "choice::one")]
+    pub(super) damping: Damping,
+    /// Yield force \[N\], > 0; without it, and without a yield displacement or drift ratio, the columns stay elastic.
+    pub(super) yield_force_n: Option<f64>,
+    /// Displacement at which the columns yield \[m\], > 0.
+    pub(super) yield_displacement_m: Option<f64>,
+    /// The same divided by `height_m` \[–\], > 0.
+    pub(super) yield_drift_ratio: Option<f64>,
+    /// Stiffness after yielding over that before \[–\], 0 to less than 1; 0 if left out.
+    pub(super) hardening_ratio: Option<f64>,
+    /// Smooth yielding; if left out, columns yield at one point.
+    bouc_wen: Option<BoucWen>,
+    /// Height of the mass over the ground \[m\], > 0: for drift ratios, and for Eurocode 8, which takes 0.7 of the width of a
+    /// gap between neighbours of the same height; beside a building it says which floors face each other.
+    pub(super) height_m: Option<f64>,
+    /// Displacement at t = 0 \[m\].
+    #[serde(default)]
+    pub(super) initial_displacement_m: f64,
+    /// Velocity at t = 0 \[m/s\].
+    #[serde(default)]
+    pub(super) initial_velocity_m_per_s: f64,
+}
+
+/// A structure that a file gives in too few or too many words.
+#[derive(Debug, thiserror::Error)]
+#[error(transparent)]
+pub struct SdofFileError(#[from] SdofFault);
+
+#[derive(Debug, thiserror::Error)]
+enum SdofFault {
+    #[error(
+        "found neither `stiffness_n_per_m` nor `period_s`, allowed is one of them; add the one that is known"
+    )]
+    NoStiffness,
+    #[error(
+        "found both `stiffness_n_per_m` and `period_s`, allowed is one of them; delete the other"
+    )]
+    TwoStiffnesses,
+    #[error(
+        "period_s: found {}, with which the stiffness is {} N/m, allowed is a period whose stiffness is a finite number > 0",
+        pounding_text::plain(*period),
+        pounding_text::plain(*stiffness)
+    )]
+    FarPeriod { period: f64, stiffness: f64 },
+    #[error(transparent)]
+    Columns(#[from] ColumnsFileError),
+}
+
+impl TryFrom<SdofFile> for Sdof {
+    type Error = SdofFileError;
+
+    fn try_from(mut words: SdofFile) -> Result<Self, SdofFileError> {
+        let columns = words.columns()?;
+        let name = std::mem::take(&mut words.name);
+        Ok(words.sdof(name, columns))
+    }
+}
+
+impl SdofFile {
+    /// Gives a structure the numbers of these words, but its name; nothing where they are refused, as they are when it is read.
+    pub fn renumber(&self, structure: &mut Sdof) -> Option<()> {
+        let columns = self.columns().ok()?;
+        let name = std::mem::take(&mut structure.name);
+        *structure = self.sdof(name, columns);
+        Some(())
+    }
+
+    fn sdof(&self, name: String, columns: Columns) -> Sdof {
+        Sdof {
+            name,
+            mass_kg: self.mass_kg,
+            stiffness_n_per_m: columns.stiffness_n_per_m,
+            damping: self.damping,
+            yield_force_n: columns.yield_force_n,
+            hardening_ratio: columns.hardening_ratio,
+            bouc_wen: columns.bouc_wen,
+            height_m: self.height_m,
+            initial_displacement_m: self.initial_displacement_m,
+            initial_velocity_m_per_s: self.initial_velocity_m_per_s,
+        }
+    }
+
+    fn columns(&self) -> Result<Columns, SdofFault> {
+        let columns = ColumnsFile {
+            yield_force_n: self.yield_force_n,
+            yield_displacement_m: self.yield_displacement_m,
+            yield_drift_ratio: self.yield_drift_ratio,
+            hardening_ratio: self.hardening_ratio,
+            bouc_wen: self.bouc_wen,
+            height_m: self.height_m,
+        };
+        Ok(columns.columns(self.stiffness()?)?)
+    }
+
+    fn stiffness(&self) -> Result<f64, SdofFault> {
+        match (self.stiffness_n_per_m, self.period_s) {
+            (None, None) => Err(SdofFault::NoStiffness),
+            (Some(_), Some(_)) => Err(SdofFault::TwoStiffnesses),
+            (Some(stiffness), None) => Ok(stiffness),
+            (None, Some(period)) => {
+                let omega = 2.0 * PI / positive("period_s", period)?;
+                let stiffness = positive("mass_kg", self.mass_kg)? * omega * omega;
+                if stiffness > 0.0 && stiffness.is_finite() {
+                    Ok(stiffness)
+                } else {
+                    Err(SdofFault::FarPeriod { period, stiffness })
+                }
+            }
+        }
+    }
+}
+
+impl Sdof {
+    /// Its columns.
+    pub fn columns(&self) -> Columns {
+        Columns {
+            stiffness_n_per_m: self.stiffness_n_per_m,
+            yield_force_n: self.yield_force_n,
+            hardening_ratio: self.hardening_ratio,
+            bouc_wen: self.bouc_wen,
+        }
+    }
+
+    /// Damping coefficient c \[N·s/m\].
+    pub fn damping_coefficient(&self) -> f64 {
+        self.damping
+            .to_solver()
+            .coefficient(self.mass_kg, self.stiffness_n_per_m)
+    }
+
+    /// Damping ratio ζ \[–\] of the elastic structure.
+    pub fn damping_ratio(&self) -> f64 {
+        self.damping
+            .to_solver()
+            .ratio(self.mass_kg, self.stiffness_n_per_m)
+    }
+
+    /// Ductility demand |u|/`u_y` \[–\] of a displacement \[m\], of columns that can yield.
+    pub fn ductility(&self, displacement: f64) -> Option<f64> {
+        self.yield_force_n
+            .map(|force| displacement.abs() * self.stiffness_n_per_m / force)
+    }
+
+    /// Its free oscillation.
+    pub fn oscillation(&self) -> Oscillation {
+        Oscillation {
+            angular_frequency: (self.stiffness_n_per_m / self.mass_kg).sqrt(),
+            damping_ratio: self.damping_ratio(),
+        }
+    }
+
+    /// Natural period T = 2π√(m/k) \[s\].
+    pub fn period(&self) -> f64 {
+        2.0 * PI * (self.mass_kg / self.stiffness_n_per_m).sqrt()
+    }
+}

@@ -1,0 +1,99 @@
+//! What a contact law and a method really deliver to two free masses.
+
+use pounding_contact::{Calibration, CalibrationError, ContactLaw, FreeImpact, LawName};
+use pounding_solver::{Exact, Integrator};
+
+use crate::Method;
+use crate::{
+    judge::free_collision::CollisionError, judge::free_collision::Delivered,
+    judge::free_collision::FreeCollision,
+};
+
+/// What is asked of a law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CertificateRequest {
+    /// The law.
+    pub law: LawName,
+    /// Impact stiffness, in [`LawName::stiffness_unit`]; not looked at for the impulsive law.
+    pub stiffness: f64,
+    /// Coefficient of restitution e \[–\].
+    pub restitution: f64,
+    /// How its damping is chosen.
+    pub calibration: Calibration,
+}
+
+/// What a law delivers to a collision of two free masses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// The law with its parameters.
+    pub law: ContactLaw,
+    /// e that the literature's formula would deliver, exactly; nothing where the literature has no formula.
+    pub by_formula: Option<f64>,
+    /// e delivered, by the law's own relation or, where it has none, by integration of the free impact.
+    pub by_relation: Option<f64>,
+    /// e delivered by the exact method.
+    pub by_exact: f64,
+    /// Impulse \[N·s\] of the exact method.
+    pub impulse: f64,
+    /// Peak force, largest deformation and duration of the free impact; nothing for an impulsive law.
+    pub impact: Option<FreeImpact>,
+}
+
+impl Certificate {
+    /// Calibrates a law and lets two free masses collide.
+    ///
+    /// # Errors
+    /// [`CertificateError`] for a parameter out of range, and where no run gives an answer.
+    pub fn new(
+        wanted: &CertificateRequest,
+        collision: &FreeCollision,
+    ) -> Result<Self, CertificateError> {
+        let pair = collision.free_pair();
+        let calibrated = |calibration| {
+            let asked = (wanted.restitution, calibration);
+            wanted.law.calibrated(wanted.stiffness, asked, &pair)
+        };
+        let law = calibrated(wanted.calibration)?;
+        let has_formula = wanted.law.description().formula.is_some();
+        let formula = has_formula.then(|| calibrated(Calibration::Literature));
+        let impact = FreeImpact::of(&law, &pair);
+        let integrated = |law: &ContactLaw| Some(FreeImpact::of(law, &pair)?.restitution);
+        let relation = |law: &ContactLaw| law.restitution().or_else(|| integrated(law));
+        let contact = impact.map_or(0.0, |impact| impact.duration);
+        let scale = if impact.is_some() { contact } else { 1.0 };
+        let exact = Integrator::Exact(Exact::default());
+        let run = collision.run(law, &exact, (scale, 0.5, contact))?;
+        Ok(Self {
+            by_formula: formula.transpose()?.as_ref().and_then(relation),
+            by_relation: relation(&law),
+            by_exact: run.restitution(collision.speed),
+            impulse: run.impulse,
+            law,
+            impact,
+        })
+    }
+
+    /// What a method delivers.
+    ///
+    /// # Errors
+    /// [`CertificateError::Collision`] where it fails.
+    pub fn by(
+        &self,
+        collision: &FreeCollision,
+        method: &Method,
+    ) -> Result<Delivered, CertificateError> {
+        let duration = self.impact.map(|impact| impact.duration);
+        Ok(collision.delivered(self.law, method, (self.by_exact, duration))?)
+    }
+}
+
+/// Why there is no certificate.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CertificateError {
+    /// A parameter of the law.
+    #[error(transparent)]
+    Law(#[from] CalibrationError),
+    /// A collision that cannot be run.
+    #[error(transparent)]
+    Collision(#[from] CollisionError),
+}

@@ -1,0 +1,172 @@
+//! A free collision of two masses, run by any method.
+
+use pounding_contact::{ContactLaw, FreePair, reduced_mass};
+use pounding_solver::{
+    Clock, Elastic, Excitation, Impact, Integrator, Node, Pair, Recorder, Row, RunError, Span,
+};
+
+use crate::Method;
+
+/// Two masses that collide, with nothing else acting on them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeCollision {
+    /// Masses of the neighbours \[kg\], > 0; one may be infinite, a wall.
+    pub masses: [f64; 2],
+    /// Approach speed at the first touch \[m/s\], > 0.
+    pub speed: f64,
+}
+
+/// What a stepping method delivers at a time step, over where in its step the gap closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Delivered {
+    /// Least and largest e delivered \[–\].
+    pub range: [f64; 2],
+    /// Largest distance from the e that the law delivers \[–\], absolute.
+    pub error: f64,
+    /// Time steps from touch to parting; nothing for an impulsive law.
+    pub steps_per_contact: Option<f64>,
+}
+
+/// Parts of a step at which the gap is made to close.
+const N_PHASES: u32 = 16;
+/// Steps before the touch.
+const BEFORE: u32 = 3;
+
+impl FreeCollision {
+    /// What a method delivers under a law, beside the e that is right.
+    ///
+    /// # Errors
+    /// [`CollisionError`] where it fails.
+    pub(crate) fn delivered(
+        &self,
+        law: ContactLaw,
+        method: &Method,
+        (right, duration): (f64, Option<f64>),
+    ) -> Result<Delivered, CollisionError> {
+        let contact = duration.unwrap_or(0.0);
+        let step = method.time_step().unwrap_or(duration.unwrap_or(1.0));
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for phase in 0..N_PHASES {
+            let part = (f64::from(phase) + 0.5) / f64::from(N_PHASES);
+            let run = self.run(law, &method.integrator(), (step, part, contact))?;
+            let found = run.restitution(self.speed);
+            range = [range[0].min(found), range[1].max(found)];
+        }
+        let off = |found: f64| (found - right).abs();
+        Ok(Delivered {
+            range,
+            error: off(range[0]).max(off(range[1])),
+            steps_per_contact: duration.map(|duration| duration / step),
+        })
+    }
+
+    /// The same as a free pair.
+    pub fn free_pair(&self) -> FreePair {
+        FreePair {
+            reduced_mass: reduced_mass(1.0 / self.masses[0], 1.0 / self.masses[1]),
+            approach_speed: self.speed,
+        }
+    }
+
+    /// The masses at a gap \[m\], moving towards each other.
+    ///
+    /// # Errors
+    /// [`CollisionError`] of a number that the solver refuses.
+    pub fn row(&self, law: ContactLaw, gap: f64) -> Result<Row<Elastic>, CollisionError> {
+        let inverse = self.masses.map(|mass| 1.0 / mass);
+        // About the common centre, so that neither velocity is small against the other's rounding.
+        let node = |inverse_mass: f64, sign: f64| Node {
+            initial_velocity: sign * self.speed * inverse_mass / (inverse[0] + inverse[1]),
+            inverse_mass,
+            ..Node::structure(1.0, 0.0, Elastic { stiffness: 0.0 })
+        };
+        let nodes = vec![node(inverse[0], 1.0), node(inverse[1], -1.0)];
+        let pair = Pair {
+            left: 0,
+            right: 1,
+            gap,
+            law,
+        };
+        Row::new(nodes, vec![pair]).map_err(|_| CollisionError::Masses)
+    }
+
+    /// Lets the masses collide for some time \[s\]; the gap closes `BEFORE` steps and a part of one after the start.
+    pub(crate) fn run(
+        &self,
+        law: ContactLaw,
+        integrator: &Integrator,
+        (step, part, contact): (f64, f64, f64),
+    ) -> Result<Seen, CollisionError> {
+        let until = (f64::from(BEFORE) + part) * step;
+        let row = self.row(law, self.speed * until)?;
+        let n_steps = ((until + 2.0 * contact) / step).ceil() + f64::from(BEFORE);
+        if !(step.is_finite() && step > 0.0 && n_steps <= MOST_STEPS) {
+            return Err(CollisionError::TimeStep { found: step });
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "checked: a positive number that is not large"
+        )]
+        let n_steps = n_steps as usize;
+        let clock = Clock {
+            time_step: step,
+            n_steps,
+        };
+        let rest =
+            Excitation::new(step, &[0.0]).map_err(|_| CollisionError::TimeStep { found: step })?;
+        let mut seen = Seen::default();
+        integrator.run(&row, rest, clock, &mut seen)?;
+        Ok(seen)
+    }
+}
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e7;
+
+/// The last velocities, and the impulse.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Seen {
+    velocities: [f64; 2],
+    pub(crate) impulse: f64,
+}
+
+impl Seen {
+    pub(crate) fn restitution(&self, speed: f64) -> f64 {
+        (self.velocities[1] - self.velocities[0]) / speed
+    }
+}
+
+impl Recorder for Seen {
+    fn span(&mut self, span: &Span<'_>) {
+        self.velocities[span.structure] = span.end.velocity;
+        if span.structure == 0 {
+            self.impulse -= span.impulse_from_right;
+        }
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        self.velocities = [impact.after.left, impact.after.right];
+        self.impulse += impact.impulse;
+    }
+}
+
+/// Why a collision cannot be run.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CollisionError {
+    /// Masses or speed out of range.
+    #[error("masses and speed: allowed are finite numbers > 0")]
+    Masses,
+    /// A time step out of range.
+    #[error(
+        "time step: found {} s, allowed a finite number > 0 and at most 1e7 steps in the collision",
+        pounding_text::plain(*found)
+    )]
+    TimeStep {
+        /// The time step \[s\].
+        found: f64,
+    },
+    /// A run that ended early.
+    #[error(transparent)]
+    Run(#[from] RunError),
+}

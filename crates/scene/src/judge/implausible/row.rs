@@ -1,0 +1,73 @@
+//! What looks wrong between neighbours: gaps, contact that is too soft, and arrivals of the ground motion.
+
+use pounding_contact::{FreeImpact, FreePair, reduced_mass};
+
+use super::Doubts;
+use crate::{Contact, Simulation};
+use pounding_text::{digits, short};
+
+/// Widest usual gap \[m\]: the moat of an isolated building, or the seismic joint of tall ones.
+const WIDEST: f64 = 2.0;
+/// Speed at which buildings commonly meet \[m/s\].
+const SPEED: f64 = 0.3;
+/// Longest usual collision at that speed \[s\].
+const LONGEST: f64 = 0.25;
+/// Longest usual delay between neighbours \[s\]: a hundred metres at an apparent velocity of 100 m/s.
+const LATEST: f64 = 1.0;
+
+pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
+    let scene = prepared.scene();
+    for (index, contact) in scene.contacts.iter().flatten().enumerate() {
+        doubts.unless(
+            contact.gap_m <= WIDEST,
+            format!("contacts[{index}].gap_m"),
+            (
+                format!("{} m", digits(contact.gap_m)),
+                "up to 2 m; it is in metres",
+            ),
+        );
+        doubt_the_law(prepared, (index, contact), doubts);
+    }
+    let arrivals = scene.arrivals_s.as_deref().unwrap_or_default();
+    for (index, two) in arrivals.windows(2).enumerate() {
+        let apart = (two[1] - two[0]).abs();
+        doubts.unless(
+            apart <= LATEST,
+            format!("arrivals_s[{}]", index + 1),
+            (
+                format!("{} s apart from that of the neighbour", digits(apart)),
+                "up to 1 s between neighbours: their distance over the apparent velocity, some hundred metres per second",
+            ),
+        );
+    }
+}
+
+/// A compliant law so soft that collisions last as long as vibrations.
+fn doubt_the_law(prepared: &Simulation, (index, contact): (usize, &Contact), doubts: &mut Doubts) {
+    let floors = prepared.floors();
+    let mut facing = floors.facing().iter().filter(|one| one.contact == index);
+    let Some(facing) = facing.next() else {
+        return;
+    };
+    let inverse = |floor: usize| {
+        floors.all()[floor]
+            .made_of
+            .map_or(0.0, |made| 1.0 / made.mass_kg)
+    };
+    let pair = FreePair {
+        reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
+        approach_speed: SPEED,
+    };
+    let duration = FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.duration);
+    doubts.unless(
+        duration <= LONGEST,
+        format!("contacts[{index}].law.{}", contact.law.name()),
+        (
+            format!(
+                "a collision at {SPEED} m/s that lasts {} s",
+                short(duration)
+            ),
+            "up to 0.1 s or so; its impact stiffness decides it",
+        ),
+    );
+}

@@ -1,0 +1,114 @@
+//! What looks wrong in the storeys of a building, each for itself and beside the others.
+
+use pounding_solver::Mode;
+
+use super::Doubts;
+use crate::{Building, Columns};
+use pounding_text::{digits, percent, short};
+
+/// Drift ratios at which columns usually yield \[–\]: from stiff walls to isolators under a low crawl space.
+const YIELDS: std::ops::RangeInclusive<f64> = 5e-4..=0.05;
+/// The stiffest storey of a building is usually no stiffer than so many times the softest \[–\]: isolators are some tens of times softer than
+/// what they carry.
+const STIFFER: f64 = 200.0;
+
+/// Heights, stiffnesses, yielding and the period of a building.
+pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
+    let place = |field: &str| format!("structures[{index}].building{field}");
+    let stiffest = building.storeys.iter();
+    let stiffest = stiffest.map(|one| one.columns.stiffness_n_per_m);
+    let stiffest = stiffest.fold(0.0, f64::max);
+    for (storey, one) in building.storeys.iter().enumerate() {
+        let place = |field: &str| place(&format!(".storeys[{storey}].{field}"));
+        if let Some(height) = one.height_m {
+            doubts.unless(
+                (0.2..=30.0).contains(&height),
+                place("height_m"),
+                (format!("{} m", digits(height)), "0.2 to 30 m for a storey"),
+            );
+        }
+        let stiffness = one.columns.stiffness_n_per_m;
+        doubts.unless(
+            stiffness * STIFFER >= stiffest,
+            place("stiffness_n_per_m"),
+            (
+                format!(
+                    "{} N/m, where another storey has {} N/m",
+                    short(stiffness),
+                    short(stiffest)
+                ),
+                "a storey no more than 200 times softer than others",
+            ),
+        );
+        doubt_the_yielding(
+            &place("yield_drift_ratio"),
+            (&one.columns, one.height_m),
+            doubts,
+        );
+    }
+    doubt_the_heights(index, building, doubts);
+    doubt_the_period(index, building, doubts);
+}
+
+/// Columns that yield at an unusual part of their height, however that is given.
+pub(super) fn doubt_the_yielding(
+    place: &str,
+    (columns, height): (&Columns, Option<f64>),
+    doubts: &mut Doubts,
+) {
+    let Some((force, height)) = columns.yield_force_n.zip(height) else {
+        return;
+    };
+    let ratio = force / columns.stiffness_n_per_m / height;
+    doubts.unless(
+        YIELDS.contains(&ratio),
+        place,
+        (
+            format!(
+                "columns that yield at a drift of {} of their height",
+                percent(ratio)
+            ),
+            "0.05 % to 5 %; yield_force_n and yield_displacement_m decide it as well",
+        ),
+    );
+}
+
+/// Some heights without the others count for nothing where floors are to face each other.
+fn doubt_the_heights(index: usize, building: &Building, doubts: &mut Doubts) {
+    let missing = building
+        .storeys
+        .iter()
+        .position(|one| one.height_m.is_none());
+    let given = building.storeys.iter().any(|one| one.height_m.is_some());
+    let storey = missing.filter(|_| given);
+    doubts.unless(
+        storey.is_none(),
+        format!(
+            "structures[{index}].building.storeys[{}].height_m",
+            storey.unwrap_or(0)
+        ),
+        (
+            "none, beside storeys that have one".into(),
+            "all heights or none: now storeys of one number count as level in the whole row",
+        ),
+    );
+}
+
+/// A building of few storeys and a very long period: a power of ten went lost in its masses or stiffnesses.
+fn doubt_the_period(index: usize, building: &Building, doubts: &mut Doubts) {
+    let modes = building.modes();
+    let Some(period) = modes.first().map(Mode::period) else {
+        return;
+    };
+    let n = building.storeys.len();
+    // Isolated buildings reach four seconds whatever their height. Beyond ten seconds it is said of all.
+    let longest = 4.0 + 0.2 * n as f64;
+    doubts.unless(
+        period <= longest || period > 10.0,
+        format!("structures[{index}].building"),
+        (
+            format!("a first period of {} s with {n} storeys", short(period)),
+            "about 0.1 s for a storey, up to 4 s on isolators; masses and stiffnesses decide it",
+        ),
+    );
+}

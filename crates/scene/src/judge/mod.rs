@@ -1,0 +1,9 @@
+//! What a user should know before believing a run.
+
+pub(crate) mod certificate;
+pub(crate) mod free_collision;
+pub(crate) mod implausible;
+pub(crate) mod lean;
+pub(crate) mod limits;
+pub(crate) mod review;
+pub(crate) mod warning;

@@ -1,0 +1,325 @@
+//! A run with what is known of its errors, and what it warns of.
+
+use pounding_contact::SLOWEST_APPROACH;
+use pounding_solver::{Collision, Work};
+
+use crate::judge::limits::{ContactLimit, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
+use crate::simulation::{Audited, Extras};
+use crate::{
+    Balance, Delivered, Error, Method, Number, Place, RunErrors, RunResult, Simulation, Structure,
+    Warning,
+};
+
+/// Where rounding leaves a whole number of steps.
+const SLACK: f64 = 1.0 - 1e-9;
+
+/// Relative error of a printed number above which a run is warned of \[–\].
+pub const DOUBTFUL: f64 = 0.03;
+
+/// Part of the impulse of a free collision \[–\] by which the one that is delivered may be off without a warning.
+const IMPULSE_OFF: f64 = 0.05;
+
+/// A run with what is known of its errors.
+#[derive(Debug)]
+pub struct Review {
+    /// What the run leaves behind.
+    pub outcome: RunResult,
+    /// Where its energy went.
+    pub balance: Balance,
+    /// How far it is from the exact run.
+    pub errors: Errors,
+    /// What a user should know before believing it.
+    pub warnings: Vec<Warning>,
+}
+
+/// What is known of the errors of a run.
+#[derive(Debug)]
+pub enum Errors {
+    /// The method is exact.
+    Exact,
+    /// The method is exact, and its ledger says that this run went wrong.
+    Doubtful,
+    /// Nobody asked.
+    NotMeasured,
+    /// The exact run failed.
+    Unknown(Error),
+    /// Measured against an exact run, which cost this.
+    Measured(RunErrors, Work),
+}
+
+impl Review {
+    /// The errors, where they were measured.
+    pub fn measured(&self) -> Option<&RunErrors> {
+        match &self.errors {
+            Errors::Measured(errors, _) => Some(errors),
+            Errors::Exact | Errors::Doubtful | Errors::NotMeasured | Errors::Unknown(_) => None,
+        }
+    }
+}
+
+impl Simulation {
+    /// Runs the scene and says what is known of its errors.
+    ///
+    /// With `measure` the exact method runs too and every number is compared with its own; without it, warnings rest on
+    /// the collisions of the run itself.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics and was not
+    /// forced.
+    pub fn review(&self, measure: bool) -> Result<Review, Error> {
+        self.review_recorded(measure, None)
+    }
+
+    /// The same, with histories of a state every `interval` \[s\] where asked for.
+    ///
+    /// # Errors
+    /// Those of [`Self::review`].
+    pub fn review_recorded(&self, measure: bool, interval: Option<f64>) -> Result<Review, Error> {
+        let asked = Extras {
+            interval,
+            closings: true,
+        };
+        let Audited {
+            outcome,
+            broken,
+            balance,
+        } = self.audited_with(asked)?;
+        let mut warnings = Vec::new();
+        let refusal = self.refusal();
+        warnings.extend(refusal.map(|refusal| Warning::BeyondFreeLimit { refusal }));
+        let is_broken = broken.is_some();
+        if let Some(broken) = broken {
+            warnings.push(self.told(broken)?);
+        }
+        let errors = if matches!(self.method(), Method::Exact { .. }) {
+            warnings.extend(self.warnings_before(&outcome));
+            if is_broken {
+                Errors::Doubtful
+            } else {
+                Errors::Exact
+            }
+        } else if measure {
+            match self.reference() {
+                Ok((exact, doubt)) => {
+                    let (errors, of_errors) = self.warnings(&outcome, &exact);
+                    warnings.extend(doubt);
+                    warnings.extend(of_errors);
+                    Errors::Measured(errors, exact.work)
+                }
+                Err(error) => {
+                    warnings.push(Warning::ErrorUnknown);
+                    Errors::Unknown(error)
+                }
+            }
+        } else {
+            warnings.extend(self.warnings_before(&outcome));
+            Errors::NotMeasured
+        };
+        Ok(Review {
+            outcome,
+            balance,
+            errors,
+            warnings,
+        })
+    }
+
+    /// A broken law as a warning, where the run is forced or the law broken by next to nothing.
+    ///
+    /// # Errors
+    /// The law, where the run is not to be believed.
+    fn told(&self, broken: Error) -> Result<Warning, Error> {
+        if let Some(energy) = broken.doubt() {
+            let reference = self.method().time_step().is_some();
+            Ok(Warning::Doubtful { reference, energy })
+        } else if self.is_forced() {
+            let law = broken.to_string();
+            Ok(Warning::Broken { law })
+        } else {
+            Err(broken)
+        }
+    }
+
+    /// The exact run of the scene, by which other methods are measured, and what to be warned of with it.
+    ///
+    /// # Errors
+    /// [`Error`] where it fails or breaks a law of mechanics; a scene that is forced does not force it.
+    fn reference(&self) -> Result<(RunResult, Option<Warning>), Error> {
+        let exact = self.exact()?;
+        let audited = exact.audited_with(Extras::COMPARED)?;
+        let doubt = match audited.broken {
+            None => None,
+            Some(broken) => match broken.doubt() {
+                Some(_) => Some(self.told(broken)?),
+                None => return Err(broken),
+            },
+        };
+        Ok((audited.outcome, doubt))
+    }
+
+    /// Errors of a run of the scene against the exact one, and what it has to be warned of.
+    pub fn warnings(&self, run: &RunResult, exact: &RunResult) -> (RunErrors, Vec<Warning>) {
+        let errors = RunErrors::between(run, exact, self);
+        let mut warnings = self.warnings_before(exact);
+        let pairs = errors.pairs.iter().enumerate();
+        let rests = pairs.filter(|(_, pair)| pair.rests);
+        warnings.extend(rests.map(|(pair, _)| Warning::Rests {
+            names: self.names(pair),
+            pair,
+        }));
+        warnings.extend(errors.warnings());
+        (errors, warnings)
+    }
+
+    /// What can be said before a run, for the collisions that are expected: those of a run of the same scene, best the
+    /// exact one.
+    pub fn warnings_before(&self, expected: &RunResult) -> Vec<Warning> {
+        let structures = self.scene().structures.iter().enumerate();
+        let periods = structures.filter_map(|(index, structure)| self.few_steps(index, structure));
+        let limits = self.limits(expected);
+        let contacts = limits.contacts.iter();
+        let contacts = contacts.filter_map(|limit| self.contact_warning(limit));
+        let slow = self.slow_touches(expected);
+        periods.chain(contacts).chain(slow).collect()
+    }
+
+    fn few_steps(&self, index: usize, structure: &Structure) -> Option<Warning> {
+        let time_step = self.method().time_step()?;
+        let steps = structure.period()? / time_step;
+        (steps < SLACK * STEPS_PER_PERIOD).then(|| Warning::FewStepsPerPeriod {
+            structure: index,
+            name: structure.name().into(),
+            steps,
+            time_step: self.knob(time_step),
+        })
+    }
+
+    /// The field of the time step, and its value \[s\].
+    fn knob(&self, time_step: f64) -> (String, f64) {
+        let field = format!("method.{}.time_step_s", self.method().name());
+        (field, time_step)
+    }
+
+    /// What a pair's collisions are to be warned of: the least time step first.
+    fn contact_warning(&self, limit: &ContactLimit) -> Option<Warning> {
+        let time_step = self.method().time_step()?;
+        let place = || self.place(limit.pair, time_step);
+        if let Some(critical) = limit.critical_time_step
+            && time_step >= critical
+        {
+            return Some(Warning::BeyondContactLimit {
+                place: place(),
+                limit: critical,
+            });
+        }
+        let free = limit.free?;
+        let restitution = free.restitution.zip(free.delivered);
+        let is_off =
+            |(right, delivered): (f64, Delivered)| delivered.error > IMPULSE_OFF * (1.0 + right);
+        let off = restitution.is_some_and(is_off);
+        let few = |steps: &f64| off || *steps < SLACK * STEPS_PER_CONTACT;
+        free.steps.filter(few).map(|steps| Warning::UnderResolved {
+            place: place(),
+            steps,
+            restitution,
+        })
+    }
+
+    /// Slow touches of a law whose damper grows with 1/v₀, of a run that knows its approach speeds.
+    fn slow_touches(&self, expected: &RunResult) -> impl Iterator<Item = Warning> {
+        let pairs = self.pairs().iter().enumerate();
+        pairs.filter_map(|(index, pair)| {
+            let slow = |one: &&Collision| {
+                let speed = one.approach_speed;
+                one.pair == index && speed.is_some_and(|speed| speed < SLOWEST_APPROACH)
+            };
+            let count = expected.collisions.all().iter().filter(slow).count();
+            (pair.law.knows_approach_speed() && count > 0).then(|| Warning::SlowTouches {
+                pair: index,
+                names: self.names(index),
+                count,
+            })
+        })
+    }
+
+    fn place(&self, pair: usize, time_step: f64) -> Place {
+        Place {
+            pair,
+            names: self.names(pair),
+            time_step: self.knob(time_step),
+        }
+    }
+
+    /// Names of the structures of a pair.
+    fn names(&self, pair: usize) -> [String; 2] {
+        let pair = &self.pairs()[pair];
+        [pair.left, pair.right].map(|index| self.floors().all()[index].name.clone())
+    }
+}
+
+impl RunErrors {
+    /// What is far from the exact run.
+    fn warnings(&self) -> impl Iterator<Item = Warning> {
+        Number::ALL.into_iter().filter_map(|number| {
+            let error = self.of(number);
+            (error > DOUBTFUL).then_some(Warning::Error { number, error })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pounding_solver::LedgerError;
+
+    use super::*;
+
+    const SCENE: &str = r#"{
+        "name": "two",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+        "duration_s": 1.0,
+        "structures": [
+            {"sdof": {"name": "left", "mass_kg": 1e5, "period_s": 0.8, "damping": {"ratio": 0.05}}},
+            "wall"
+        ],
+        "contacts": [{"gap_m": 0.01, "law": {"linear_spring": {"impact_stiffness_n_per_m": 1e8}}}]
+    }"#;
+
+    fn broken(found: f64) -> Error {
+        Error::Broken {
+            scene: "two".into(),
+            structures: Vec::new(),
+            source: LedgerError::EnergyUnexplained {
+                found,
+                allowed: 1e-11,
+            },
+        }
+    }
+
+    /// A run that left 4e-5 of its energy unexplained was printed with "none beyond rounding".
+    #[test]
+    fn issue_an_exact_run_is_not_exact_whatever_its_ledger_says() {
+        let scene = serde_json::from_str(SCENE).expect("a scene");
+        let prepare = [
+            Simulation::new(&scene, std::path::Path::new("")),
+            Simulation::new(
+                &scene,
+                crate::Options {
+                    force: true,
+                    ..crate::Options::default()
+                },
+            ),
+        ];
+        let [usual, forced] = prepare.map(|prepared| prepared.expect("it is sound"));
+        let review = usual.review(true).expect("it runs");
+        assert!(matches!(review.errors, Errors::Exact) && review.warnings.is_empty());
+
+        let doubt = usual.told(broken(2e-10)).expect("it decides nothing");
+        insta::assert_snapshot!(doubt, @"this run, which should be exact: energy: found 2.0e-10 of it unexplained, allowed 1.0e-11, which rounding leaves of a right run; some number of this run is wrong, which is a fault of the method: use another one, and report it");
+        let wrong = usual.told(broken(4e-5)).expect_err("it is wrong");
+        insta::assert_snapshot!(wrong, @r#"scene "two": energy: found 4.0e-5 of it unexplained, allowed 1.0e-11, which rounding leaves of a right run; some number of this run is wrong, which is a fault of the method: use another one, and report it"#);
+        let forced = forced.told(broken(4e-5)).expect("it is forced");
+        assert!(matches!(forced, Warning::Broken { .. }), "{forced:?}");
+        for number in Number::ALL {
+            assert!(doubt.concerns(number) && forced.concerns(number));
+        }
+    }
+}

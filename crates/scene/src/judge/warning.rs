@@ -1,0 +1,252 @@
+//! What a user should know before believing a run.
+
+use std::fmt::{self, Formatter};
+
+use pounding_contact::SLOWEST_APPROACH;
+use pounding_solver::LedgerError;
+
+use crate::judge::limits::{STEPS_PER_CONTACT, STEPS_PER_PERIOD};
+use crate::{Delivered, Number};
+use pounding_text::digits;
+
+/// What a user should know before believing a run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Warning {
+    /// A structure moves alone beyond the critical time step, and was forced to.
+    BeyondFreeLimit {
+        /// What would have been refused, in words.
+        refusal: String,
+    },
+    /// A law of mechanics is broken, in a run that was forced.
+    Broken {
+        /// Which one, in words.
+        law: String,
+    },
+    /// An exact run leaves more of its energy unexplained than rounding does, though too little to decide anything.
+    Doubtful {
+        /// Whether it is the run by which this one is measured, and not this one.
+        reference: bool,
+        /// How much.
+        energy: LedgerError,
+    },
+    /// A structure has too few steps in its period.
+    FewStepsPerPeriod {
+        /// Index of the structure.
+        structure: usize,
+        /// Its name.
+        name: String,
+        /// Steps in its period.
+        steps: f64,
+        /// The field of the scene, and its value \[s\].
+        time_step: (String, f64),
+    },
+    /// A pair is unstable while it touches.
+    BeyondContactLimit {
+        /// Where.
+        place: Place,
+        /// Time step from which on it is \[s\].
+        limit: f64,
+    },
+    /// A collision has too few steps, or so few that its impulse is off.
+    UnderResolved {
+        /// Where.
+        place: Place,
+        /// Steps in the collision that is expected.
+        steps: f64,
+        /// e that the law delivers, and what the method delivers instead; nothing where that cannot be measured.
+        restitution: Option<(f64, Delivered)>,
+    },
+    /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
+    Rests {
+        /// Index of the pair.
+        pair: usize,
+        /// Names of its structures.
+        names: [String; 2],
+    },
+    /// A printed number is far from that of the exact run.
+    Error {
+        /// The number.
+        number: Number,
+        /// Its largest relative error \[–\].
+        error: f64,
+    },
+    /// Touches slower than a law with δ̇/v₀ is defined for.
+    SlowTouches {
+        /// Index of the pair.
+        pair: usize,
+        /// Names of its structures.
+        names: [String; 2],
+        /// How many.
+        count: usize,
+    },
+    /// The errors are not known, because the exact run fails.
+    ErrorUnknown,
+}
+
+/// A pair, with the knob that makes its steps shorter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Names of its structures.
+    pub names: [String; 2],
+    /// The field of the scene, and its value \[s\].
+    pub time_step: (String, f64),
+}
+
+impl Warning {
+    /// Whether it says that a printed number is not to be believed.
+    ///
+    /// What is said of a pair's collisions concerns their impulses and forces.
+    pub fn concerns(&self, asked: Number) -> bool {
+        match self {
+            Self::BeyondFreeLimit { .. }
+            | Self::Broken { .. }
+            | Self::Doubtful { .. }
+            | Self::ErrorUnknown
+            | Self::FewStepsPerPeriod { .. } => true,
+            Self::BeyondContactLimit { .. } | Self::UnderResolved { .. } | Self::Rests { .. } => {
+                matches!(
+                    asked,
+                    Number::PoundingForce
+                        | Number::FirstImpulse
+                        | Number::LargestImpulse
+                        | Number::TotalImpulse
+                )
+            }
+            Self::Error { number, .. } => asked == *number,
+            // Of the model, which every method shares.
+            Self::SlowTouches { .. } => false,
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        let [left, right] = &self.names;
+        write!(to, "contacts[{}] ({left} – {right})", self.pair)
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BeyondFreeLimit { refusal: text } | Self::Broken { law: text } => {
+                write!(to, "forced: {text}")
+            }
+            Self::Doubtful { reference, energy } => doubtful(*reference, energy, to),
+            Self::FewStepsPerPeriod {
+                structure,
+                name,
+                steps,
+                time_step: (knob, found),
+            } => {
+                let most = at_most(found * steps / STEPS_PER_PERIOD);
+                write!(
+                    to,
+                    "structures[{structure}] ({name}): its period has {steps:.2} steps; {knob} of {most} or less gives \
+                     {STEPS_PER_PERIOD}"
+                )
+            }
+            Self::BeyondContactLimit { place, limit } => {
+                let (knob, found) = &place.time_step;
+                write!(
+                    to,
+                    "{place}: impulses and forces may be unstable while it touches: {knob} is {}, allowed there less than {}",
+                    digits(*found),
+                    digits(*limit)
+                )
+            }
+            Self::UnderResolved {
+                place,
+                steps,
+                restitution,
+            } => under_resolved(place, *steps, restitution.as_ref(), to),
+            Self::Rests { pair, names } => {
+                let [left, right] = names;
+                write!(
+                    to,
+                    "contacts[{pair}] ({left} – {right}): comes to rest in contact in the exact run, where this run has an \
+                     impact in every step; their number and impulses depend on the step and are not compared"
+                )
+            }
+            Self::Error { number, error } => off(*number, *error, to),
+            Self::SlowTouches { pair, names, count } => {
+                let [left, right] = names;
+                write!(
+                    to,
+                    "contacts[{pair}] ({left} – {right}): {count} touches below {SLOWEST_APPROACH} m/s, for which its damper, \
+                     which grows with 1/v₀, is not defined; they count as {SLOWEST_APPROACH} m/s"
+                )
+            }
+            Self::ErrorUnknown => write!(to, "the exact run fails, so that no error is known"),
+        }
+    }
+}
+
+/// An exact run that is not quite exact.
+fn doubtful(reference: bool, energy: &LedgerError, to: &mut Formatter<'_>) -> fmt::Result {
+    let run = if reference {
+        "the exact run, by which errors are measured"
+    } else {
+        "this run, which should be exact"
+    };
+    write!(to, "{run}: {energy}")
+}
+
+/// Too few steps in a collision, and what is delivered with them.
+fn under_resolved(
+    place: &Place,
+    steps: f64,
+    restitution: Option<&(f64, Delivered)>,
+    to: &mut Formatter<'_>,
+) -> fmt::Result {
+    let (knob, found) = &place.time_step;
+    write!(
+        to,
+        "{place}: impulses and forces: a collision has {steps:.2} steps"
+    )?;
+    if let Some((right, delivered)) = restitution {
+        write!(to, ", {}", instead(*right, delivered))?;
+    }
+    if steps < STEPS_PER_CONTACT {
+        let most = at_most(found * steps / STEPS_PER_CONTACT);
+        write!(to, "; {knob} of {most} or less gives {STEPS_PER_CONTACT}")
+    } else {
+        write!(to, "; a shorter {knob} ({found}) gives more")
+    }
+}
+
+/// A number that is far from the exact run's.
+fn off(number: Number, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
+    let of = number.words();
+    if number == Number::Collisions {
+        write!(to, "{of}: not as many as in the exact run")
+    } else if error.is_finite() {
+        let decimals = usize::from(error < 0.1);
+        let percent = 100.0 * error;
+        if percent < 1e4 {
+            write!(to, "{of}: {percent:.decimals$} % off the exact run")
+        } else {
+            write!(to, "{of}: {percent:.1e} % off the exact run")
+        }
+    } else {
+        write!(
+            to,
+            "{of}: none, or zero, in this run or the exact one alone"
+        )
+    }
+}
+
+/// A time step with two digits, rounded down, so that what it is to give is given.
+fn at_most(step: f64) -> String {
+    let unit = libm::pow(10.0, libm::log10(step).floor() - 1.0);
+    // What rounding leaves of two digits are two digits.
+    digits((step / unit * (1.0 + 1e-9)).floor() * unit)
+}
+
+/// The e of a law, and what is delivered instead.
+fn instead(right: f64, delivered: &Delivered) -> String {
+    let [least, most] = delivered.range;
+    format!("e = {least:.3} to {most:.3} instead of {right:.3}")
+}

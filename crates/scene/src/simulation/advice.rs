@@ -1,0 +1,98 @@
+//! Which method and time step reach an accuracy at the least cost: what was found.
+
+use crate::{Method, Quantity};
+
+/// The accuracy asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Goal {
+    /// Largest relative error \[–\], > 0 and < 1.
+    pub error: f64,
+    /// Of what.
+    pub quantity: Quantity,
+}
+
+/// A run of the ladder.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// Name of the method, as in figures.
+    pub name: &'static str,
+    /// Method with its step.
+    pub method: Method,
+    /// Largest error \[–\] of the quantity; infinite where the run failed or the numbers of collisions differ.
+    pub error: f64,
+    /// What has the largest error; empty for the exact method.
+    pub worst: &'static str,
+    /// Force evaluations of a step of the central difference method that take as long; a piece of the exact method counts as
+    /// [`Simulation::evaluations_per_piece`](super::Simulation::evaluations_per_piece) of them.
+    pub cost: u64,
+}
+
+/// A method on the ladder, from the longest time step to the shortest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepSizes {
+    /// Its runs; none where no time step is stable.
+    pub trials: Vec<Trial>,
+    /// Index of the cheapest run that meets the goal, as all runs at shorter steps do; the shortest only confirms.
+    pub meets: Option<usize>,
+}
+
+/// What every method of the ladder costs and how far it is from the exact one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Advice {
+    /// What was asked for.
+    pub goal: Goal,
+    /// The exact method, the measure of the others; its own error is about rounding.
+    pub exact: Trial,
+    /// Every method with time steps.
+    pub methods: Vec<StepSizes>,
+}
+
+impl Advice {
+    /// The cheapest run that meets the goal; the exact method when no cheaper one does.
+    pub fn best(&self) -> &Trial {
+        let meeting = self.methods.iter().filter_map(StepSizes::chosen);
+        meeting.fold(
+            &self.exact,
+            |best, next| {
+                if next.cost < best.cost { next } else { best }
+            },
+        )
+    }
+}
+
+impl StepSizes {
+    pub(crate) fn new(trials: Vec<Trial>, goal: Goal) -> Self {
+        let holding = holding(&trials, |trial| trial.error <= goal.error);
+        let first = trials.len() - holding.len();
+        let confirmed = first..trials.len().saturating_sub(1);
+        Self {
+            meets: confirmed.min_by_key(|index| trials[*index].cost),
+            trials,
+        }
+    }
+
+    /// The cheapest run that meets the goal, as all runs at shorter steps do.
+    pub fn chosen(&self) -> Option<&Trial> {
+        self.meets.map(|index| &self.trials[index])
+    }
+}
+
+/// Of rungs from the coarsest to the finest those that hold what is asked, here and at every finer one.
+pub fn holding<Rung>(rungs: &[Rung], holds: impl Fn(&Rung) -> bool) -> &[Rung] {
+    let missed = rungs.iter().rposition(|rung| !holds(rung));
+    &rungs[missed.map_or(0, |index| index + 1)..]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_a_rung_holds_only_if_all_finer_ones_do() {
+        let holding = |errors| holding(errors, |error: &f64| *error <= 1.0).to_vec();
+        assert_eq!(holding(&[0.5, 2.0, 1.0, 0.1]), [1.0, 0.1], "0.5 was luck");
+        assert_eq!(holding(&[1.0, 0.5]), [1.0, 0.5]);
+        assert_eq!(holding(&[0.5, 2.0]), [0.0; 0]);
+        assert_eq!(holding(&[]), [0.0; 0]);
+    }
+}

@@ -1,0 +1,272 @@
+//! The floors of a scene: what the nodes of its row are called, and which of them face each other.
+
+mod levels;
+
+use pounding_solver::Levels;
+
+use levels::elevations;
+
+use crate::{Columns, Scene, SceneError, Sdof, Structure};
+
+/// Heights of floors that differ by no more are equal \[m\].
+pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
+
+/// The floors and walls of a scene, as its row numbers them: those of the lowest level from left to right, then those of
+/// the next, and so on. In a row of structures of one storey they are the structures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Floors {
+    n_structures: usize,
+    levels: Levels,
+    all: Vec<Floor>,
+    facing: Vec<FloorPair>,
+}
+
+/// A floor of a building, the only one of a structure of one storey, or a wall where it faces a floor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Floor {
+    /// Index of its structure, from the left.
+    pub structure: usize,
+    /// Storey below it, counted from 1; nothing for a structure of one storey and a wall.
+    pub storey: Option<usize>,
+    /// Name for tables: that of the structure, and the storey; of a wall that faces several floors, and the level.
+    pub name: String,
+    /// Height above the ground \[m\], where it is known.
+    pub elevation_m: Option<f64>,
+    /// What it is made of; nothing of a wall.
+    pub made_of: Option<StoreyProperties>,
+}
+
+/// What a floor and the storey below it are made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StoreyProperties {
+    /// Mass of the floor \[kg\].
+    pub mass_kg: f64,
+    /// Columns of the storey.
+    pub columns: Columns,
+    /// Height of the storey \[m\], where it is known.
+    pub height_m: Option<f64>,
+    /// Displacement and velocity of the floor at t = 0 \[m\], \[m/s\].
+    pub initial: (f64, f64),
+}
+
+/// Two floors that can touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FloorPair {
+    /// Index of the contact of the scene.
+    pub contact: usize,
+    /// Index of the left floor.
+    pub left: usize,
+    /// Index of the right floor.
+    pub right: usize,
+}
+
+impl Floor {
+    /// Whether it is a wall.
+    pub fn is_wall(&self) -> bool {
+        self.made_of.is_none()
+    }
+
+    /// Natural period \[s\] and damping ratio of its structure, of a building in the first mode; nothing of a wall.
+    pub fn oscillation(&self, scene: &Scene) -> Option<(f64, f64)> {
+        let structure = &scene.structures[self.structure];
+        structure.period().zip(structure.damping_ratio())
+    }
+
+    /// Whether its columns can yield.
+    pub fn can_yield(&self) -> bool {
+        let force = |made: StoreyProperties| made.columns.yield_force_n;
+        self.made_of.and_then(force).is_some()
+    }
+
+    /// Ductility demand \[–\] of a drift \[m\], of columns that can yield.
+    pub fn ductility(&self, drift: f64) -> Option<f64> {
+        let columns = self.made_of?.columns;
+        let yield_force = columns.yield_force_n?;
+        Some(drift.abs() * columns.stiffness_n_per_m / yield_force)
+    }
+
+    /// Part of the height of the storey that a drift is \[–\], where the height is known.
+    pub fn drift_ratio(&self, drift: f64) -> Option<f64> {
+        Some(drift.abs() / self.made_of?.height_m?)
+    }
+}
+
+impl StoreyProperties {
+    fn of(sdof: &Sdof) -> Self {
+        Self {
+            mass_kg: sdof.mass_kg,
+            columns: sdof.columns(),
+            height_m: sdof.height_m,
+            initial: (sdof.initial_displacement_m, sdof.initial_velocity_m_per_s),
+        }
+    }
+}
+
+impl Floors {
+    /// Of a scene whose structures were checked.
+    ///
+    /// # Errors
+    /// [`SceneError::LevelsDiffer`] where a floor would hit the columns of a neighbour, [`SceneError::NotFacing`] and
+    /// [`SceneError::NoLevels`] where a contact names levels at which nothing can touch.
+    pub fn of(scene: &Scene) -> Result<Self, SceneError> {
+        let levels = levels::of(scene)?;
+        let contacts = scene.contacts.iter().flatten().enumerate();
+        let mut facing = Vec::new();
+        for (contact, one) in contacts {
+            let chosen = |node: &(usize, usize)| levels::lets_touch(one, levels.level(node.0));
+            let at_levels = levels.facing(contact).filter(chosen);
+            facing.extend(at_levels.map(|(left, right)| FloorPair {
+                contact,
+                left,
+                right,
+            }));
+        }
+        facing.sort_by_key(|one: &FloorPair| one.left);
+        Ok(Self {
+            n_structures: scene.structures.len(),
+            all: (0..levels.n_nodes())
+                .map(|node| floor(scene, &levels, node))
+                .collect(),
+            facing,
+            levels,
+        })
+    }
+
+    /// Takes other numbers of a row of structures of one storey and walls, which stand as they stood.
+    pub(crate) fn renumber(&mut self, scene: &Scene) {
+        for floor in &mut self.all {
+            if let Structure::Sdof(sdof) = &scene.structures[floor.structure] {
+                floor.elevation_m = sdof.height_m;
+                floor.made_of = Some(StoreyProperties::of(sdof));
+            }
+        }
+    }
+
+    /// All of them, in the order of the row.
+    pub fn all(&self) -> &[Floor] {
+        &self.all
+    }
+
+    /// The floors of a structure, from the ground up, by their places in the row.
+    pub fn of_structure(&self, structure: usize) -> &[usize] {
+        self.levels.of(structure)
+    }
+
+    /// All of them, structure by structure from the left, each from the ground up, by their places in the row.
+    pub fn by_structure(&self) -> impl Iterator<Item = usize> {
+        (0..self.n_structures).flat_map(|structure| self.levels.of(structure).iter().copied())
+    }
+
+    /// Number of the storey below a floor, from 1; of a wall that of the level at which it stands.
+    pub fn storey_of(&self, floor: usize) -> usize {
+        let Floor { storey, .. } = self.all[floor];
+        if self.all[floor].is_wall() {
+            self.levels.level(floor) + 1
+        } else {
+            storey.unwrap_or(1)
+        }
+    }
+
+    /// The floor below, in the same building; nothing for one that stands on the ground.
+    pub fn below(&self, floor: usize) -> Option<usize> {
+        let (structure, storey) = self.levels.place(floor);
+        let lower = storey.checked_sub(1)?;
+        (!self.all[floor].is_wall()).then(|| self.levels.of(structure)[lower])
+    }
+
+    /// Floors that can touch, in the order of the row's pairs.
+    pub fn facing(&self) -> &[FloorPair] {
+        &self.facing
+    }
+
+    /// Pairs, contact by contact from the left, each from the ground up.
+    pub fn pairs_by_contact(&self) -> Vec<usize> {
+        let mut pairs: Vec<usize> = (0..self.facing.len()).collect();
+        pairs.sort_by_key(|pair| self.facing[*pair].contact);
+        pairs
+    }
+
+    /// Names of the left and the right floor of a pair.
+    pub fn names(&self, pair: usize) -> [String; 2] {
+        let FloorPair { left, right, .. } = self.facing[pair];
+        [left, right].map(|floor| self.all[floor].name.clone())
+    }
+
+    /// Floors that need a gap between them: those that contacts let touch, or all that face each other where a scene has no
+    /// contacts; index of the left structure, left and right floor.
+    pub(crate) fn neighbours(&self) -> Vec<(usize, usize, usize)> {
+        if self.facing.is_empty() {
+            return self.all_facing();
+        }
+        let facing = self.facing.iter();
+        facing
+            .map(|one| (one.contact, one.left, one.right))
+            .collect()
+    }
+
+    /// The same floors, none of which can touch another.
+    pub(crate) fn apart(&self) -> Self {
+        Self {
+            facing: Vec::new(),
+            ..self.clone()
+        }
+    }
+
+    /// Pairs of all floors that face each other, contacts or not: index of the left structure, left and right floor.
+    pub(crate) fn all_facing(&self) -> Vec<(usize, usize, usize)> {
+        let facing = |left: usize| {
+            let facing = self.levels.facing(left);
+            facing.map(move |(one, other)| (left, one, other))
+        };
+        let mut all: Vec<_> = (1..self.n_structures)
+            .flat_map(|right| facing(right - 1))
+            .collect();
+        all.sort_unstable_by_key(|one| one.1);
+        all
+    }
+
+    /// How floors stand in the row.
+    pub fn levels(&self) -> &Levels {
+        &self.levels
+    }
+}
+
+fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
+    let (index, storey) = levels.place(node);
+    let structure = &scene.structures[index];
+    let name = structure.name().to_string();
+    match structure {
+        Structure::Sdof(sdof) => Floor {
+            structure: index,
+            storey: None,
+            name,
+            elevation_m: sdof.height_m,
+            made_of: Some(StoreyProperties::of(sdof)),
+        },
+        Structure::Building(building) => {
+            let one = &building.storeys[storey];
+            Floor {
+                structure: index,
+                storey: Some(storey + 1),
+                name: format!("{name} {}", storey + 1),
+                elevation_m: elevations(structure).map(|heights| heights[storey]),
+                made_of: Some(StoreyProperties {
+                    mass_kg: one.mass_kg,
+                    columns: one.columns,
+                    height_m: one.height_m,
+                    initial: (one.initial_displacement_m, one.initial_velocity_m_per_s),
+                }),
+            }
+        }
+        Structure::Wall => Floor {
+            structure: index,
+            storey: None,
+            name: match levels.of(index) {
+                [_] => name,
+                _ => format!("{name} {}", levels.level(node) + 1),
+            },
+            elevation_m: None,
+            made_of: None,
+        },
+    }
+}

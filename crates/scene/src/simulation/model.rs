@@ -1,0 +1,282 @@
+//! What the solver needs of a scene: the leanest row that models it, integrator and clock.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic,
+    Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
+};
+
+use super::columns::Mixed;
+use crate::{Columns, Method, Scene, Structure};
+use crate::{simulation::floors::Floor, simulation::floors::FloorPair, simulation::floors::Floors};
+
+/// The row with the columns it needs: decided once per run.
+#[derive(Debug, Clone)]
+pub(super) enum Model {
+    Elastic(Row<Elastic>),
+    /// Elastic storeys among yielding ones get an infinite yield force.
+    ElastoPlastic(Row<ElastoPlastic>),
+    /// Some harden; others among them have a hardening of 0.
+    Bilinear(Row<Bilinear>),
+    /// Some yield smoothly.
+    Mixed(Row<Mixed>),
+}
+
+/// Does the same with the row of any model.
+macro_rules! with_row {
+    ($model:expr, $row:ident => $done:expr) => {
+        match $model {
+            Model::Elastic($row) => $done,
+            Model::ElastoPlastic($row) => $done,
+            Model::Bilinear($row) => $done,
+            Model::Mixed($row) => $done,
+        }
+    };
+}
+pub(super) use with_row;
+
+/// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
+const OUT_OF_REACH: f64 = 1e9;
+
+/// The most that some storey of a scene asks of its columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Asked {
+    Nothing,
+    Yielding,
+    Hardening,
+    Bending,
+}
+
+impl Asked {
+    fn of(columns: &Columns) -> Self {
+        match (
+            columns.yield_force_n,
+            columns.hardening_ratio,
+            columns.bouc_wen,
+        ) {
+            (None, ..) => Self::Nothing,
+            (Some(_), _, Some(_)) => Self::Bending,
+            (Some(_), Some(_), None) => Self::Hardening,
+            (Some(_), None, None) => Self::Yielding,
+        }
+    }
+}
+
+impl Model {
+    /// The leanest row of a checked scene.
+    pub(super) fn new(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
+        let made = floors.all().iter().filter_map(|floor| floor.made_of);
+        let most = made.map(|made| Asked::of(&made.columns)).max();
+        let pairs = pairs(scene, floors).collect();
+        match most.unwrap_or(Asked::Nothing) {
+            Asked::Nothing => row(scene, floors, elastic, pairs).map(Self::Elastic),
+            Asked::Yielding => row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic),
+            Asked::Hardening => row(scene, floors, bilinear, pairs).map(Self::Bilinear),
+            Asked::Bending => row(scene, floors, mixed, pairs).map(Self::Mixed),
+        }
+    }
+
+    /// Gives the row other numbers, in its own memory.
+    pub(super) fn renumber(&mut self, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
+        match self {
+            Self::Elastic(row) => renumber(row, scene, floors, elastic),
+            Self::ElastoPlastic(row) => renumber(row, scene, floors, elasto_plastic),
+            Self::Bilinear(row) => renumber(row, scene, floors, bilinear),
+            Self::Mixed(row) => renumber(row, scene, floors, mixed),
+        }
+    }
+
+    /// The same with what a scene can ask for and this one does not: columns that remember their yielding, and all floors
+    /// that face each other as pairs.
+    pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
+        let lean = Self::new(scene, floors)?;
+        let pairs = match &scene.contacts {
+            Some(_) => pairs(scene, floors).collect(),
+            None => pairs_out_of_reach(floors),
+        };
+        match lean {
+            Self::Elastic(_) | Self::ElastoPlastic(_) => {
+                row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic)
+            }
+            Self::Bilinear(_) => row(scene, floors, bilinear, pairs).map(Self::Bilinear),
+            Self::Mixed(_) => row(scene, floors, mixed, pairs).map(Self::Mixed),
+        }
+    }
+
+    /// The pairs that can touch, level by level from left to right.
+    pub(super) fn pairs(&self) -> &[Pair] {
+        with_row!(self, row => row.pairs())
+    }
+}
+
+fn elastic(columns: &Columns) -> Elastic {
+    Elastic {
+        stiffness: columns.stiffness_n_per_m,
+    }
+}
+
+fn elasto_plastic(columns: &Columns) -> ElastoPlastic {
+    ElastoPlastic {
+        stiffness: columns.stiffness_n_per_m,
+        yield_force: columns.yield_force_n.unwrap_or(f64::INFINITY),
+    }
+}
+
+fn bilinear(columns: &Columns) -> Bilinear {
+    let ElastoPlastic {
+        stiffness,
+        yield_force,
+    } = elasto_plastic(columns);
+    Bilinear {
+        stiffness,
+        yield_force,
+        hardening: columns.hardening_ratio.unwrap_or(0.0),
+    }
+}
+
+fn mixed(columns: &Columns) -> Mixed {
+    let sharp = bilinear(columns);
+    match columns.bouc_wen {
+        None => Mixed::Sharp(sharp),
+        Some(smooth) => Mixed::Smooth(BoucWen {
+            stiffness: sharp.stiffness,
+            yield_force: sharp.yield_force,
+            hardening: sharp.hardening,
+            smoothness: Smoothness {
+                exponent: smooth.exponent,
+                unloading: smooth.beta,
+            },
+        }),
+    }
+}
+
+fn pairs(scene: &Scene, floors: &Floors) -> impl Iterator<Item = Pair> {
+    let contacts = scene.contacts.as_deref().unwrap_or_default();
+    let pair = |facing: &FloorPair| {
+        let contact = &contacts[facing.contact];
+        Pair {
+            left: facing.left,
+            right: facing.right,
+            gap: contact.gap_m,
+            law: contact.law,
+        }
+    };
+    floors.facing().iter().map(pair)
+}
+
+fn pairs_out_of_reach(floors: &Floors) -> Vec<Pair> {
+    let walls = |node: usize| floors.all()[node].is_wall();
+    let facing = floors.all_facing().into_iter();
+    facing
+        .filter(|(_, left, right)| !(walls(*left) && walls(*right)))
+        .map(|(_, left, right)| Pair {
+            left,
+            right,
+            gap: OUT_OF_REACH,
+            law: ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 }),
+        })
+        .collect()
+}
+
+fn row<Column: Hysteretic>(
+    scene: &Scene,
+    floors: &Floors,
+    column: impl Fn(&Columns) -> Column,
+    pairs: Vec<Pair>,
+) -> Result<Row<Column>, ModelError> {
+    let row = Row::new(nodes(scene, floors, column).collect(), pairs)?;
+    match &scene.arrivals_s {
+        None => Ok(row),
+        Some(arrivals) => {
+            let arrival = |floor: &Floor| arrivals[floor.structure];
+            row.delayed(floors.all().iter().map(arrival).collect())
+        }
+    }
+}
+
+/// Gives a row other numbers, in its own memory; the motion arrives everywhere at once.
+fn renumber<Column: Hysteretic>(
+    row: &mut Row<Column>,
+    scene: &Scene,
+    floors: &Floors,
+    column: impl Fn(&Columns) -> Column,
+) -> Result<(), ModelError> {
+    let nothing = Row::new(Vec::new(), Vec::new())?;
+    let before = std::mem::replace(row, nothing);
+    *row = before.renewed(nodes(scene, floors, column), pairs(scene, floors))?;
+    Ok(())
+}
+
+fn nodes<Column>(
+    scene: &Scene,
+    floors: &Floors,
+    column: impl Fn(&Columns) -> Column,
+) -> impl Iterator<Item = Node<Column>> {
+    // Those of a building are found together; up to the last building, so that structures of one storey need no memory.
+    let of_building = |one: &Structure| match one {
+        Structure::Building(building) => building.dampings(),
+        Structure::Sdof(_) | Structure::Wall => Vec::new(),
+    };
+    let is_building = |one: &Structure| matches!(one, Structure::Building(_));
+    let up_to = scene.structures.iter().rposition(is_building);
+    let up_to = up_to.map_or(0, |last| last + 1);
+    let dampings: Vec<_> = scene.structures[..up_to].iter().map(of_building).collect();
+    let node = move |(index, floor): (usize, &Floor)| {
+        let Some(made) = floor.made_of else {
+            return Node::wall(column(&Columns::elastic(1.0)));
+        };
+        let (_, storey) = floors.levels().place(index);
+        let (damping, ground_damping) = match &scene.structures[floor.structure] {
+            Structure::Sdof(sdof) => (sdof.damping_coefficient(), 0.0),
+            Structure::Building(_) | Structure::Wall => dampings[floor.structure][storey],
+        };
+        let storey = Storey {
+            mass: made.mass_kg,
+            damping,
+            ground_damping,
+            column: column(&made.columns),
+        };
+        Node {
+            initial_displacement: made.initial.0,
+            initial_velocity: made.initial.1,
+            ..floors.levels().floor(index, storey)
+        }
+    };
+    floors.all().iter().enumerate().map(node)
+}
+
+impl Method {
+    /// The method without its time step.
+    pub fn integrator(self) -> Integrator {
+        match self {
+            Self::CentralDifference {
+                contact_substeps, ..
+            } => Integrator::CentralDifference(CentralDifference { contact_substeps }),
+            Self::Newmark { beta, gamma, .. } => Integrator::Newmark(Newmark { beta, gamma }),
+            Self::Hht { alpha, .. } => Integrator::Hht(Hht { alpha }),
+            Self::VelocityVerlet { impacts, .. } => Integrator::Verlet(Verlet { impacts }),
+            Self::Rk4 { .. } => Integrator::Rk4(Rk4),
+            Self::MoreauJean { theta, .. } => Integrator::MoreauJean(MoreauJean { theta }),
+            Self::Exact {
+                tolerance,
+                simultaneous_impacts,
+            } => Integrator::Exact(Exact {
+                tolerance,
+                simultaneous_impacts,
+            }),
+            Self::Accuracy(_) => unreachable!("the method for an accuracy is found before"),
+        }
+    }
+
+    /// The time steps of a run of some duration \[s\]; one for the exact method, which asks for the end only.
+    pub fn clock(self, duration: f64) -> Clock {
+        let time_step = self.time_step().unwrap_or(duration);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "checked: 0 < n <= 1e9"
+        )]
+        let n_steps = (duration / time_step).round() as usize;
+        Clock { time_step, n_steps }
+    }
+}

@@ -1,0 +1,177 @@
+//! The collisions of one pair, summed up: the numbers that are printed of it.
+
+use pounding_solver::{Closing, Collision, Pair, Peak};
+
+use super::RunResult;
+
+/// What happened between two neighbours.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PairOutcome {
+    /// Number of collisions.
+    pub collisions: usize,
+    /// The first of them.
+    pub first: Option<Collision>,
+    /// The one with the largest impulse; of equal ones the first.
+    pub largest: Option<Collision>,
+    /// Largest pounding force \[N\] and its first instant; nothing where one of the collisions is an impulse, which has none: the force of rest
+    /// between impacts would hide it.
+    pub peak_force: Option<Peak>,
+    /// Sum of the impulses \[N·s\].
+    pub total_impulse: f64,
+    /// The one that lasts longest; of equal ones the first.
+    pub longest: Option<Collision>,
+    /// Sum of their durations \[s\].
+    pub touching: f64,
+}
+
+/// What rounding leaves of a gap that is closed \[m\].
+const ROUNDING: f64 = 1e-12;
+/// Neighbours that touch for longer at once lean on each other \[s\]: collisions last some hundredths of a second, slow ones of heavy
+/// buildings with Hertz contact up to 0.15 s.
+pub(crate) const LEANS: f64 = 0.25;
+
+impl PairOutcome {
+    /// Least opening \[m\] of a gap of this width, and its instant \[s\], of neighbours that came as close as this.
+    fn least_opening(&self, gap: f64, closing: Option<Closing>) -> (f64, f64) {
+        let (opening, time) =
+            closing.map_or((gap, 0.0), |closing| (gap - closing.distance, closing.time));
+        match self.first {
+            // Impulses leave the gap closed to rounding, and an impact of a step may be found before its neighbours overlap.
+            Some(first) if opening > -ROUNDING => (0.0, first.start),
+            _ => (opening, time),
+        }
+    }
+
+    /// Of some collisions in the order in which they begin: those of one pair, or of all.
+    pub fn of<'a, All: IntoIterator<Item = &'a Collision>>(all: All) -> Self {
+        all.into_iter().fold(Self::default(), Self::and)
+    }
+
+    fn and(self, next: &Collision) -> Self {
+        let is_largest = self
+            .largest
+            .is_none_or(|largest| next.impulse > largest.impulse);
+        let force = next.peak_force.zip(next.peak_force_time);
+        let force = force.map(|(value, time)| Peak { value, time });
+        let peak_force = match (self.collisions, self.peak_force, force) {
+            (0, _, force) => force,
+            (_, Some(peak), Some(force)) if force.value > peak.value => Some(force),
+            (_, Some(peak), Some(_)) => Some(peak),
+            _ => None,
+        };
+        Self {
+            collisions: self.collisions + 1,
+            first: self.first.or(Some(*next)),
+            largest: if is_largest {
+                Some(*next)
+            } else {
+                self.largest
+            },
+            peak_force,
+            total_impulse: self.total_impulse + next.impulse,
+            longest: self
+                .longest
+                .filter(|longest| duration(longest) >= duration(next))
+                .or(Some(*next)),
+            touching: self.touching + duration(next),
+        }
+    }
+
+    /// The longest touch, where it is more of a push than a blow: such as where the ground, or what yielding leaves of a drift,
+    /// presses a building against its neighbour. Its impulse is large without a hard hit.
+    pub fn leaning(&self) -> Option<Collision> {
+        self.longest.filter(|longest| duration(longest) > LEANS)
+    }
+}
+
+/// How long a touch lasts \[s\].
+fn duration(one: &Collision) -> f64 {
+    one.end - one.start
+}
+
+impl RunResult {
+    /// The collisions of a pair, in the order in which they begin.
+    pub fn collisions_of(&self, pair: usize) -> impl Iterator<Item = &Collision> {
+        let all = self.collisions.all().iter();
+        all.filter(move |one| one.pair == pair)
+    }
+
+    /// Least opening \[m\] of the gap of a pair, of which this happened, and its instant \[s\]; nothing where closings were not
+    /// asked for.
+    pub fn least_opening(&self, pair: &Pair, found: &PairOutcome) -> Option<(f64, f64)> {
+        let closing = self.closings.as_ref()?.of(pair.left);
+        Some(found.least_opening(pair.gap, closing))
+    }
+
+    /// What happened between the neighbours of a pair.
+    pub fn of_pair(&self, pair: usize) -> PairOutcome {
+        PairOutcome::of(self.collisions_of(pair))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn collision(start: f64, impulse: f64, peak_force: Option<f64>) -> Collision {
+        Collision {
+            pair: 0,
+            start,
+            uncertainty: None,
+            approach_speed: None,
+            end: start,
+            peak_force,
+            peak_force_time: peak_force.map(|_| start + 0.1),
+            impulse,
+        }
+    }
+
+    #[test]
+    fn reference_first_largest_and_sum() {
+        let all = [
+            collision(1.0, 2.0, Some(7.0)),
+            collision(2.0, 5.0, Some(6.0)),
+            collision(3.0, 5.0, Some(9.0)),
+        ];
+        let found = PairOutcome::of(&all);
+        let wanted = PairOutcome {
+            collisions: 3,
+            first: Some(all[0]),
+            largest: Some(all[1]),
+            peak_force: Some(Peak {
+                value: 9.0,
+                time: 3.1,
+            }),
+            total_impulse: 12.0,
+            longest: Some(all[0]),
+            touching: 0.0,
+        };
+        assert_eq!(found, wanted);
+        assert_eq!(PairOutcome::of(&[]), PairOutcome::default());
+    }
+
+    /// Half a second of leaning was a collision like any other.
+    #[test]
+    fn issue_a_long_touch_leans() {
+        let lasting = |start: f64, duration: f64| Collision {
+            end: start + duration,
+            ..collision(start, 1.0, Some(1.0))
+        };
+        let found = PairOutcome::of(&[lasting(1.0, 0.02), lasting(2.0, 0.5), lasting(3.0, 0.04)]);
+        assert_eq!(found.leaning().map(|one| one.start), Some(2.0));
+        assert!((found.touching - 0.56).abs() < 1e-12, "{found:?}");
+        let brief = PairOutcome::of(&[lasting(1.0, 0.02), lasting(3.0, 0.04)]);
+        assert_eq!(brief.longest.map(|one| one.start), Some(3.0));
+        assert_eq!(brief.leaning(), None);
+    }
+
+    #[test]
+    fn limit_rest_does_not_hide_an_impulse() {
+        let (rest, impact) = (collision(1.0, 2.0, Some(7.0)), collision(2.0, 1.0, None));
+        let force = PairOutcome::of(&[rest]).peak_force;
+        assert_eq!(force.map(|peak| peak.value), Some(7.0));
+        for both in [[rest, impact], [impact, rest]] {
+            assert_eq!(PairOutcome::of(&both).peak_force, None);
+        }
+    }
+}

@@ -1,0 +1,417 @@
+//! Runs of a prepared scene: what they record, and what is said of those that fail.
+
+use std::ops::Range;
+
+use pounding_solver::{
+    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Hysteretic, Integrator,
+    LastDisplacements, Ledger, LedgerError, Opening, Pair, Peak, Peaks, Recorder, Row, RunError,
+    Terms, TransferredMomentum, Travel, Work,
+};
+
+use super::Simulation;
+use super::model::{Model, with_row};
+use crate::{Error, Method, SceneError, Structure};
+
+/// Looks at a motion in the shortest natural period; see [`Closings`].
+const LOOKS_PER_PERIOD: f64 = 200.0;
+
+/// What a run leaves behind.
+#[derive(Debug, Clone)]
+pub struct RunResult {
+    /// Peaks of every structure.
+    pub peaks: Peaks,
+    /// Collisions of every pair.
+    pub collisions: Collisions,
+    /// Transferred momentum of every structure.
+    pub momentum: TransferredMomentum,
+    /// Peak absolute accelerations of every floor \[m/s²\]; impulsive impacts, which have none, left out.
+    pub accelerations: Vec<Peak>,
+    /// Where every floor is at the end.
+    pub last: LastDisplacements,
+    /// How far neighbours came towards each other, where asked for.
+    pub closings: Option<Closings>,
+    /// Histories of every structure, where asked for.
+    pub histories: Option<Histories>,
+    /// What the run cost.
+    pub work: Work,
+}
+
+/// A run with what its ledger says.
+#[derive(Debug)]
+pub struct Audited {
+    /// What the run leaves behind.
+    pub outcome: RunResult,
+    /// The law of mechanics that it breaks, if any.
+    pub broken: Option<Error>,
+    /// Where its energy went.
+    pub balance: Balance,
+}
+
+/// Where the energy of a run went, and how well its sum closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    /// Terms of the row at the end \[J\].
+    pub terms: Terms,
+    /// What of the energies the physical balance leaves unexplained, relative to the scale \[–\]; see
+    /// [`Ledger::residual`].
+    pub residual: f64,
+    /// What energies are measured by \[J\]; see [`Ledger::scale`].
+    pub scale: f64,
+}
+
+/// Work on a row that does not ask what its columns are.
+pub trait OnRow {
+    /// What comes of it.
+    type Output;
+
+    /// Works on a row.
+    fn on<Column: Hysteretic>(self, row: &Row<Column>) -> Self::Output;
+}
+
+/// What a run records only where it is asked for.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Extras {
+    /// Histories of a state every so many seconds.
+    pub interval: Option<f64>,
+    /// How far neighbours come towards each other.
+    pub closings: bool,
+}
+
+impl Extras {
+    /// Everything that errors are measured by.
+    pub(crate) const COMPARED: Self = Self {
+        interval: None,
+        closings: true,
+    };
+}
+
+/// Recorders of what is printed of a structure or a pair, with a ledger or `()`.
+pub type Recorders<L> = (Peaks, Collisions, TransferredMomentum, L);
+/// The same with everything else.
+pub type AllRecorders<'a, L> = (
+    Recorders<L>,
+    FloorAccelerations<'a>,
+    LastDisplacements,
+    (Option<Closings>, Option<Histories>),
+);
+
+impl RunResult {
+    /// What recorders have seen of a run, with its ledger.
+    fn of<L>(
+        (usual, accelerations, last, (closings, histories)): AllRecorders<'_, L>,
+        work: Work,
+    ) -> (Self, L) {
+        let (peaks, collisions, momentum, ledger) = usual;
+        let outcome = Self {
+            peaks,
+            collisions,
+            momentum,
+            accelerations: accelerations.into_peaks(),
+            last,
+            closings,
+            histories,
+            work,
+        };
+        (outcome, ledger)
+    }
+}
+
+impl Simulation {
+    /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics: nobody reads a
+    /// warning here.
+    pub fn run(&self, interval: Option<f64>) -> Result<RunResult, Error> {
+        let Audited {
+            outcome, broken, ..
+        } = self.audited(interval)?;
+        broken.map_or(Ok(outcome), Err)
+    }
+
+    /// The same with everything that [`RunErrors`](crate::RunErrors) compare.
+    ///
+    /// # Errors
+    /// As of a [`run`](Self::run).
+    pub fn run_compared(&self) -> Result<RunResult, Error> {
+        let Audited {
+            outcome, broken, ..
+        } = self.audited_with(Extras::COMPARED)?;
+        broken.map_or(Ok(outcome), Err)
+    }
+
+    /// Runs the scene; what its ledger says stands beside the outcome.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early.
+    pub fn audited(&self, interval: Option<f64>) -> Result<Audited, Error> {
+        let asked = Extras {
+            interval,
+            closings: false,
+        };
+        self.audited_with(asked)
+    }
+
+    /// The same with what is asked for.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early.
+    pub fn audited_with(&self, asked: Extras) -> Result<Audited, Error> {
+        let ledger = self.ledger().held_to(self.integrator.laws());
+        let (outcome, ledger) = self.run_with(asked, ledger)?;
+        Ok(Audited {
+            outcome,
+            broken: ledger.verdict().err().map(|source| self.broke(source)),
+            balance: Balance {
+                terms: ledger.terms(),
+                residual: ledger.residual(),
+                scale: ledger.scale(),
+            },
+        })
+    }
+
+    /// The same without the ledger, which for the exact method takes a third of the time.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early.
+    pub fn run_unjudged(&self, asked: Extras) -> Result<RunResult, Error> {
+        Ok(self.run_with(asked, ())?.0)
+    }
+
+    /// Runs the scene with a ledger or without one.
+    fn run_with<L: Recorder>(&self, asked: Extras, ledger: L) -> Result<(RunResult, L), Error> {
+        let mut recorders = self.all_recorders(asked, ledger);
+        let work = self.integrate(&mut recorders)?;
+        Ok(RunResult::of(recorders, work))
+    }
+
+    /// Records a run that `run` makes in another way than the scene's method; histories as of [`run`](Self::run).
+    ///
+    /// # Errors
+    /// [`Error::Run`] where it ends early.
+    pub fn recorded(
+        &self,
+        interval: Option<f64>,
+        run: impl FnOnce(&mut AllRecorders<'_, ()>) -> Result<Work, RunError>,
+    ) -> Result<RunResult, Error> {
+        let asked = Extras {
+            interval,
+            closings: false,
+        };
+        let mut recorders = self.all_recorders(asked, ());
+        let work = run(&mut recorders).map_err(|source| self.ended(source))?;
+        Ok(RunResult::of(recorders, work).0)
+    }
+
+    /// Empty recorders of everything that is asked for.
+    ///
+    /// Whatever is asked for, they are of one type for each ledger: every further one would compile all methods again.
+    fn all_recorders<L>(&self, asked: Extras, ledger: L) -> AllRecorders<'_, L> {
+        let n = self.floors.all().len();
+        let duration = self.clock.time(self.clock.n_steps);
+        let histories = |interval| Histories::new(n, interval, duration);
+        (
+            self.recorders(ledger),
+            FloorAccelerations::new(n, self.excitation()).travelled(self.travel().as_ref()),
+            LastDisplacements::new(n),
+            (
+                asked.closings.then(|| self.closings()),
+                asked.interval.map(histories),
+            ),
+        )
+    }
+
+    /// Empty recorders of everything but histories.
+    fn recorders<L>(&self, ledger: L) -> Recorders<L> {
+        let n = self.floors.all().len();
+        (
+            Peaks::new(n),
+            Collisions::new(n, self.pairs()).travelled(self.travel()),
+            TransferredMomentum::new(n),
+            ledger,
+        )
+    }
+
+    /// An empty recorder of how far neighbours come towards each other.
+    fn closings(&self) -> Closings {
+        let periods = self.scene.structures.iter().filter_map(Structure::period);
+        let look = periods.fold(f64::INFINITY, f64::min) / LOOKS_PER_PERIOD;
+        Closings::new(self.walls(), look).travelled(self.travel())
+    }
+
+    /// How the ground motion travels along the row; nothing where all are shaken at once.
+    pub fn travel(&self) -> Option<Travel> {
+        let excitation = self.excitation();
+        with_row!(&self.model, row => row.travel(excitation))
+    }
+
+    /// How far the bases of structures that face each other come closest, or apart, during the run, by how the ground
+    /// motion travels: of every structure and its right neighbour; empty where all are shaken at once.
+    pub fn openings(&self) -> Vec<Opening> {
+        let Some(travel) = self.travel() else {
+            return Vec::new();
+        };
+        let base = |structure: usize| self.floors.of_structure(structure)[0];
+        let neighbours = 1..self.scene.structures.len();
+        let opening = |right: usize| {
+            let bases = [base(right - 1), base(right)];
+            travel.largest_opening(bases, self.duration())
+        };
+        neighbours.map(opening).collect()
+    }
+
+    /// The pairs that can touch, from left to right.
+    pub fn pairs(&self) -> &[Pair] {
+        self.model.pairs()
+    }
+
+    /// An empty ledger for a run of the scene, held to all laws.
+    pub fn ledger(&self) -> Ledger<'_> {
+        let excitation = self.excitation();
+        with_row!(&self.model, row => Ledger::new(row, excitation))
+    }
+
+    /// Works on the row that models the scene, whatever its columns are.
+    pub fn on_row<Task: OnRow>(&self, work: Task) -> Task::Output {
+        with_row!(&self.model, row => work.on(row))
+    }
+
+    /// Runs the scene by any method, whatever its own is, with recorders of what is printed of a structure or a pair and a ledger that is
+    /// held to the laws of the method.
+    ///
+    /// # Errors
+    /// [`RunError`] when the run ends early.
+    pub fn recorded_by(&self, method: Method) -> Result<(Recorders<Ledger<'_>>, Work), RunError> {
+        let integrator = method.integrator();
+        let ledger = self.ledger().held_to(integrator.laws());
+        let mut recorders = self.all_recorders(Extras::default(), ledger);
+        let clock = method.clock(self.duration());
+        let work = self.run_by(&integrator, clock, &mut recorders)?;
+        Ok((recorders.0, work))
+    }
+
+    /// The same with nothing but recorders of what is printed, and nothing kept of them: a run to be timed.
+    ///
+    /// # Errors
+    /// [`RunError`] when the run ends early.
+    pub fn timed_by(&self, method: Method) -> Result<Work, RunError> {
+        let clock = method.clock(self.duration());
+        self.run_by(&method.integrator(), clock, &mut self.recorders(()))
+    }
+
+    /// The same by the scene's own method.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early.
+    pub fn timed(&self) -> Result<Work, Error> {
+        self.timed_by(self.method())
+            .map_err(|error| self.ended(error))
+    }
+
+    /// Runs the scene by any method, whatever its own is.
+    fn run_by<R: Recorder>(
+        &self,
+        integrator: &Integrator,
+        clock: Clock,
+        recorder: &mut R,
+    ) -> Result<Work, RunError> {
+        let excitation = self.excitation();
+        let course = clock.within(self.budget());
+        with_row!(&self.model, row => integrator.run(row, excitation, course, recorder))
+    }
+
+    /// Runs the scene with recorders of a type that others use too.
+    ///
+    /// # Errors
+    /// [`Error::Run`] when the run ends early.
+    fn integrate<R: Recorder>(&self, recorder: &mut R) -> Result<Work, Error> {
+        self.run_by(&self.integrator, self.clock, recorder)
+            .map_err(|error| self.ended(error))
+    }
+
+    /// The ground motion of its run.
+    ///
+    /// # Panics
+    /// Never: a record has samples and a time step > 0.
+    pub fn excitation(&self) -> Excitation<'_> {
+        Excitation::new(self.record.time_step(), self.record.samples())
+            .expect("a record has samples and a time step > 0")
+    }
+
+    /// Says in the words of the scene which law a run broke.
+    fn broke(&self, source: LedgerError) -> Error {
+        let concerned = match source {
+            LedgerError::GainInYielding { structure, .. } => structure..structure + 1,
+            LedgerError::Tension { pair, .. }
+            | LedgerError::PullingImpact { pair, .. }
+            | LedgerError::GainAtImpact { pair, .. }
+            | LedgerError::GainInContact { pair, .. }
+            | LedgerError::Imbalance { pair, .. } => {
+                self.pairs()[pair].left..self.pairs()[pair].right + 1
+            }
+            LedgerError::EnergyUnexplained { .. } | _ => 0..0,
+        };
+        Error::Broken {
+            scene: self.scene.name.clone(),
+            structures: self.named(concerned),
+            source,
+        }
+    }
+
+    /// Index and name of some structures.
+    fn named(&self, indices: Range<usize>) -> Vec<(usize, String)> {
+        let name = |index: usize| (index, self.floors.all()[index].name.clone());
+        indices.map(name).collect()
+    }
+
+    /// Says in the words of the scene why a run ended early.
+    pub(super) fn ended(&self, source: RunError) -> Error {
+        let scene = self.scene.name.clone();
+        let concerned = match source {
+            RunError::Setting {
+                setting,
+                found,
+                allowed,
+            } => {
+                let place = format!("method.{}.{setting}", self.scene.method.name());
+                let source = SceneError::OutOfRange {
+                    place,
+                    found,
+                    allowed,
+                };
+                return Error::Scene { scene, source };
+            }
+            RunError::TooStiff {
+                structure,
+                pieces,
+                allowed,
+            } if pieces * self.record.duration() <= allowed * self.duration() => {
+                let structure = self.floors.all()[structure].structure;
+                let source = SceneError::TooLong {
+                    duration: self.duration(),
+                    structure,
+                    name: self.scene.structures[structure].name().into(),
+                    pieces,
+                    allowed,
+                };
+                return Error::Scene { scene, source };
+            }
+            RunError::Diverged { structure, .. }
+            | RunError::TooStiff { structure, .. }
+            | RunError::OutOfNumbers { structure, .. } => structure..structure + 1,
+            RunError::NotConverged { first, last, .. }
+            | RunError::ImpulsesNotFound { first, last, .. } => first..last + 1,
+            RunError::BouncesWithoutEnd { left, right, .. }
+            | RunError::TooDamped { left, right, .. }
+            | RunError::NoSeries { left, right, .. }
+            | RunError::ClosedIn { left, right, .. }
+            | RunError::CrawlsInContact { left, right, .. } => left..right + 1,
+            RunError::NoProgress { .. } | _ => 0..0,
+        };
+        Error::Run {
+            scene,
+            structures: self.named(concerned),
+            source,
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Simulation scenes that run side by side.
+
+use pounding_solver::{
+    Clock, Elastic, Exact, ExactSideBySide, Integrator, Row, RowsOf, SceneSums, SideBySide,
+    Stepping,
+};
+
+use super::Simulation;
+use super::model::Model;
+
+/// The rows of scenes that all have one kind of columns; nothing where they have not.
+macro_rules! rows {
+    ($scenes:expr, $kind:ident) => {
+        $scenes
+            .iter()
+            .map(|scene| {
+                if let Model::$kind(row) = &scene.model {
+                    Some(row)
+                } else {
+                    None
+                }
+            })
+            .collect::<Option<Vec<_>>>()
+    };
+}
+
+/// Runs scenes under the same record side by side, and takes what happened in them; nothing where they cannot: they have to be
+/// rows of structures of one storey, of one shape, without Bouc–Wen columns or a motion that travels, all run by one method.
+///
+/// By the central difference method without sub-steps, and two structures by the velocity Verlet method, every scene has the numbers
+/// of its run alone. By the exact method two elastic structures run side by side, with a tolerance of 1e-12 or more; they then have
+/// the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
+pub fn side_by_side(scenes: &[&Simulation]) -> Option<SceneSums> {
+    let first = scenes.first()?;
+    let mut tallies = SceneSums::default();
+    if let Some(stepping) = Stepping::of(first.integrator)
+        && scenes.iter().all(|scene| goes_with(scene, first))
+    {
+        return stepped(scenes, stepping, &mut tallies)?.then_some(tallies);
+    }
+    exact(scenes, &mut tallies).then_some(tallies)
+}
+
+/// Whether scenes have one method and time step.
+fn goes_with(one: &Simulation, other: &Simulation) -> bool {
+    let steps = [one, other].map(|scene| scene.clock.time_step);
+    one.integrator == other.integrator && steps[0].total_cmp(&steps[1]).is_eq()
+}
+
+fn stepped(scenes: &[&Simulation], stepping: Stepping, tallies: &mut SceneSums) -> Option<bool> {
+    let first = scenes.first()?;
+    let n_steps: Vec<_> = scenes.iter().map(|scene| scene.clock.n_steps).collect();
+    let clock = Clock {
+        time_step: first.clock.time_step,
+        n_steps: n_steps.iter().copied().max()?,
+    };
+    let together = SideBySide::new(stepping, first.excitation(), clock).ok()?;
+    let together = together.within(first.budget());
+    let mut run = |rows| together.run(rows, &n_steps, tallies);
+    Some(match first.model {
+        Model::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
+        Model::ElastoPlastic(_) => run(RowsOf::ElastoPlastic(&rows!(scenes, ElastoPlastic)?)),
+        Model::Bilinear(_) => run(RowsOf::Bilinear(&rows!(scenes, Bilinear)?)),
+        Model::Mixed(_) => false,
+    })
+}
+
+/// Runs those scenes that the exact method can, whatever the others are; false where that is none.
+fn exact(scenes: &[&Simulation], tallies: &mut SceneSums) -> bool {
+    let [n_structures, n_pairs] = [scenes[0].floors().all().len(), scenes[0].pairs().len()];
+    tallies.begin(scenes.len(), (n_structures, n_pairs));
+    let flies = |(place, scene): (usize, &&Simulation)| {
+        let settings = settings(scene)?;
+        ExactSideBySide::takes(elastic(scene)?, settings).then_some((place, settings))
+    };
+    let mut left: Vec<_> = scenes.iter().enumerate().filter_map(flies).collect();
+    let any = !left.is_empty();
+    while let Some(&(first, settings)) = left.first() {
+        let first = scenes[first];
+        let together = |(place, _): &(usize, Exact)| {
+            let scene = scenes[*place];
+            goes_with(scene, first) && scene.clock.n_steps == first.clock.n_steps
+        };
+        let (now, later): (Vec<_>, Vec<_>) = left.iter().copied().partition(together);
+        let row = |(place, _): &(usize, Exact)| Some((*place, elastic(scenes[*place])?));
+        let rows: Vec<_> = now.iter().filter_map(row).collect();
+        if let Ok(together) = ExactSideBySide::new(settings, first.excitation(), first.clock) {
+            together.within(first.budget()).run(&rows, tallies);
+        }
+        left = later;
+    }
+    any
+}
+
+/// Settings of the exact method, where that is the scene's.
+fn settings(scene: &Simulation) -> Option<Exact> {
+    if let Integrator::Exact(settings) = scene.integrator {
+        Some(settings)
+    } else {
+        None
+    }
+}
+
+/// The row, where none of its columns can yield.
+fn elastic(scene: &Simulation) -> Option<&Row<Elastic>> {
+    if let Model::Elastic(row) = &scene.model {
+        Some(row)
+    } else {
+        None
+    }
+}

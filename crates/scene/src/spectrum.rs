@@ -1,0 +1,261 @@
+//! Response spectra of a record, by the exact method.
+
+use std::f64::consts::TAU;
+
+use pounding_motion::{Record, RecordError};
+use pounding_solver::{
+    Clock, Damping, Elastic, Exact, Excitation, Impact, Integrator, ModelError, Node, Peaks,
+    Recorder, Row, RunError, Span, State,
+};
+use rayon::prelude::*;
+
+/// Halvings of a span that find a peak in it to rounding.
+const HALVINGS: u32 = 53;
+
+/// The response spectrum of a record for one damping ratio.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    /// Damping ratio \[–\].
+    pub damping_ratio: f64,
+    /// The largest responses, in the order of their periods.
+    pub values: Vec<SpectralValues>,
+}
+
+/// The largest responses of one elastic structure to a record.
+///
+/// A structure of period 0 moves with the ground: its displacement and pseudo-velocity are zero, its accelerations the
+/// peak of the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectralValues {
+    /// Natural period T \[s\].
+    pub period: f64,
+    /// Spectral displacement Sd, relative to the ground \[m\].
+    pub displacement: f64,
+    /// Pseudo-velocity (2π/T)·Sd \[m/s\].
+    pub pseudo_velocity: f64,
+    /// Pseudo-acceleration (2π/T)²·Sd \[m/s²\]; times the mass it is the largest restoring force.
+    pub pseudo_acceleration: f64,
+    /// Absolute acceleration of the structure \[m/s²\]; without damping it is the pseudo-acceleration.
+    pub absolute_acceleration: f64,
+}
+
+/// A spectrum that cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SpectrumError {
+    /// A value outside its valid range.
+    #[error("{place}: found {}, allowed {allowed}", pounding_text::plain(*found))]
+    OutOfRange {
+        /// What it is, for example `periods[3]`.
+        place: String,
+        /// The value found.
+        found: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
+    /// A record that the solver refuses.
+    #[error("record: {0}")]
+    Model(#[from] ModelError),
+    /// A run that ended early.
+    #[error("period of {} s: {source}", pounding_text::plain(*period))]
+    Run {
+        /// Natural period of the structure \[s\].
+        period: f64,
+        /// What happened and when.
+        source: RunError,
+    },
+    /// A record that cannot be scaled.
+    #[error("record: {0}")]
+    Record(#[from] RecordError),
+}
+
+/// Response spectrum of a record at `periods` \[s\], each 0 or 1e-6 ..= 1e6, in their order, for a damping ratio 0 ..= 1.
+///
+/// Peaks are found between samples too. A run goes on for one natural period after the end of the record: in free
+/// vibration displacement and absolute acceleration obey the same equation, and their largest magnitude occurs
+/// within half a period. Time grows with samples and with natural periods in the record: on one core 100
+/// periods from 0.02 s to 10 s take 0.4 s under 1 560 samples of El Centro, 1 s under 8 000 samples.
+///
+/// # Errors
+/// Refuses a period or a damping ratio out of range, and a period so short that the record holds some hundred thousand.
+pub fn response_spectrum(
+    record: &Record,
+    periods: &[f64],
+    damping_ratio: f64,
+) -> Result<Vec<SpectralValues>, SpectrumError> {
+    response_spectrum_watched(record, periods, damping_ratio, &|| ())
+}
+
+/// The same; `done` is called after each period.
+///
+/// # Errors
+/// Those of [`response_spectrum`].
+pub fn response_spectrum_watched(
+    record: &Record,
+    periods: &[f64],
+    damping_ratio: f64,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<SpectralValues>, SpectrumError> {
+    let excitation = Excitation::new(record.time_step(), record.samples())?;
+    check(
+        "damping_ratio",
+        damping_ratio,
+        (0.0..=1.0).contains(&damping_ratio),
+        "0 to 1",
+    )?;
+    for (index, &period) in periods.iter().enumerate() {
+        let valid = period == 0.0 || (1e-6..=1e6).contains(&period);
+        check(
+            &format!("periods[{index}]"),
+            period,
+            valid,
+            "0 s, or 1e-6 s to 1e6 s",
+        )?;
+    }
+    let values = |&period: &f64| {
+        let found = if period == 0.0 {
+            Ok(of_the_ground(record))
+        } else {
+            let end = record.duration() + period;
+            values(excitation, end, period, damping_ratio)
+                .map_err(|source| SpectrumError::Run { period, source })
+        };
+        done();
+        found
+    };
+    periods.par_iter().map(values).collect()
+}
+
+/// Periods from one to another, both > 0 \[s\], in equal ratios; the first alone where one is asked for.
+pub fn periods_between(from: f64, to: f64, count: u32) -> Vec<f64> {
+    let ratio = libm::log(to / from);
+    let period = |index: u32| match index {
+        0 => from,
+        last if last == count - 1 => to,
+        _ => from * libm::exp(ratio * f64::from(index) / f64::from(count - 1)),
+    };
+    (0..count).map(period).collect()
+}
+
+/// The record times one factor > 0, such that its pseudo-acceleration at a period \[s\] is `target` \[m/s²\], > 0.
+///
+/// # Errors
+/// Those of [`response_spectrum`]; a target that is not a finite number > 0; a record that is zero throughout.
+pub fn scaled_to_sa(
+    record: &Record,
+    period: f64,
+    damping_ratio: f64,
+    target: f64,
+) -> Result<Record, SpectrumError> {
+    let valid = target.is_finite() && target > 0.0;
+    check("target", target, valid, "a finite number > 0 m/s²")?;
+    let spectrum = response_spectrum(record, &[period], damping_ratio)?;
+    let found = spectrum[0].pseudo_acceleration;
+    if found == 0.0 {
+        return Err(RecordError::AllZero { target }.into());
+    }
+    Ok(record.scaled(target / found)?)
+}
+
+fn check(place: &str, found: f64, valid: bool, allowed: &'static str) -> Result<(), SpectrumError> {
+    if valid {
+        return Ok(());
+    }
+    Err(SpectrumError::OutOfRange {
+        place: place.to_owned(),
+        found,
+        allowed,
+    })
+}
+
+/// What a structure of period 0 does.
+fn of_the_ground(record: &Record) -> SpectralValues {
+    let peak = record.peak().1.abs();
+    SpectralValues {
+        period: 0.0,
+        displacement: 0.0,
+        pseudo_velocity: 0.0,
+        pseudo_acceleration: peak,
+        absolute_acceleration: peak,
+    }
+}
+
+/// Runs a structure of unit mass to `end` \[s\].
+fn values(
+    excitation: Excitation<'_>,
+    end: f64,
+    period: f64,
+    damping_ratio: f64,
+) -> Result<SpectralValues, RunError> {
+    let frequency = TAU / period;
+    let stiffness = frequency * frequency;
+    let damping = Damping::Ratio(damping_ratio).coefficient(1.0, stiffness);
+    let node = Node::structure(1.0, damping, Elastic { stiffness });
+    let row = Row::new(vec![node], vec![]).expect("mass, damping and stiffness are finite");
+    let clock = Clock {
+        time_step: end,
+        n_steps: 1,
+    };
+    let mut recorders = (
+        Peaks::new(1),
+        AbsolutePeak {
+            stiffness,
+            damping,
+            peak: 0.0,
+        },
+    );
+    Integrator::Exact(Exact::default()).run(&row, excitation, clock, &mut recorders)?;
+    let displacement = recorders.0.of(0).displacement.value.abs();
+    Ok(SpectralValues {
+        period,
+        displacement,
+        pseudo_velocity: frequency * displacement,
+        pseudo_acceleration: stiffness * displacement,
+        absolute_acceleration: recorders.1.peak,
+    })
+}
+
+/// Records the largest magnitude of the absolute acceleration of a structure of unit mass, −c·u̇ − k·u.
+struct AbsolutePeak {
+    stiffness: f64,
+    damping: f64,
+    peak: f64,
+}
+
+impl AbsolutePeak {
+    /// Magnitude of the force at a state.
+    fn force(&self, state: &State) -> f64 {
+        (self.damping * state.velocity + self.stiffness * state.displacement).abs()
+    }
+
+    /// How fast the force changes.
+    fn rate(&self, state: &State) -> f64 {
+        self.damping * state.acceleration + self.stiffness * state.velocity
+    }
+}
+
+impl Recorder for AbsolutePeak {
+    fn span(&mut self, span: &Span<'_>) {
+        let ends = self.force(&span.start).max(self.force(&span.end));
+        self.peak = self.peak.max(ends);
+        let [first, last] = [&span.start, &span.end].map(|state| self.rate(state));
+        // A span is at most one radian long: inside, the force goes beyond its ends by less than this.
+        let reach = span.duration() * (first.abs() + last.abs());
+        let turns = (first > 0.0) != (last > 0.0);
+        if !turns || ends + reach <= self.peak {
+            return;
+        }
+        let [mut before, mut after] = [span.start_time, span.end_time];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (before + after);
+            if (self.rate(&span.at(middle)) > 0.0) == (first > 0.0) {
+                before = middle;
+            } else {
+                after = middle;
+            }
+        }
+        self.peak = self.peak.max(self.force(&span.at(before)));
+    }
+
+    fn impact(&mut self, _: &Impact) {}
+}

@@ -1,0 +1,198 @@
+//! Batches of scenes from sample to sample: in lanes by groups, and alone where something happens.
+
+use fearless_simd::Simd;
+
+use super::fly::Flyer;
+use super::pair::{Scene, Side, Stage};
+use super::press::press;
+use super::{ExactSideBySide, Interval};
+use crate::ensemble::SceneSums;
+use crate::ensemble::number::{Lanes, MOST_LANES};
+use crate::{Elastic, Row};
+
+/// Scenes of a batch: enough for the contacts of an interval to fill lanes, and few enough to stay in the near caches.
+const BATCH: usize = 256;
+
+/// Runs rows with two structures, each with its place among the scenes of `tallies`, and tells what happened in them.
+#[inline(always)]
+pub(super) fn run<S: Simd>(
+    simd: S,
+    method: &ExactSideBySide,
+    rows: &[(usize, &Row<Elastic>)],
+    tallies: &mut SceneSums,
+) {
+    for rows in rows.chunks(BATCH) {
+        let mut scenes: Vec<Scene> = rows.iter().map(|(_, row)| method.scene(row)).collect();
+        let scenes_of_groups = scenes.chunks(Lanes::<S>::N);
+        let mut groups: Vec<Group<S>> = scenes_of_groups
+            .map(|scenes| Group::new(simd, scenes, method.step))
+            .collect();
+        let (mut alone, mut waiting) = (Vec::new(), Vec::new());
+        for interval in &method.intervals {
+            if method.budget.is_stopped() {
+                return;
+            }
+            alone.clear();
+            let scenes_of_groups = scenes.chunks_mut(Lanes::<S>::N);
+            for (index, (group, scenes)) in groups.iter_mut().zip(scenes_of_groups).enumerate() {
+                let lanes = group.go(interval, method.step, scenes);
+                alone.extend(places(lanes).map(|lane| index * Lanes::<S>::N + lane));
+            }
+            if alone.is_empty() {
+                continue;
+            }
+            go_alone(simd, interval, &mut scenes, (&alone, &mut waiting));
+            for scene in &alone {
+                let group = &mut groups[scene / Lanes::<S>::N];
+                group.take(scene % Lanes::<S>::N, &scenes[*scene]);
+            }
+        }
+        for (scene, (place, _)) in rows.iter().enumerate() {
+            let group = &groups[scene / Lanes::<S>::N];
+            group.tell(scene % Lanes::<S>::N, &scenes[scene], (*place, tallies));
+        }
+        for group in &groups {
+            tallies.steps += method.intervals.len() as u64;
+            tallies.touching_steps += group.alone;
+        }
+    }
+}
+
+/// Brings scenes to the next sample, each from event to event: flights one by one, contacts in lanes.
+#[inline(always)]
+fn go_alone<S: Simd>(
+    simd: S,
+    interval: &Interval,
+    scenes: &mut [Scene],
+    (alone, waiting): (&[usize], &mut Vec<usize>),
+) {
+    for scene in alone {
+        scenes[*scene].set_out();
+    }
+    loop {
+        waiting.clear();
+        for place in alone {
+            let scene = &mut scenes[*place];
+            scene.fly_on(interval);
+            if scene.stage == Stage::OnTheWay {
+                waiting.push(*place);
+            }
+        }
+        if waiting.is_empty() {
+            return;
+        }
+        waiting.sort_unstable_by_key(|scene| scenes[*scene].branches());
+        let mut first = 0;
+        while let Some(one) = waiting.get(first) {
+            let branches = scenes[*one].branches();
+            let alike = |scene: &&usize| scenes[**scene].branches() == branches;
+            let end = first + waiting[first..].iter().take_while(alike).count();
+            press(simd, interval, scenes, &waiting[first..end]);
+            first = end;
+        }
+    }
+}
+
+/// Places of the bits of a number, from the lowest.
+fn places(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = (bits != 0).then_some(bits.trailing_zeros() as usize);
+        bits &= bits.wrapping_sub(1);
+        place
+    })
+}
+
+/// As many scenes as there are lanes, or fewer.
+struct Group<S: Simd> {
+    flyers: [Flyer<S>; 2],
+    gap: Lanes<S>,
+    /// Lanes whose scenes are in compliant contact, whose scenes have been given up, and those that have scenes.
+    pressed: u64,
+    lost: u64,
+    all: u64,
+    /// Intervals in which some scene went alone.
+    alone: u64,
+}
+
+impl<S: Simd> Group<S> {
+    #[inline(always)]
+    fn new(simd: S, scenes: &[Scene], step: f64) -> Self {
+        // Lanes without a scene repeat the last one, and go nowhere alone.
+        let of = |lane: usize| &scenes[lane.min(scenes.len() - 1)];
+        let side = |index: usize| -> [Side; MOST_LANES] {
+            std::array::from_fn(|lane| of(lane).sides[index])
+        };
+        let given_up = scenes.iter().enumerate();
+        let given_up = given_up.filter(|of| of.1.stage == Stage::GivenUp);
+        Self {
+            flyers: [
+                Flyer::new(simd, &side(0), step),
+                Flyer::new(simd, &side(1), step),
+            ],
+            gap: Lanes::new(simd, &std::array::from_fn(|lane| of(lane).gap)),
+            pressed: 0,
+            lost: given_up.fold(0, |lost, (lane, _)| lost | 1 << lane),
+            all: !(u64::MAX << scenes.len()),
+            alone: 0,
+        }
+    }
+
+    /// Brings scenes to the next sample; returns those that have to go there alone, which have their motions then.
+    #[inline(always)]
+    fn go(&mut self, interval: &Interval, step: f64, scenes: &mut [Scene]) -> u64 {
+        let [left, right] = &self.flyers;
+        let (one, turns) = left.ahead(interval);
+        let (other, also) = right.ahead(interval);
+        let before = left.displacement - right.displacement;
+        let after = one.displacement - other.displacement;
+        let reached = before.max(after) + one.bow + other.bow;
+        let events = turns | also | reached.reaches(self.gap);
+        let mut alone = events.bits() | self.pressed;
+        if interval.length < step {
+            alone = u64::MAX;
+        }
+        alone &= self.all & !self.lost;
+        if alone != 0 {
+            self.alone += 1;
+            for lane in places(alone) {
+                for (flyer, side) in self.flyers.iter().zip(&mut scenes[lane].sides) {
+                    flyer.put(lane, side);
+                }
+            }
+        }
+        self.flyers[0].land(one);
+        self.flyers[1].land(other);
+        alone
+    }
+
+    /// Takes a scene that went alone back into its lane.
+    #[inline(always)]
+    fn take(&mut self, lane: usize, scene: &Scene) {
+        let bit = 1 << lane;
+        self.pressed &= !bit;
+        if scene.contact.is_some() {
+            self.pressed |= bit;
+        }
+        if scene.stage == Stage::GivenUp {
+            self.lost |= bit;
+        }
+        for (flyer, side) in self.flyers.iter_mut().zip(&scene.sides) {
+            flyer.take(lane, side);
+        }
+    }
+
+    /// Tells what happened in a lane, as that scene.
+    #[inline(always)]
+    fn tell(&self, lane: usize, scene: &Scene, (place, tallies): (usize, &mut SceneSums)) {
+        let mut told = self.lost >> lane & 1 == 0;
+        for (node, flyer) in self.flyers.iter().enumerate() {
+            let [least, largest] = flyer.extremes.map(|extreme| extreme.lane(lane));
+            let peak = if -least > largest { least } else { largest };
+            let differ = (-least).total_cmp(&largest).is_ne() || flyer.rests(lane);
+            tallies.displacements[2 * place + node] = peak;
+            told &= differ && flyer.displacement.lane(lane).is_finite();
+        }
+        tallies.pairs[place] = scene.tally();
+        tallies.told[place] = told;
+    }
+}

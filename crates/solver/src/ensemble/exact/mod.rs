@@ -1,0 +1,146 @@
+//! The exact method of many scenes at once: free flight and compliant contact in lanes, other events scene by scene.
+//!
+//! A lane flies from sample to sample of the record with the weights of the exact solution for a load that is linear between
+//! samples. Bounds say where a gap may close, or a displacement may turn beyond what was reached; a scene goes through
+//! such an interval alone ([`scene`]), by power series to its turns, touches and impacts. Scenes in compliant contact fill lanes
+//! again, whichever they are ([`press`]), and go by an error-controlled Runge–Kutta method. Sources: N. C. Nigam and
+//! P. C. Jennings, *Bull. Seismol. Soc. Am.* 59 (1969) 909; J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6 (1980) 19.
+
+mod contact;
+mod dormand_prince;
+mod fly;
+mod group;
+mod pair;
+mod press;
+mod pressed;
+mod pressing;
+mod scene;
+mod search;
+
+use fearless_simd::{Level, dispatch};
+
+use pair::{Scene, Side};
+
+use super::SceneSums;
+use crate::exact::{LONGEST_LEAP, in_flight};
+use crate::{Budget, Clock, Elastic, Exact, Excitation, Row, RunError, Support};
+
+/// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
+const FINEST: f64 = 1e-12;
+
+/// One ground motion under which many rows of two elastic structures run by the exact method.
+///
+/// Impacts and free flight are carried to rounding, as [`Exact`] alone does, but not in the same bits; compliant contact to errors
+/// of about the tolerance. Who wants histories, or a ledger, runs a scene alone.
+#[derive(Debug, Clone)]
+pub struct ExactSideBySide {
+    tolerance: f64,
+    /// Between the samples of the record.
+    intervals: Vec<Interval>,
+    /// Their length \[s\], but for the last one.
+    step: f64,
+    pub(super) level: Level,
+    budget: Budget,
+}
+
+/// The ground between two samples of the record.
+#[derive(Debug, Clone, Copy)]
+struct Interval {
+    /// Its duration \[s\].
+    length: f64,
+    /// Acceleration at the start \[m/s²\] and its slope \[m/s³\].
+    value: f64,
+    slope: f64,
+}
+
+impl ExactSideBySide {
+    /// Takes the ground motion for a clock, of which only the end counts.
+    ///
+    /// # Errors
+    /// [`RunError::Setting`] for a tolerance out of range.
+    pub fn new(
+        settings: Exact,
+        excitation: Excitation<'_>,
+        clock: Clock,
+    ) -> Result<Self, RunError> {
+        settings.check()?;
+        Ok(Self {
+            tolerance: settings.tolerance,
+            intervals: intervals(excitation, clock.time(clock.n_steps)),
+            step: excitation.time_step(),
+            level: Level::new(),
+            budget: Budget::default(),
+        })
+    }
+
+    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    #[must_use]
+    pub fn within(self, budget: Budget) -> Self {
+        Self { budget, ..self }
+    }
+
+    /// Whether a row can run side by side with others: two structures of one storey, or one and a wall, which can touch; the ground
+    /// motion arrives at both at once; and a tolerance of 1e-12 or more.
+    pub fn takes(row: &Row<Elastic>, settings: Exact) -> bool {
+        let on_ground =
+            |node: usize| row.nodes()[node].support == Support::Ground && row.arrival(node) == 0.0;
+        let two = row.nodes().len() == 2 && row.pairs().len() == 1;
+        two && (0..2).all(on_ground) && settings.tolerance >= FINEST
+    }
+
+    /// Runs rows that it [takes](Self::takes) to the end of the clock, and tells what happened in each at its place among the
+    /// scenes of `tallies` ([`SceneSums::begin`]).
+    ///
+    /// A scene is not told where bounces come to rest, neighbours start in touch, or a period is shorter than some six samples: a run
+    /// of it alone says what happens. What is told of a scene does not depend on the others.
+    pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
+        dispatch!(self.level, simd => group::run(simd, self, rows, tallies));
+    }
+
+    /// The scene of a row; given up at once where series do not reach over an interval.
+    fn scene(&self, row: &Row<Elastic>) -> Scene {
+        let leaps = [0, 1].map(|node: usize| self.step * Side::fastest_rate(&row.nodes()[node]));
+        let mut scene = Scene::new(row, (self.tolerance, leaps.map(in_flight)));
+        if !leaps.into_iter().all(|leap| leap <= LONGEST_LEAP) {
+            scene.give_up();
+        }
+        scene
+    }
+}
+
+/// The ground motion from t = 0 to the end, linear between samples and zero after the last one.
+fn intervals(excitation: Excitation<'_>, end: f64) -> Vec<Interval> {
+    let (step, samples) = (excitation.time_step(), excitation.samples());
+    let part = end / step;
+    // An end that rounding puts beside a sample is at that sample.
+    let whole = if (part - part.round()).abs() < 1e-9 * part {
+        part.round()
+    } else {
+        part.floor()
+    };
+    let interval = |(index, length): (usize, f64)| match samples.get(index..index + 2) {
+        Some(&[value, last]) => Interval {
+            length,
+            value,
+            slope: (last - value) / step,
+        },
+        _ => Interval {
+            length,
+            value: 0.0,
+            slope: 0.0,
+        },
+    };
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number of samples >= 0"
+    )]
+    let n = whole as usize;
+    let rest = end - whole * step;
+    let last = (rest > 1e-9 * end).then_some((n, rest));
+    (0..n)
+        .map(|index| (index, step))
+        .chain(last)
+        .map(interval)
+        .collect()
+}

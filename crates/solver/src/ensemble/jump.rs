@@ -1,0 +1,159 @@
+//! Velocity jumps of several scenes side by side.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::body::Body;
+use super::column::SideBySideColumn;
+use super::law::{Impulsive, Law};
+use super::number::{Lanes, Mask};
+use super::scenes::{Pair, Scenes, Structure};
+use crate::RestoringForce;
+use crate::impact::rounds::{ROUNDING, Rounds, Touching};
+
+/// The rule of [`Impacts`](crate::impact::impacts::Impacts): the pair of two structures at once, pairs of longer rows in its rounds.
+pub(super) enum Jumps<S: Simd> {
+    TwoStructures,
+    Longer(Box<Rounds<Lanes<S>>>),
+}
+
+impl<S: Simd> Jumps<S> {
+    #[inline(always)]
+    pub(super) fn new<Column: SideBySideColumn>(
+        structures: &[Structure<S, Column>],
+        pairs: &[Option<Pair<S>>],
+    ) -> Self {
+        if structures.len() == 2 {
+            return Self::TwoStructures;
+        }
+        let mobilities = structures.iter().map(mobility).collect();
+        let rounds = Rounds::new(mobilities, pairs.iter().flatten().count());
+        Self::Longer(Box::new(rounds))
+    }
+
+    /// Takes an impulsive pair that touches, with its left neighbour; farther to the right than those before.
+    #[inline(always)]
+    pub(super) fn take(&mut self, of: (usize, usize), touching: Touching<Lanes<S>>) {
+        if let Self::Longer(rounds) = self {
+            rounds.push(of, touching);
+        }
+    }
+
+    /// Lets the velocities at a node jump where impulsive pairs touch and approach; what has jumped begins anew from there.
+    #[inline(always)]
+    pub(super) fn jump<Column: SideBySideColumn>(
+        &mut self,
+        (structures, pairs): Scenes<'_, S, Column>,
+        ground: Lanes<S>,
+    ) {
+        match self {
+            Self::TwoStructures => {
+                let [left, right] = structures else {
+                    return;
+                };
+                if let Some(pair) = &mut pairs[0]
+                    && let Law::Impulsive(law) = pair.law
+                    && strike(pair, law, [left, right])
+                {
+                    left.restart(ground);
+                    right.restart(ground);
+                }
+            }
+            Self::Longer(rounds) => {
+                strike_all::<S, Column>(rounds, (structures, pairs), ground);
+                rounds.clear();
+            }
+        }
+    }
+}
+
+/// The velocity that a unit impulse gives to a structure \[1/kg\].
+#[inline(always)]
+fn mobility<S: Simd, Column: RestoringForce<Lanes<S>>>(structure: &Body<S, Column>) -> Lanes<S> {
+    structure.constants.coefficients.inverse_mass
+}
+
+/// Strikes all pairs that touch.
+#[inline(always)]
+fn strike_all<S: Simd, Column: SideBySideColumn>(
+    rounds: &mut Rounds<Lanes<S>>,
+    (structures, pairs): Scenes<'_, S, Column>,
+    ground: Lanes<S>,
+) {
+    if !rounds.strike_all(|node| structures[node].contact.velocity) {
+        return;
+    }
+    for (link, impulse) in rounds.struck() {
+        if let Some(pair) = &mut pairs[link.left] {
+            pair.tally.strike(impulse);
+        }
+        // One that two pairs share has begun anew with the first of them.
+        let first = if link.is_joined {
+            link.right
+        } else {
+            link.left
+        };
+        for (node, structure) in (first..).zip(&mut structures[first..=link.right]) {
+            structure.contact.jumped = rounds.velocity(node);
+            structure.restart(ground);
+        }
+    }
+}
+
+/// Strikes a pair that is the only one of every scene, where it touches; false where none approaches.
+#[inline(always)]
+fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
+    pair: &mut Pair<S>,
+    law: Impulsive<S>,
+    [left, right]: [&mut Body<S, Column>; 2],
+) -> bool {
+    let velocities = [left.contact.velocity, right.contact.velocity];
+    let touches = pair.deformation.reaches(velocities[0].like(0.0));
+    let mobilities = [mobility(left), mobility(right)];
+    let Some(struck) = struck((touches, law.factor), velocities, mobilities) else {
+        return false;
+    };
+    pair.tally.strike(struck.impulse);
+    [left.contact.jumped, right.contact.jumped] = struck.velocities;
+    true
+}
+
+/// Velocities after an impact \[m/s\], and its impulse \[N·s\]: those before and 0 where there is none.
+pub(super) struct Struck<S: Simd> {
+    pub(super) impulse: Lanes<S>,
+    pub(super) velocities: [Lanes<S>; 2],
+}
+
+/// Strikes pairs that touch in these lanes, each the only one of its scene, with 1 + e; nothing where none approaches.
+///
+/// A scene that rounding would let approach once more, which takes further rounds, is given up: its velocities are no numbers from
+/// then on, and it runs alone.
+#[inline(always)]
+pub(super) fn struck<S: Simd>(
+    (touches, factor): (Mask<S>, Lanes<S>),
+    [v, w]: [Lanes<S>; 2],
+    mobilities: [Lanes<S>; 2],
+) -> Option<Struck<S>> {
+    let zero = v.like(0.0);
+    let hits = touches & (v - w).exceeds(zero);
+    if !Lanes::any(hits) {
+        return None;
+    }
+    let impulse = factor * (v - w) / (mobilities[0] + mobilities[1]);
+    let after = (v - mobilities[0] * impulse, w + mobilities[1] * impulse);
+    // What rounding leaves of an approach; more would be solved in further rounds.
+    let left_over = zero.like(ROUNDING) * (v.abs() + w.abs());
+    let again = (after.0 - after.1).exceeds(left_over);
+    let nowhere = zero.like(f64::NAN);
+    let after = [
+        Number::select(again, nowhere, after.0),
+        Number::select(again, nowhere, after.1),
+    ];
+    Some(Struck {
+        impulse: Number::select(hits, impulse, zero),
+        velocities: [
+            Number::select(hits, after[0], v),
+            Number::select(hits, after[1], w),
+        ],
+    })
+}

@@ -1,0 +1,225 @@
+//! Many scenes at once, side by side in the lanes of the machine's vectors.
+//!
+//! Rows of one shape, which differ in numbers, run through an explicit method together ([`Stepping`]): what a step does to one
+//! number it does to those of up to sixteen scenes at the same time. The formulas are those of the method itself, generic over
+//! [`Number`](pounding_contact::Number), and every lane gives the bits of its scene alone. A step looks at contact laws only
+//! where some lane touches. What a run leaves is little: peaks and sums ([`SceneSums`]); who wants histories runs a scene alone.
+//!
+//! Left out: buildings of several storeys, motions that travel, sub-steps in contact, columns that yield smoothly; with the velocity
+//! Verlet method rows of one structure, and of more than two.
+
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+mod body;
+mod column;
+mod exact;
+mod group;
+mod jump;
+mod law;
+mod number;
+mod run;
+mod scenes;
+mod tallies;
+mod tally;
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests;
+mod verlet;
+
+use fearless_simd::{Level, dispatch};
+
+pub use column::RowsOf;
+use column::SideBySideColumn;
+pub use exact::ExactSideBySide;
+pub use tallies::{PairSums, SceneSums};
+
+use crate::record::is_plastic;
+use crate::{
+    Budget, CentralDifference, Clock, Excitation, Integrator, RestoringForce, Row, RunError,
+    Support, Verlet,
+};
+
+/// The methods by which scenes run side by side with the bits of their runs alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stepping {
+    /// Central difference method without sub-steps in contact: rows of any length.
+    CentralDifference(CentralDifference),
+    /// Velocity Verlet method: two structures, or one and a wall.
+    Verlet(Verlet),
+}
+
+impl From<CentralDifference> for Stepping {
+    fn from(settings: CentralDifference) -> Self {
+        Self::CentralDifference(settings)
+    }
+}
+
+impl From<Verlet> for Stepping {
+    fn from(settings: Verlet) -> Self {
+        Self::Verlet(settings)
+    }
+}
+
+impl From<Stepping> for Integrator {
+    fn from(stepping: Stepping) -> Self {
+        match stepping {
+            Stepping::CentralDifference(settings) => Self::CentralDifference(settings),
+            Stepping::Verlet(settings) => Self::Verlet(settings),
+        }
+    }
+}
+
+/// One ground motion, method and time step, under which many rows run.
+#[derive(Debug, Clone)]
+pub struct SideBySide {
+    stepping: Stepping,
+    time_step: f64,
+    /// Acceleration at every node of the clock \[m/s²\].
+    ground: Vec<f64>,
+    level: Level,
+    budget: Budget,
+}
+
+/// The same with the settings of one method.
+struct Shaken<'a, Settings> {
+    settings: Settings,
+    time_step: f64,
+    ground: &'a [f64],
+    budget: Budget,
+}
+
+/// Steps of structures between two looks at whether to stop: a fraction of a second.
+const BETWEEN: usize = 1 << 16;
+
+impl SideBySide {
+    /// Samples the ground motion for a clock, that of the longest run.
+    ///
+    /// # Errors
+    /// [`RunError::Setting`] for settings out of range, and for sub-steps in contact.
+    pub fn new(
+        stepping: impl Into<Stepping>,
+        excitation: Excitation<'_>,
+        clock: Clock,
+    ) -> Result<Self, RunError> {
+        let stepping = stepping.into();
+        if let Stepping::CentralDifference(settings) = stepping {
+            settings.check()?;
+            let substeps = settings.contact_substeps;
+            let allowed = "1 side by side; scenes with more run alone";
+            crate::error::require(substeps == 1, "contact_substeps", substeps.into(), allowed)?;
+        }
+        Ok(Self {
+            stepping,
+            time_step: clock.time_step,
+            ground: excitation.sampled(clock),
+            level: Level::new(),
+            budget: Budget::default(),
+        })
+    }
+
+    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    #[must_use]
+    pub fn within(self, budget: Budget) -> Self {
+        Self { budget, ..self }
+    }
+
+    /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
+    /// cannot run side by side.
+    ///
+    /// Rows of one shape have as many structures, all of one storey, and the same pairs with laws of the same kinds; the ground
+    /// motion arrives everywhere at once, and no row has more steps than the clock. By the velocity Verlet method they have two.
+    pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
+        match rows {
+            RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
+            RowsOf::ElastoPlastic(rows) => self.run_alike(rows, n_steps, tallies),
+            RowsOf::Bilinear(rows) => self.run_alike(rows, n_steps, tallies),
+        }
+    }
+
+    fn run_alike<Column: SideBySideColumn>(
+        &self,
+        rows: &[&Row<Column>],
+        n_steps: &[usize],
+        tallies: &mut SceneSums,
+    ) -> bool {
+        let reach = 1..self.ground.len();
+        let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
+        let first = rows.first().filter(|_| in_reach && are_alike(rows));
+        let Some(first) = first.filter(|row| self.stepping.takes(row.nodes().len())) else {
+            tallies.begin(0, (0, 0));
+            return false;
+        };
+        tallies.begin(rows.len(), (first.nodes().len(), first.pairs().len()));
+        let task = (rows, n_steps);
+        match self.stepping {
+            Stepping::CentralDifference(settings) => {
+                let method = self.with(settings);
+                dispatch!(self.level, simd => run::run(simd, &method, task, tallies));
+            }
+            Stepping::Verlet(settings) => {
+                let method = self.with(settings);
+                dispatch!(self.level, simd => verlet::run(simd, &method, task, tallies));
+            }
+        }
+        // Impacts of a rest are one collision, which only a run of the scene alone can tell.
+        for (scene, row) in rows.iter().enumerate() {
+            let several = |pair: usize| tallies.pair(scene, pair).collisions > 1.0;
+            let mut pairs = row.pairs().iter().enumerate();
+            if pairs.any(|(pair, of)| is_plastic(of) && several(pair)) {
+                tallies.told[scene] = false;
+            }
+        }
+        true
+    }
+
+    fn with<Settings>(&self, settings: Settings) -> Shaken<'_, Settings> {
+        Shaken {
+            settings,
+            time_step: self.time_step,
+            ground: &self.ground,
+            budget: self.budget,
+        }
+    }
+}
+
+impl Stepping {
+    /// That of a method, where it is one of them.
+    pub fn of(integrator: Integrator) -> Option<Self> {
+        match integrator {
+            Integrator::CentralDifference(settings) => Some(settings.into()),
+            Integrator::Verlet(settings) => Some(settings.into()),
+            Integrator::Newmark(_)
+            | Integrator::Hht(_)
+            | Integrator::Rk4(_)
+            | Integrator::MoreauJean(_)
+            | Integrator::Exact(_) => None,
+        }
+    }
+
+    /// Whether rows of so many structures go side by side.
+    fn takes(self, n_structures: usize) -> bool {
+        match self {
+            Self::CentralDifference(_) => true,
+            Self::Verlet(_) => n_structures == 2,
+        }
+    }
+}
+
+/// Whether rows are of one shape that can run side by side.
+fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
+    let single = |row: &Row<Column>| {
+        let nodes = row.nodes();
+        let on_ground = nodes.iter().all(|node| node.support == Support::Ground);
+        on_ground && (0..nodes.len()).all(|node| row.arrival(node) == 0.0)
+    };
+    let alike = |row: &Row<Column>, other: &Row<Column>| {
+        let mut pairs = row.pairs().iter().zip(other.pairs());
+        row.nodes().len() == other.nodes().len()
+            && row.pairs().len() == other.pairs().len()
+            && pairs
+                .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
+    };
+    rows.iter().all(|row| single(row) && alike(row, rows[0]))
+}

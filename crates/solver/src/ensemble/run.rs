@@ -1,0 +1,185 @@
+//! Groups of scenes, two in step where rows are short: what one computes does not wait for the other, as it waits for its own step
+//! before.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::column::SideBySideColumn;
+use super::group::{Group, Rows};
+use super::number::Lanes;
+use super::{BETWEEN, SceneSums, Shaken};
+use crate::{CentralDifference, Row};
+
+/// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
+/// longer rows do not wait for each other, and a second group doubles the memory in use.
+const SHORT: usize = 3;
+
+/// Rows of one shape with the number of steps of each, and where what happened in them is told.
+struct Task<'a, Column> {
+    rows: &'a [&'a Row<Column>],
+    n_steps: &'a [usize],
+    /// Index of the first among the scenes of `tallies`.
+    first: usize,
+    tallies: &'a mut SceneSums,
+}
+
+/// Runs rows of one shape, each for its number of steps, and tells what happened in them.
+#[inline(always)]
+pub(super) fn run<S: Simd, Column: SideBySideColumn>(
+    simd: S,
+    method: &Shaken<'_, CentralDifference>,
+    (rows, n_steps): (&[&Row<Column>], &[usize]),
+    tallies: &mut SceneSums,
+) {
+    let n_groups = if rows[0].nodes().len() > SHORT { 1 } else { 2 };
+    let in_step = n_groups * Lanes::<S>::N;
+    let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
+    for (index, (rows, n_steps)) in groups.enumerate() {
+        let task = Task {
+            rows,
+            n_steps,
+            first: index * in_step,
+            tallies,
+        };
+        run_in_step((simd, n_groups), method, task);
+    }
+}
+
+/// Runs as many rows as the groups have lanes, or fewer, and tells what happened in them.
+#[inline(always)]
+fn run_in_step<S: Simd, Column: SideBySideColumn>(
+    (simd, n_groups): (S, usize),
+    method: &Shaken<'_, CentralDifference>,
+    task: Task<'_, Column>,
+) {
+    let rows = task.rows;
+    let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
+    // A group without scenes repeats the other one, and is not told.
+    let parts = [one, if other.is_empty() { one } else { other }].map(Rows);
+    let start = (method.time_step, method.ground[0]);
+    if rows[0].nodes().len() == 2 {
+        let (mut a, mut b) = (parts[0].two(simd, start), parts[1].two(simd, start));
+        let (mut c, mut d) = (
+            [parts[0].pair(simd, 0), None],
+            [parts[1].pair(simd, 0), None],
+        );
+        let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
+        let mut groups = scenes.map(|scenes| Group::new(simd, method, scenes));
+        steps(method, &mut groups, task);
+    } else {
+        let nodes = 0..rows[0].nodes().len();
+        let scenes = parts[..n_groups].iter().map(|rows| {
+            let structures = nodes.clone().map(|node| rows.structure(simd, node, start));
+            let pairs = nodes.clone().map(|node| rows.pair(simd, node));
+            (structures.collect(), pairs.collect())
+        });
+        let mut scenes: Vec<(Vec<_>, Vec<_>)> = scenes.collect();
+        let groups = scenes.iter_mut().map(|(structures, pairs)| {
+            Group::new(simd, method, (&mut structures[..], &mut pairs[..]))
+        });
+        steps(method, &mut groups.collect::<Vec<_>>(), task);
+    }
+}
+
+/// All steps of some groups; what happened in a scene is told at its end.
+#[inline(always)]
+fn steps<S: Simd, Column: SideBySideColumn>(
+    method: &Shaken<'_, CentralDifference>,
+    groups: &mut [Group<'_, S, Column>],
+    Task {
+        rows,
+        n_steps,
+        first: first_scene,
+        tallies,
+    }: Task<'_, Column>,
+) {
+    let between = BETWEEN.div_ceil(rows[0].nodes().len().max(1));
+    let mut step = 0;
+    while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
+        if method.budget.is_stopped() {
+            return;
+        }
+        let ground = &method.ground[..=(*end).min(step + between)];
+        while step < ground.len() {
+            if let [one, other] = groups
+                && !(one.busy || other.busy)
+            {
+                let groups = [one, other];
+                step = match groups[0].structures.len() {
+                    2 => go_apart::<S, Column, 2>(groups, ground, step),
+                    SHORT => go_apart::<S, Column, SHORT>(groups, ground, step),
+                    _ => step,
+                };
+            }
+            if let Some(acceleration) = ground.get(step) {
+                for group in groups.iter_mut() {
+                    group.step(*acceleration);
+                }
+                step += 1;
+            }
+        }
+        for (lane, _) in n_steps
+            .iter()
+            .enumerate()
+            .filter(|of| *of.1 < step && of.1 == end)
+        {
+            let group = &groups[lane / Lanes::<S>::N];
+            let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
+            for (node, structure) in group.structures.iter().enumerate() {
+                tallies.take_structure((scene, node), structure.motion.peak(lane));
+            }
+            for pair in group.pairs.iter().flatten() {
+                tallies.take_pair((scene, pair.index), pair.tally.lane(lane));
+            }
+        }
+    }
+    let with_scenes = rows.len().div_ceil(Lanes::<S>::N);
+    for group in &groups[..with_scenes] {
+        tallies.steps += step as u64;
+        tallies.touching_steps += group.touching_steps;
+    }
+}
+
+/// Goes on from a node while no lane touches, with the motions of so many structures at hand; the node at which one does.
+#[inline(always)]
+fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
+    [one, other]: [&mut Group<'_, S, Column>; 2],
+    ground: &[f64],
+    step: usize,
+) -> usize {
+    let simd = one.simd;
+    let zero = Lanes::splat(simd, 0.0);
+    let motion = |group: &Group<'_, S, Column>, index: usize| group.structures[index].motion;
+    let mut motions: [[_; N]; 2] = [
+        std::array::from_fn(|index| motion(one, index)),
+        std::array::from_fn(|index| motion(other, index)),
+    ];
+    let mut node = step;
+    for acceleration in &ground[step..] {
+        let mut touching = zero.exceeds(zero);
+        for (group, motions) in [&*one, &*other].into_iter().zip(&motions) {
+            for left in 1..N {
+                if let Some(pair) = &group.pairs[left - 1] {
+                    let ahead = motions[left - 1].displacement - motions[left].displacement;
+                    touching = touching | (ahead - pair.gap).reaches(zero);
+                }
+            }
+        }
+        if Lanes::any(touching) {
+            break;
+        }
+        let ground = Lanes::splat(simd, *acceleration);
+        for (group, motions) in [&*one, &*other].into_iter().zip(&mut motions) {
+            for (index, motion) in motions.iter_mut().enumerate() {
+                group.structures[index].constants.step(motion, ground);
+            }
+        }
+        node += 1;
+    }
+    for (group, motions) in [one, other].into_iter().zip(motions) {
+        for (index, motion) in motions.into_iter().enumerate() {
+            group.structures[index].motion = motion;
+        }
+    }
+    node
+}

@@ -1,0 +1,28 @@
+//! Structures and pairs of as many scenes as there are lanes.
+
+use fearless_simd::Simd;
+
+use super::body::Body;
+use super::column::SideBySideColumn;
+use super::law::Law;
+use super::number::Lanes;
+use super::tally::SceneSum;
+
+/// A structure of every scene.
+pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
+
+/// A structure and its right neighbour, which can touch.
+pub(super) struct Pair<S: Simd> {
+    /// Its index among the pairs of the row.
+    pub(super) index: usize,
+    /// Whether it has books open from the node before; kept, for in a step without contact asking the books costs a mask.
+    pub(super) lingers: bool,
+    pub(super) gap: Lanes<S>,
+    pub(super) law: Law<S>,
+    /// Deformation at the node under way \[m\].
+    pub(super) deformation: Lanes<S>,
+    pub(super) tally: SceneSum<S>,
+}
+
+/// The structures and pairs of a group.
+pub(super) type Scenes<'a, S, Column> = (&'a mut [Structure<S, Column>], &'a mut [Option<Pair<S>>]);

@@ -1,0 +1,78 @@
+//! What many scenes side by side leave.
+
+/// What happened to one pair of a scene.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PairSums {
+    /// Number of collisions, as [`Collisions`](crate::Collisions) counts them.
+    pub collisions: f64,
+    /// Sum of their impulses \[N·s\].
+    pub impulse: f64,
+    /// Largest pounding force \[N\] of a compliant pair; 0 of an impulsive one, whose force has no limit.
+    pub peak_force: f64,
+}
+
+/// What happened in many scenes of one shape, in their order.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SceneSums {
+    pub(super) n_structures: usize,
+    pub(super) n_pairs: usize,
+    pub(super) displacements: Vec<f64>,
+    pub(super) pairs: Vec<PairSums>,
+    pub(super) told: Vec<bool>,
+    /// Steps of groups of scenes, as many as a vector of the machine has lanes.
+    pub steps: u64,
+    /// Those of them in which some scene of the group touched.
+    pub touching_steps: u64,
+}
+
+impl SceneSums {
+    /// Displacement of the largest magnitude of a structure \[m\], with its sign.
+    pub fn displacement(&self, scene: usize, structure: usize) -> f64 {
+        self.displacements[scene * self.n_structures + structure]
+    }
+
+    /// What happened to a pair.
+    pub fn pair(&self, scene: usize, pair: usize) -> PairSums {
+        self.pairs[scene * self.n_pairs + pair]
+    }
+
+    /// Whether what happened in a scene is known. It is not where numbers have grown without bound, or a structure has gone as far
+    /// to the left as to the right, so that only the order tells the sign of its displacement: a run of the scene alone says.
+    pub fn is_told(&self, scene: usize) -> bool {
+        self.told[scene]
+    }
+
+    /// Makes room for so many scenes, with so many structures and pairs each; none is told.
+    pub fn begin(&mut self, n_scenes: usize, (n_structures, n_pairs): (usize, usize)) {
+        (self.n_structures, self.n_pairs) = (n_structures, n_pairs);
+        self.displacements.clear();
+        self.displacements.resize(n_scenes * n_structures, 0.0);
+        self.pairs.clear();
+        self.pairs.resize(n_scenes * n_pairs, PairSums::default());
+        self.told.clear();
+        self.told.resize(n_scenes, false);
+        (self.steps, self.touching_steps) = (0, 0);
+    }
+
+    /// Takes the displacement of largest magnitude of a structure of a scene \[m\]; without one the scene is not told.
+    pub(super) fn take_structure(&mut self, (scene, node): (usize, usize), peak: Option<f64>) {
+        self.displacements[scene * self.n_structures + node] = peak.unwrap_or(f64::NAN);
+        // The first of a scene says, and any other may take it back.
+        self.told[scene] = peak.is_some() && (node == 0 || self.told[scene]);
+    }
+
+    /// Takes what happened to a pair of a scene.
+    pub(super) fn take_pair(&mut self, (scene, pair): (usize, usize), tally: PairSums) {
+        self.pairs[scene * self.n_pairs + pair] = tally;
+    }
+
+    /// Number of scenes.
+    pub fn len(&self) -> usize {
+        self.told.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.told.is_empty()
+    }
+}

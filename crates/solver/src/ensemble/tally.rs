@@ -1,0 +1,93 @@
+//! What is counted of the collisions of a pair, side by side.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::PairSums;
+use super::number::{Lanes, Mask};
+
+/// Collisions of a pair so far, as [`Collisions`](crate::Collisions) counts them.
+pub(super) struct SceneSum<S: Simd> {
+    collisions: Lanes<S>,
+    /// Sum of the impulses of the collisions that have ended \[N·s\].
+    impulse: Lanes<S>,
+    /// Largest pounding force of a compliant pair \[N\].
+    peak_force: Lanes<S>,
+    /// Where a compliant collision goes on, and its impulse so far \[N·s\].
+    open: Mask<S>,
+    current: Lanes<S>,
+    /// Pounding force, and overlap, at the node before.
+    force: Lanes<S>,
+    overlapped: Mask<S>,
+}
+
+impl<S: Simd> SceneSum<S> {
+    #[inline(always)]
+    pub(super) fn new(simd: S) -> Self {
+        let zero = Lanes::splat(simd, 0.0);
+        let nowhere = Mask::splat(simd, false);
+        Self {
+            collisions: zero,
+            impulse: zero,
+            peak_force: zero,
+            open: nowhere,
+            current: zero,
+            force: zero,
+            overlapped: nowhere,
+        }
+    }
+
+    /// Whether a compliant collision of some lane may not have ended, or does an overlap.
+    #[inline(always)]
+    pub(super) fn lingers(&self) -> bool {
+        Lanes::any(self.open | self.overlapped)
+    }
+
+    /// Force of a compliant pair at the node before \[N\].
+    #[inline(always)]
+    pub(super) fn last(&self) -> Lanes<S> {
+        self.force
+    }
+
+    /// Takes the force of a compliant pair at a node \[N\], where it overlaps there, and the impulse since the node before \[N·s\].
+    #[inline(always)]
+    pub(super) fn follow(&mut self, force: Lanes<S>, overlaps: Mask<S>, impulse: Lanes<S>) {
+        let zero = force.like(0.0);
+        // A clamped force lets go of neighbours that overlap, and may push again; others have parted.
+        let goes_on = self.open & self.overlapped;
+        let ends = self.open & !self.overlapped;
+        if Lanes::any(ends) {
+            self.impulse = Number::select(ends, self.impulse + self.current, self.impulse);
+            self.current = Number::select(ends, zero, self.current);
+        }
+        let acts = (self.force + force).exceeds(zero);
+        let begins = acts & !goes_on;
+        let one = zero.like(1.0);
+        self.collisions = Number::select(begins, self.collisions + one, self.collisions);
+        self.open = goes_on | acts;
+        self.current = self.current + impulse;
+        self.peak_force = self.peak_force.max(force);
+        self.force = force;
+        self.overlapped = overlaps;
+    }
+
+    /// Takes impulses \[N·s\]; 0 where there is none.
+    #[inline(always)]
+    pub(super) fn strike(&mut self, impulse: Lanes<S>) {
+        let zero = impulse.like(0.0);
+        let hit = impulse.exceeds(zero);
+        self.collisions = self.collisions + Number::select(hit, zero.like(1.0), zero);
+        self.impulse = Number::select(hit, self.impulse + impulse, self.impulse);
+    }
+
+    /// What happened in a lane.
+    #[inline(always)]
+    pub(super) fn lane(&self, lane: usize) -> PairSums {
+        let impulse = Number::select(self.open, self.impulse + self.current, self.impulse);
+        PairSums {
+            collisions: self.collisions.lane(lane),
+            impulse: impulse.lane(lane),
+            peak_force: self.peak_force.lane(lane),
+        }
+    }
+}

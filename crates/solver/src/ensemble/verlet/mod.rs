@@ -1,0 +1,118 @@
+//! The velocity Verlet method side by side: two structures, or one and a wall, with impacts after a step or located within it.
+//!
+//! An instant of impact is that of a lane: where some lane has one, all go there by spans of their own lengths, those without one
+//! by a span of length 0.
+
+mod body;
+mod group;
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use self::group::Group;
+use super::column::SideBySideColumn;
+use super::group::Rows;
+use super::number::Lanes;
+use super::{BETWEEN, SceneSums, Shaken};
+use crate::{Row, Verlet};
+
+/// A distance within which two structures may touch for all that rounding says \[m\]: there a step looks closer.
+const NEAR: f64 = 1e-9;
+
+/// Runs rows of two structures, each for its number of steps, and tells what happened in them.
+#[inline(always)]
+pub(super) fn run<S: Simd, Column: SideBySideColumn>(
+    simd: S,
+    method: &Shaken<'_, Verlet>,
+    (rows, n_steps): (&[&Row<Column>], &[usize]),
+    tallies: &mut SceneSums,
+) {
+    let in_step = 2 * Lanes::<S>::N;
+    let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
+    for (index, (rows, n_steps)) in groups.enumerate() {
+        let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
+        // A group without scenes repeats the other one, and is not told.
+        let other = if other.is_empty() { one } else { other };
+        let mut groups = [
+            Group::new(simd, Rows(one), method),
+            Group::new(simd, Rows(other), method),
+        ];
+        steps(method, &mut groups, (n_steps, index * in_step), tallies);
+    }
+}
+
+/// All steps of two groups; what happened in a scene is told at its end, as one of those from `first` on.
+#[inline(always)]
+fn steps<S: Simd, Column: SideBySideColumn>(
+    method: &Shaken<'_, Verlet>,
+    groups: &mut [Group<S, Column>; 2],
+    (n_steps, first): (&[usize], usize),
+    tallies: &mut SceneSums,
+) {
+    let mut done = 0;
+    while let Some(end) = n_steps.iter().filter(|end| **end > done).min() {
+        if method.budget.is_stopped() {
+            return;
+        }
+        let next = (*end).min(done + BETWEEN);
+        let ground = &method.ground[..=next];
+        while done < next {
+            done = go_apart(groups, ground, done);
+            if let [from, to] = ground[done..][..2.min(ground.len() - done)] {
+                for group in groups.iter_mut() {
+                    let like = |acceleration| group.constants[0].inverse_mass.like(acceleration);
+                    let grounds = [like(from), like(to)];
+                    group.step(grounds);
+                }
+                done += 1;
+            }
+        }
+        for (index, _) in n_steps.iter().enumerate().filter(|of| *of.1 == done) {
+            let group = &groups[index / Lanes::<S>::N];
+            let (lane, scene) = (index % Lanes::<S>::N, first + index);
+            for (node, motion) in group.motions.iter().enumerate() {
+                tallies.take_structure((scene, node), motion.peak(lane));
+            }
+            if let Some(pair) = &group.pair {
+                tallies.take_pair((scene, pair.index), pair.tally.lane(lane));
+            }
+        }
+    }
+    let with_scenes = n_steps.len().div_ceil(Lanes::<S>::N);
+    for group in &groups[..with_scenes] {
+        tallies.steps += done as u64;
+        tallies.touching_steps += group.touching_steps;
+    }
+}
+
+/// Goes on while no lane may touch, with the motions at hand; the number of steps that are done.
+#[inline(always)]
+fn go_apart<S: Simd, Column: SideBySideColumn>(
+    [one, other]: &mut [Group<S, Column>; 2],
+    ground: &[f64],
+    before: usize,
+) -> usize {
+    let mut done = before;
+    if one.busy || other.busy {
+        return done;
+    }
+    let (mut ones, mut others) = (one.motions, other.motions);
+    for acceleration in &ground[before + 1..] {
+        let a = one.constants[0].step.predict(ones[0].kinematics());
+        let b = one.constants[1].step.predict(ones[1].kinematics());
+        let c = other.constants[0].step.predict(others[0].kinematics());
+        let d = other.constants[1].step.predict(others[1].kinematics());
+        let near = one.may_touch(&ones, [a[0], b[0]]) | other.may_touch(&others, [c[0], d[0]]);
+        if Lanes::any(near) {
+            break;
+        }
+        let ground = a[0].like(*acceleration);
+        one.constants[0].finish(&mut ones[0], a, ground);
+        one.constants[1].finish(&mut ones[1], b, ground);
+        other.constants[0].finish(&mut others[0], c, ground);
+        other.constants[1].finish(&mut others[1], d, ground);
+        done += 1;
+    }
+    (one.motions, other.motions) = (ones, others);
+    done
+}

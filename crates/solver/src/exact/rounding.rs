@@ -1,0 +1,64 @@
+//! What rounding leaves of the coefficients of a structure and of a pair.
+
+use crate::exact::member::Member;
+
+/// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
+pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
+/// coefficients of both sides.
+pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f64 {
+    let terms = if n >= 2 * p && n.is_multiple_of(p) {
+        let order = n / p - 2;
+        let weight = ((order + 1) * (order + 2)) as f64;
+        (sides[0].noise(order) + sides[1].noise(order)) / weight
+    } else {
+        0.0
+    };
+    ROUNDING * (values[0].abs() + values[1].abs() + terms)
+}
+
+impl Member {
+    /// What rounding of the acceleration's coefficient of this order in time is a part of: its terms, and what it
+    /// changes by in the time that has passed, whose rounding is that of every instant.
+    pub(super) fn noise(&self, order: usize) -> f64 {
+        let next = (order + 1) as f64 * self.magnitude_of(order + 1);
+        self.magnitude_of(order) + self.terms.time * next
+    }
+
+    /// What rounding of a force that moves it is a part of; columns that yield smoothly have coefficients that grow faster than the
+    /// terms tell.
+    pub(super) fn need_of_noise(&self, order: usize, p: usize) -> f64 {
+        if order == 0 {
+            self.mass * (self.noise(order) + self.terms.ground.0) + self.terms.own
+        } else {
+            let found = self.acceleration[order * p].abs();
+            self.mass * self.noise(order).max(found)
+        }
+    }
+
+    /// Rounding of coefficient `n` of the velocity.
+    pub(super) fn noise_of_velocity(&self, p: usize, n: usize) -> f64 {
+        if n >= p && n.is_multiple_of(p) {
+            let order = n / p - 1;
+            ROUNDING * self.noise(order) / (order + 1) as f64
+        } else {
+            0.0
+        }
+    }
+
+    fn magnitude_of(&self, order: usize) -> f64 {
+        let terms = &self.terms;
+        if order == 0 {
+            return terms.acceleration;
+        }
+        let mut noise = terms.around;
+        for n in 1..=order {
+            noise *= terms.rate / n as f64;
+            if n == 1 {
+                noise += terms.ground.1;
+            }
+        }
+        noise
+    }
+}

@@ -1,0 +1,332 @@
+//! Central difference method: compliant contact by forces at nodes, impacts as velocity jumps.
+//!
+//! Source: the paper, equations (1)–(3); Chopra, *Dynamics of Structures*, 5.3. Written per unit of mass, so that a
+//! wall is a node of inverse mass 0, and for the increment of the displacement instead of the displacement: the same
+//! equation, but rounding then grows with the number of steps and not with its square (at Δt = 5e-7 s over 3 s it
+//! would spoil the fourth digit).
+//!
+//! Where the velocity jumps or the step changes its length, the increment is restarted as the textbook starts a run:
+//! it follows from the velocity and the acceleration at the node, Δt u̇ + Δt² ü/2. In the smooth case that is the same
+//! equation, so that a restart costs no accuracy.
+//!
+//! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every
+//! building (`storeys.rs`). Rows of structures of one storey keep a loop of their own.
+
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+pub(crate) mod coefficients;
+mod contact;
+mod storeys;
+
+use pounding_contact::Number;
+
+use coefficients::Coefficients;
+use storeys::Storeys;
+
+use crate::error::require;
+use crate::impact::impacts::Impacts;
+use crate::model::approach::Approaches;
+use crate::model::ground::Ground;
+use crate::span::Load;
+use crate::{Course, Excitation, Node, Recorder, RestoringForce, Row, RunError, Span, State, Work};
+
+/// Settings of the central difference method. Order 2 while nothing touches, critical time step 2/ω = T/π.
+///
+/// A run begins from equilibrium, as textbooks do: u₋₁ = u₀ − Δt u̇₀ + Δt² ü₀/2. Impulsive contact is a jump of the velocities at the
+/// node at which an overlap is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CentralDifference {
+    /// Steps into which a time step is divided for structures that touch, 1 to 1000.
+    ///
+    /// A structure sub-steps from a node on at which it overlaps a neighbour, or would overlap one at the next node, to
+    /// that next node; a building does so with all its floors. Others keep the whole step.
+    pub contact_substeps: u32,
+}
+
+/// More would be a run of many times the length that its time step says.
+const MOST_SUBSTEPS: u32 = 1000;
+
+impl Default for CentralDifference {
+    /// Whole steps everywhere.
+    fn default() -> Self {
+        Self {
+            contact_substeps: 1,
+        }
+    }
+}
+
+impl CentralDifference {
+    pub(crate) fn check(self) -> Result<(), RunError> {
+        let valid = (1..=MOST_SUBSTEPS).contains(&self.contact_substeps);
+        let found = self.contact_substeps.into();
+        require(valid, "contact_substeps", found, "1 to 1000")
+    }
+}
+
+/// What each structure carries from step to step.
+struct Body<Memory> {
+    displacement: f64,
+    /// Displacement minus that of the node before \[m\].
+    increment: f64,
+    /// Whether the node before lies a sub-step back.
+    fine: bool,
+    /// Central-difference velocity at the node before, before its jump; the equation's damping force is that of this velocity.
+    velocity: f64,
+    memory: Memory,
+    /// Start of the span under way.
+    start: State,
+    start_time: f64,
+    start_ground: f64,
+    force_from_left: f64,
+    force_from_right: f64,
+    /// Impulses from the left and from the right that a whole step gives too much, where a neighbour that sub-steps was
+    /// met at its end: on both the force acts for half a sub-step \[N·s\].
+    excess: (f64, f64),
+}
+
+impl<Memory> Body<Memory> {
+    /// Lets the next displacement follow from the state at this node, a step of this length ahead.
+    fn restart(&mut self, time_step: f64) {
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = self.start;
+        self.increment = Coefficients::restarted(time_step, velocity, acceleration);
+        self.displacement = self.start.displacement + self.increment;
+    }
+
+    /// Takes the excess of a whole step out of the velocity at its end; the increment is restarted after it.
+    fn give_back(&mut self, end: &mut State, constants: &Coefficients) {
+        let half_damping = 0.5 * constants.damping * constants.time_step;
+        let excess = constants.inverse_mass * (self.excess.0 + self.excess.1);
+        let change = excess / (1.0 + half_damping);
+        end.velocity -= change;
+        end.acceleration += constants.damping * change;
+        self.velocity = end.velocity;
+    }
+}
+
+/// A node of the run, or of the sub-steps of those that touch.
+#[derive(Clone, Copy)]
+struct Instant<'a> {
+    ground: Ground<'a>,
+    time: f64,
+    /// Time of the next node, for messages \[s\].
+    next: f64,
+    /// Whether only structures that sub-step have a node here.
+    fine: bool,
+}
+
+/// A run: its model and everything it needs, allocated once.
+struct Run<'a, Column: RestoringForce> {
+    row: &'a Row<Column>,
+    /// Whole step and sub-step \[s\].
+    steps: [f64; 2],
+    /// For each of them the coefficients of every structure.
+    coefficients: [Vec<Coefficients>; 2],
+    bodies: Vec<Body<Column::Memory>>,
+    /// Nothing where all structures have one storey.
+    storeys: Option<Storeys>,
+    /// States at a node with velocity jumps.
+    states: Vec<State>,
+    jumps: Impacts,
+    approaches: Approaches,
+    work: Work,
+}
+
+/// Integrates a row; the shared signature of all methods.
+pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+    settings: CentralDifference,
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    course: Course,
+    recorder: &mut R,
+) -> Result<Work, RunError> {
+    let clock = course.clock;
+    settings.check()?;
+    let substeps = settings.contact_substeps as usize;
+    let guard = course.begin(row.nodes().len() * substeps);
+    let shaking = row.shaken(excitation, clock);
+    let mut run = Run::new(settings, row, shaking.at(0), clock.time_step);
+    // Node n is reached by the step before the last; the last one gives it a velocity.
+    for step in 0..=clock.n_steps {
+        guard.step(step, clock)?;
+        let node = Instant {
+            ground: shaking.at(step),
+            time: clock.time(step),
+            next: clock.time(step + 1),
+            fine: false,
+        };
+        run.node(node, recorder)?;
+        run.work.steps += 1;
+        let substeps = settings.contact_substeps > 1 && step < clock.n_steps;
+        if substeps && run.refine([node.ground, shaking.at(step + 1)]) {
+            for part in 1..settings.contact_substeps {
+                let fraction = f64::from(part) / f64::from(settings.contact_substeps);
+                let between = Instant {
+                    ground: shaking.within(step, fraction),
+                    time: node.time + fraction * clock.time_step,
+                    fine: true,
+                    ..node
+                };
+                run.node(between, recorder)?;
+            }
+        }
+    }
+    Ok(run.work)
+}
+
+/// By how much the displacement at t = 0 is more than that one step before \[m\], from velocity and acceleration there.
+#[inline(always)]
+pub(crate) fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> N {
+    let (step, half) = (velocity.like(dt), velocity.like(0.5 * dt));
+    step * (velocity - half * acceleration)
+}
+
+/// The body at t = 0.
+fn begin<Memory>((state, memory): (State, Memory), ground: f64, dt: f64) -> Body<Memory> {
+    Body {
+        displacement: state.displacement,
+        increment: first_increment([state.velocity, state.acceleration], dt),
+        fine: false,
+        velocity: state.velocity,
+        memory,
+        start: state,
+        start_time: 0.0,
+        start_ground: ground,
+        force_from_left: 0.0,
+        force_from_right: 0.0,
+        excess: (0.0, 0.0),
+    }
+}
+
+impl<'a, Column: RestoringForce> Run<'a, Column> {
+    fn new(settings: CentralDifference, row: &'a Row<Column>, ground: Ground<'_>, dt: f64) -> Self {
+        let steps = [dt, dt / f64::from(settings.contact_substeps)];
+        let constants = |dt: f64| {
+            let nodes = row.nodes().iter();
+            nodes.map(|node| Coefficients::new(node, dt)).collect()
+        };
+        let (states, memories) = row.initial(ground);
+        let bodies: Vec<_> = states
+            .into_iter()
+            .zip(memories)
+            .enumerate()
+            .map(|(node, initial)| begin(initial, ground.under(node), dt))
+            .collect();
+        Self {
+            row,
+            steps,
+            coefficients: steps.map(constants),
+            storeys: Storeys::of(row, steps),
+            states: bodies.iter().map(|body| body.start).collect(),
+            bodies,
+            jumps: Impacts::new(row),
+            approaches: Approaches::new(row.pairs().len()),
+            work: Work::default(),
+        }
+    }
+
+    /// One node: contact, the equation of every structure that has a node here, its span, impacts.
+    fn node<R: Recorder>(&mut self, node: Instant<'_>, recorder: &mut R) -> Result<(), RunError> {
+        let hit = self.touch(node);
+        if self.storeys.is_some() {
+            self.advance_storeys(node, recorder)?;
+        } else {
+            self.advance(node, recorder)?;
+        }
+        if hit {
+            self.jump(node, recorder);
+        }
+        Ok(())
+    }
+
+    /// Solves the equations of a node, each for itself, and reports the spans that end there.
+    fn advance<R: Recorder>(
+        &mut self,
+        node: Instant<'_>,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let structures = self.bodies.iter_mut().zip(self.row.nodes());
+        for (index, (body, structure)) in structures.enumerate() {
+            if node.fine && !body.fine {
+                continue;
+            }
+            let constants = &self.coefficients[usize::from(body.fine)][index];
+            let Node {
+                column, damping, ..
+            } = structure;
+            let central = body.velocity;
+            let ground = node.ground.under(index);
+            let mut end = advance(body, constants, column, ground);
+            if body.excess != (0.0, 0.0) {
+                body.give_back(&mut end, constants);
+            }
+            if !body.displacement.is_finite() {
+                return Err(RunError::Diverged {
+                    structure: index,
+                    time: node.next,
+                    time_step: self.steps[0],
+                });
+            }
+            if node.time > body.start_time {
+                let times = (body.start_time, node.time);
+                let ends = [body.start, end];
+                let loads = [
+                    Load::at(
+                        &ends[0],
+                        (ends[0].restoring_force, damping * central),
+                        body.start_ground,
+                    ),
+                    Load::at(
+                        &ends[1],
+                        (ends[1].restoring_force, damping * body.velocity),
+                        ground,
+                    ),
+                ];
+                let weights = (0.5 * constants.time_step, [1.0; 2]);
+                let mut span = Span::step::<R, _>(index, times, ends, weights, loads);
+                span.impulse_from_left -= body.excess.0;
+                span.impulse_from_right -= body.excess.1;
+                recorder.span(&span);
+            }
+            body.start = end;
+            body.start_time = node.time;
+            body.start_ground = ground;
+            self.work.force_evaluations += 1;
+        }
+        Ok(())
+    }
+}
+
+/// Solves equation (3) for the next displacement; returns the state at the current node, before its velocity jumps.
+#[inline]
+fn advance<Column: RestoringForce>(
+    body: &mut Body<Column::Memory>,
+    constants: &Coefficients,
+    column: &Column,
+    ground: f64,
+) -> State {
+    let response = column.respond(body.displacement, body.memory);
+    let pounding_force = body.force_from_left + body.force_from_right;
+    let smooth = constants.smooth((pounding_force, response.force), constants.mobile * ground);
+    let increment = constants.next(smooth, body.increment);
+    let velocity = constants.velocity([body.increment, increment]);
+    let state = State {
+        displacement: body.displacement,
+        velocity,
+        acceleration: smooth - constants.damping * velocity,
+        restoring_force: response.force,
+        force_from_left: body.force_from_left,
+        force_from_right: body.force_from_right,
+    };
+    body.displacement += increment;
+    body.increment = increment;
+    body.velocity = velocity;
+    body.memory = response.memory;
+    state
+}

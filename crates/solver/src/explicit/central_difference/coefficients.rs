@@ -1,0 +1,127 @@
+//! Constants of the central difference method, computed once per run.
+
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
+
+use crate::model::buildings::Buildings;
+use crate::model::dashpots::{DampingRates, Eliminated};
+use crate::{Node, RestoringForce, Row};
+
+/// Constants of one structure's equation (3), divided by its mass.
+pub(crate) struct Coefficients<N = f64> {
+    pub(crate) time_step: f64,
+    pub(crate) inverse_mass: N,
+    /// c/m.
+    pub(crate) damping: N,
+    /// 1/(1/Δt² + c/(2mΔt)).
+    pub(crate) solve: N,
+    /// 1/Δt² − c/(2mΔt).
+    pub(crate) carry: N,
+    /// 1 for a structure, 0 for a wall: walls do not feel inertia.
+    pub(crate) mobile: N,
+}
+
+impl<N: Number> Coefficients<N> {
+    /// Acceleration but for damping \[m/s²\]; forces are the net pounding force and the restoring force \[N\], and the
+    /// acceleration of the ground is one that the structure feels.
+    #[inline(always)]
+    pub(crate) fn smooth(&self, (pounding, restoring): (N, N), ground: N) -> N {
+        self.inverse_mass * (pounding - restoring) - ground
+    }
+
+    /// The next increment of the displacement \[m\] under an acceleration but for damping \[m/s²\], after this one.
+    #[inline(always)]
+    pub(crate) fn next(&self, load: N, increment: N) -> N {
+        self.solve * (load + self.carry * increment)
+    }
+
+    /// Velocity at the node between two increments \[m/s\].
+    #[inline(always)]
+    pub(crate) fn velocity(&self, [before, after]: [N; 2]) -> N {
+        (after + before) / after.like(2.0 * self.time_step)
+    }
+
+    /// Increment that follows from displacement's rate \[m/s\] and acceleration \[m/s²\] at a node, as a textbook begins a run.
+    #[inline(always)]
+    pub(crate) fn restarted(time_step: f64, velocity: N, acceleration: N) -> N {
+        let (step, half) = (velocity.like(time_step), velocity.like(0.5 * time_step));
+        step * (velocity + half * acceleration)
+    }
+}
+
+impl<N: Number> Coefficients<N> {
+    /// Of an inverse mass \[1/kg\] (0 of a wall), damping coefficient c \[N·s/m\] and whether it moves (1, or 0).
+    #[inline(always)]
+    pub(crate) fn of(inverse_mass: N, damping: N, mobile: N, dt: f64) -> Self {
+        let damping = inverse_mass * damping;
+        let like = |value: f64| damping.like(value);
+        let (inertia, half) = (like(1.0 / (dt * dt)), like(0.5) * damping / like(dt));
+        Self {
+            time_step: dt,
+            inverse_mass,
+            damping,
+            solve: like(1.0) / (inertia + half),
+            carry: inertia - half,
+            mobile,
+        }
+    }
+}
+
+impl Coefficients {
+    pub(crate) fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
+        Self::of(node.inverse_mass, node.damping, node.mobile(), dt)
+    }
+}
+
+/// Constants of the equation of a floor that is joined to the floors below and above.
+pub(super) struct FloorCoefficients {
+    /// With c of all its dashpots; what it solves is less by what the elimination of the floors above took.
+    pub(super) own: Coefficients,
+    pub(super) rates: DampingRates,
+    /// c/(2mΔt) of the dashpot to the floor below, m the mass of this floor.
+    pub(super) below: f64,
+    /// The same of that to the floor above.
+    pub(super) above: f64,
+    /// What of the next increment of the floor below is added to that of this one.
+    pub(super) share: f64,
+}
+
+impl FloorCoefficients {
+    /// Of all floors, building by building, for steps of this length \[s\].
+    pub(super) fn of<Column: RestoringForce>(
+        row: &Row<Column>,
+        buildings: &Buildings,
+        dt: f64,
+    ) -> Vec<Self> {
+        let (inertia, weigh) = (1.0 / (dt * dt), |rate: f64| 0.5 * rate / dt);
+        let mut all = Vec::with_capacity(row.nodes().len());
+        for building in buildings.each() {
+            let (first, mut above) = (all.len(), None);
+            for index in building.iter().rev() {
+                let rates = DampingRates::new(row, *index);
+                let parts = (&rates, *index == building[0]);
+                let equation = Eliminated::new(parts, above.as_ref(), inertia, weigh);
+                let solve = 1.0 / equation.pivot;
+                let half = weigh(rates.storey) + weigh(rates.ground) + weigh(rates.above);
+                all.push(Self {
+                    own: Coefficients {
+                        solve,
+                        carry: inertia - half,
+                        ..Coefficients::new(&row.nodes()[*index], dt)
+                    },
+                    rates,
+                    below: equation.below,
+                    above: equation.above,
+                    share: equation.below * solve,
+                });
+                above = Some(equation);
+            }
+            all[first..].reverse();
+        }
+        all
+    }
+}

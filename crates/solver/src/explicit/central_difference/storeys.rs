@@ -1,0 +1,317 @@
+//! The equations of a node of the run in a row in which floors stand on floors.
+//!
+//! The dashpots between floors join the next increments of a building: what the equation of a floor says of its increment
+//! is found from the top floor down, the increments then from the ground up. All that follows is done from the top down
+//! once more: what a floor needs of the one above is carried along, and the one below has not gone on yet.
+
+use super::coefficients::FloorCoefficients;
+use super::{Body, Instant, Run};
+use crate::model::buildings::Buildings;
+use crate::model::dashpots::Dashpots;
+use crate::span::Load;
+use crate::{Floor, Motion, Recorder, RestoringForce, Row, RunError, Span, State, Support};
+
+/// What only rows in which floors stand on floors need; all of it building by building.
+pub(super) struct Storeys {
+    pub(super) buildings: Buildings,
+    /// For whole steps and sub-steps.
+    coefficients: [Vec<FloorCoefficients>; 2],
+    solutions: Vec<Solution>,
+    /// Share a velocity that is given back among the floors of a building.
+    dashpots: Dashpots,
+}
+
+/// What the equation of a floor says at a node.
+#[derive(Clone, Copy, Default)]
+struct Solution {
+    /// The next increment \[m\]; on the way down without what the floor below adds to it.
+    increment: f64,
+    /// Central-difference velocity, before a jump \[m/s\].
+    velocity: f64,
+    /// Acceleration without damping, or with it where velocity was given back \[m/s²\].
+    acceleration: f64,
+    /// Force of the storey below the floor \[N\].
+    restoring_force: f64,
+}
+
+impl Storeys {
+    /// Nothing for a row of structures of one storey.
+    pub(super) fn of<Column: RestoringForce>(row: &Row<Column>, steps: [f64; 2]) -> Option<Self> {
+        let buildings = Buildings::of(row)?;
+        Some(Self {
+            coefficients: steps.map(|dt| FloorCoefficients::of(row, &buildings, dt)),
+            solutions: vec![Solution::default(); row.nodes().len()],
+            dashpots: Dashpots::new(row, &buildings),
+            buildings,
+        })
+    }
+}
+
+impl<Column: RestoringForce> Run<'_, Column> {
+    /// Solves the equations of a node, building by building, and reports the spans that end there.
+    #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
+    pub(super) fn advance_storeys<R: Recorder>(
+        &mut self,
+        node: Instant<'_>,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let divides = self.steps[1] < self.steps[0];
+        let Some(storeys) = &mut self.storeys else {
+            return Ok(());
+        };
+        for range in storeys.buildings.ranges() {
+            let floors = &storeys.buildings.floors()[range.clone()];
+            let fine = self.bodies[floors[0]].fine;
+            if node.fine && !fine {
+                continue;
+            }
+            let mut building = Building {
+                row: self.row,
+                floors,
+                bodies: &mut self.bodies,
+                coefficients: &storeys.coefficients[usize::from(fine)][range.clone()],
+                solutions: &mut storeys.solutions[range.clone()],
+            };
+            // All floors of a building stand on one ground.
+            let ground = node.ground.under(floors[0]);
+            building.eliminate(ground);
+            if let Some(structure) = building.substitute() {
+                return Err(RunError::Diverged {
+                    structure,
+                    time: node.next,
+                    time_step: self.steps[0],
+                });
+            }
+            let met_late = divides && !fine && building.met_late();
+            if met_late {
+                building.excess(&mut storeys.dashpots.values[range.clone()]);
+                building.give_back(storeys.dashpots.solve(range, self.steps[0]));
+            }
+            building.go_on((node.time, ground), met_late, recorder);
+            self.work.force_evaluations += floors.len() as u64;
+        }
+        Ok(())
+    }
+}
+
+/// One building at a node; arrays of its floors begin at the ground.
+struct Building<'a, Column: RestoringForce> {
+    row: &'a Row<Column>,
+    /// Nodes of the floors.
+    floors: &'a [usize],
+    /// Of the whole row.
+    bodies: &'a mut [Body<Column::Memory>],
+    coefficients: &'a [FloorCoefficients],
+    solutions: &'a mut [Solution],
+}
+
+/// What is carried down from the floor above; all 0 above the top floor.
+#[derive(Default)]
+struct Above {
+    /// Velocity at the end of the span \[m/s\].
+    velocity: f64,
+    /// Forces of its columns and of its dashpot at the start and at the end of the span \[N\].
+    forces: [(f64, f64); 2],
+}
+
+impl<Column: RestoringForce> Building<'_, Column> {
+    /// From the top down: forces, and what is known of the increments.
+    fn eliminate(&mut self, ground: f64) {
+        let (mut carried, mut increments) = (0.0, 0.0);
+        let floors = self.floors.iter().zip(self.coefficients);
+        for ((&index, constants), solution) in floors.zip(self.solutions.iter_mut()).rev() {
+            let floor = &self.row.nodes()[index];
+            let (below_displacement, below_increment) = match floor.support {
+                Support::Ground => (0.0, 0.0),
+                Support::Floor(Floor { below, .. }) => (
+                    self.bodies[below].displacement,
+                    self.bodies[below].increment,
+                ),
+            };
+            let own = &constants.own;
+            let body = &mut self.bodies[index];
+            let drift = body.displacement - below_displacement;
+            let response = floor.column.respond(drift, body.memory);
+            body.memory = response.memory;
+            let pounding_force = body.force_from_left + body.force_from_right;
+            let force = pounding_force - (response.force - carried);
+            let smooth = own.inverse_mass * force - own.mobile * ground;
+            let before = own.carry * body.increment + constants.below * below_increment;
+            let increment = own.solve * (smooth + (before + constants.above * increments));
+            *solution = Solution {
+                increment,
+                velocity: 0.0,
+                acceleration: smooth,
+                restoring_force: response.force,
+            };
+            carried = response.force;
+            increments = body.increment + increment;
+        }
+    }
+
+    /// From the ground up: increments and velocities; a floor whose next displacement is no longer a finite number.
+    fn substitute(&mut self) -> Option<usize> {
+        let (mut below, mut finite) = (0.0, true);
+        let floors = self.floors.iter().zip(self.coefficients);
+        for ((&index, constants), solution) in floors.zip(self.solutions.iter_mut()) {
+            let body = &self.bodies[index];
+            solution.increment += constants.share * below;
+            below = solution.increment;
+            let central = solution.increment + body.increment;
+            solution.velocity = central / (2.0 * constants.own.time_step);
+            finite &= (body.displacement + solution.increment).abs() <= f64::MAX;
+        }
+        if finite { None } else { self.diverged() }
+    }
+
+    fn diverged(&self) -> Option<usize> {
+        let next = |(index, solution): (&usize, &Solution)| {
+            let displacement = self.bodies[*index].displacement + solution.increment;
+            (!displacement.is_finite()).then_some(*index)
+        };
+        self.floors.iter().zip(self.solutions.iter()).find_map(next)
+    }
+
+    /// Whether a whole step met a neighbour that sub-steps.
+    fn met_late(&self) -> bool {
+        let late = |index: &usize| self.bodies[*index].excess != (0.0, 0.0);
+        self.floors.iter().any(late)
+    }
+
+    /// Velocities that whole steps gave too much, before the dashpots share them.
+    fn excess(&self, velocities: &mut [f64]) {
+        for ((&index, constants), velocity) in
+            self.floors.iter().zip(self.coefficients).zip(velocities)
+        {
+            let (from_left, from_right) = self.bodies[index].excess;
+            *velocity = constants.own.inverse_mass * (from_left + from_right);
+        }
+    }
+
+    /// Takes the excess of whole steps out of the velocities at their end; the increments are restarted after it.
+    fn give_back(&mut self, changes: &[f64]) {
+        let solutions = &mut *self.solutions;
+        let mut below = [0.0; 2];
+        for (level, constants) in self.coefficients.iter().enumerate() {
+            let rates = &constants.rates;
+            let (own, upper) = (solutions[level].velocity, level + 1);
+            let above = solutions.get(upper).map_or(0.0, |above| above.velocity);
+            let change = changes.get(upper).copied().unwrap_or(0.0);
+            let solution = &mut solutions[level];
+            solution.acceleration -= rates.deceleration([below[0], own, above]);
+            solution.acceleration += rates.deceleration([below[1], changes[level], change]);
+            below = [own, changes[level]];
+            solution.velocity -= changes[level];
+        }
+    }
+
+    /// From the top down: reports the spans that end at a node, and lets the bodies go on from it.
+    ///
+    /// Accelerations may be `settled` already.
+    fn go_on<R: Recorder>(&mut self, (time, ground): (f64, f64), settled: bool, recorder: &mut R) {
+        let (mut above, n) = (Above::default(), self.floors.len());
+        // The lengths are told once, so that no floor has to be checked against them.
+        let coefficients = &self.coefficients[..n];
+        for level in (0..n).rev() {
+            let (index, found) = (self.floors[level], self.solutions[level]);
+            let rates = &coefficients[level].rates;
+            let velocity = found.velocity;
+            let below = level.checked_sub(1);
+            let below_velocity = below.map_or(0.0, |below| self.solutions[below].velocity);
+            let mut acceleration = found.acceleration;
+            if !settled {
+                acceleration -= rates.deceleration([below_velocity, velocity, above.velocity]);
+            }
+            let body = &self.bodies[index];
+            let end = State {
+                displacement: body.displacement,
+                velocity,
+                acceleration,
+                restoring_force: found.restoring_force,
+                force_from_left: body.force_from_left,
+                force_from_right: body.force_from_right,
+            };
+            if time > body.start_time {
+                let instant = (time, ground);
+                self.report(
+                    level,
+                    (end, below_velocity),
+                    (instant, &mut above),
+                    recorder,
+                );
+            }
+            above.velocity = velocity;
+            let body = &mut self.bodies[index];
+            body.displacement += found.increment;
+            body.increment = found.increment;
+            body.velocity = found.velocity;
+            body.start = end;
+            body.start_time = time;
+            body.start_ground = ground;
+        }
+    }
+
+    /// Reports the span of a floor that ends at a node, in a state and over a floor of a velocity.
+    fn report<R: Recorder>(
+        &self,
+        level: usize,
+        (end, below_velocity): (State, f64),
+        ((time, ground), above): ((f64, f64), &mut Above),
+        recorder: &mut R,
+    ) {
+        let index = self.floors[level];
+        let body = &self.bodies[index];
+        let below = level.checked_sub(1).map(|level| {
+            let lower = &self.bodies[self.floors[level]];
+            let end = Motion {
+                displacement: lower.displacement,
+                velocity: below_velocity,
+            };
+            [(&lower.start).into(), end]
+        });
+        let forces = if R::READS_WEIGHED {
+            self.forces(level, &mut above.forces)
+        } else {
+            [(0.0, 0.0); 2]
+        };
+        let loads = [
+            Load::at(&body.start, forces[0], body.start_ground),
+            Load::at(&end, forces[1], ground),
+        ];
+        let weights = (0.5 * self.coefficients[level].own.time_step, [1.0; 2]);
+        let times = (body.start_time, time);
+        let span = Span::step::<R, _>(index, times, [body.start, end], weights, loads);
+        let (from_left, from_right) = body.excess;
+        recorder.span(&Span {
+            impulse_from_left: span.impulse_from_left - from_left,
+            impulse_from_right: span.impulse_from_right - from_right,
+            ..span.over(below)
+        });
+    }
+
+    /// Net restoring and damping force \[N\] on a floor at both ends of its span, at the velocities of the equations there;
+    /// those of the storey above become those of its own.
+    fn forces(&self, level: usize, storey: &mut [(f64, f64); 2]) -> [(f64, f64); 2] {
+        let index = self.floors[level];
+        let (node, found) = (&self.row.nodes()[index], &self.solutions[level]);
+        let start = &self.bodies[index];
+        let mut below = [0.0; 2];
+        if let Some(lower) = level.checked_sub(1) {
+            let lower_velocity = self.bodies[self.floors[lower]].velocity;
+            below = [lower_velocity, self.solutions[lower].velocity];
+        }
+        let own = [
+            (start.start.restoring_force, start.velocity),
+            (found.restoring_force, found.velocity),
+        ];
+        let mut net = [(0.0, 0.0); 2];
+        for end in 0..2 {
+            let (restoring, velocity) = own[end];
+            let damping = node.damping * (velocity - below[end]);
+            let all = damping + node.support.ground_damping() * velocity;
+            net[end] = (restoring - storey[end].0, all - storey[end].1);
+            storey[end] = (restoring, damping);
+        }
+        net
+    }
+}

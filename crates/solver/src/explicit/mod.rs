@@ -1,0 +1,5 @@
+//! Methods that step without solving equations.
+
+pub(crate) mod central_difference;
+pub(crate) mod rk4;
+pub(crate) mod verlet;

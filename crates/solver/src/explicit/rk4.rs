@@ -1,0 +1,250 @@
+//! The classical Runge–Kutta method of order four on displacements and velocities.
+//!
+//! Source: W. Kutta, *Z. Math. Phys.* 46 (1901) 435; Hairer, Nørsett & Wanner, *Solving Ordinary Differential
+//! Equations I*, II.1.
+//!
+//! Compliant pairs push in every stage with the true rate of deformation there. Columns answer every stage from what
+//! they remembered at the start of the step and remember the end of it, so that a yielding column costs the method its
+//! order. The ground acceleration half way through a step is the record's own.
+
+use crate::impact::impacts::Impacts;
+use crate::model::approach::Approaches;
+use crate::model::ground::Ground;
+use crate::span::Load;
+use crate::{
+    Clock, Course, Excitation, Recorder, RestoringForce, Row, RunError, Span, State, Work,
+};
+
+/// Settings of the classical Runge–Kutta method: there are none. Order 4 while nothing touches or yields.
+///
+/// Impulsive laws act after a step, as a jump of the velocities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rk4;
+
+impl Rk4 {
+    /// Time step \[s\] from which on the method is unstable for a linear structure of circular frequency ω \[rad/s\]
+    /// and damping ratio ζ ≥ 0: 2√2/ω without damping, 2.785/λ with the fastest decay λ of an overdamped structure.
+    pub fn critical_time_step(angular_frequency: f64, damping_ratio: f64) -> f64 {
+        // Slow and fast decay of an overdamped structure lie on the negative real axis; the fast one limits.
+        let (real, imaginary, radius) = if damping_ratio < 1.0 {
+            let imaginary = (1.0 - damping_ratio * damping_ratio).sqrt();
+            (-damping_ratio, imaginary, 1.0)
+        } else {
+            let fast = damping_ratio + (damping_ratio * damping_ratio - 1.0).sqrt();
+            (-1.0, 0.0, fast)
+        };
+        let grows = |r: f64| growth(r * real, r * imaginary) > 1.0;
+        // The method is stable at 2 and unstable at 4 in every direction of the left half-plane.
+        let (mut stable, mut unstable) = (2.0, 4.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (stable + unstable);
+            if grows(middle) {
+                unstable = middle;
+            } else {
+                stable = middle;
+            }
+        }
+        stable / (angular_frequency * radius)
+    }
+}
+
+/// |1 + z + z²/2 + z³/6 + z⁴/24|², the growth of the method's answer to ẏ = λy, z = λΔt.
+fn growth(x: f64, y: f64) -> f64 {
+    let (mut real, mut imaginary) = (1.0, 0.0);
+    for divisor in [4.0, 3.0, 2.0, 1.0] {
+        (real, imaginary) = (
+            1.0 + (real * x - imaginary * y) / divisor,
+            (real * y + imaginary * x) / divisor,
+        );
+    }
+    real * real + imaginary * imaginary
+}
+
+/// Weights of the four stages, in sixths of a step.
+const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
+
+/// Scratch of a run.
+struct Scratch<Memory> {
+    /// States at the start of the step, after impacts.
+    states: Vec<State>,
+    memories: Vec<Memory>,
+    /// States of the stage under way.
+    stages: Vec<State>,
+    /// Weighted sums over the stages of velocities and accelerations.
+    slopes: Vec<(f64, f64)>,
+    /// What acts on each structure in the stages.
+    loads: Vec<[Load; 4]>,
+    approaches: Approaches,
+}
+
+/// Integrates a row; the shared signature of all methods.
+pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+    _: Rk4,
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    course: Course,
+    recorder: &mut R,
+) -> Result<Work, RunError> {
+    let clock = course.clock;
+    let halves = Clock {
+        time_step: 0.5 * clock.time_step,
+        n_steps: 2 * clock.n_steps,
+    };
+    let guard = course.begin(row.nodes().len());
+    let shaking = row.shaken(excitation, halves);
+    let mut scratch = Scratch::new(row, shaking.at(0));
+    let mut impacts = Impacts::new(row);
+    let mut work = Work::default();
+    for step in 1..=clock.n_steps {
+        guard.step(step, clock)?;
+        let ground = [2 * step - 2, 2 * step - 1, 2 * step].map(|half| shaking.at(half));
+        scratch.advance(row, ground, clock.time_step);
+        let instant = (ground[2], clock.time(step));
+        scratch.finish(row, instant.0, (clock, step), recorder)?;
+        work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
+        impacts.after_step(row, &mut scratch.states, instant, recorder);
+        work.steps += 1;
+        work.force_evaluations += 4 * row.nodes().len() as u64;
+    }
+    Ok(work)
+}
+
+impl<Memory: Copy> Scratch<Memory> {
+    fn new<Column: RestoringForce<Memory = Memory>>(row: &Row<Column>, ground: Ground<'_>) -> Self {
+        let (states, memories) = row.initial(ground);
+        let nothing = Load::at(&State::default(), (0.0, 0.0), 0.0);
+        Self {
+            stages: states.clone(),
+            slopes: vec![(0.0, 0.0); states.len()],
+            loads: vec![[nothing; 4]; states.len()],
+            approaches: Approaches::new(row.pairs().len()),
+            states,
+            memories,
+        }
+    }
+
+    /// The four stages, under the ground acceleration at the start, middle and end of the step; the first is the state
+    /// at the start.
+    fn advance<Column: RestoringForce<Memory = Memory>>(
+        &mut self,
+        row: &Row<Column>,
+        ground: [Ground<'_>; 3],
+        dt: f64,
+    ) {
+        self.stages.copy_from_slice(&self.states);
+        self.slopes.fill((0.0, 0.0));
+        self.add(row, 0, ground[0]);
+        for (stage, ahead, ground) in [
+            (1, 0.5 * dt, ground[1]),
+            (2, 0.5 * dt, ground[1]),
+            (3, dt, ground[2]),
+        ] {
+            for (stage, state) in self.stages.iter_mut().zip(&self.states) {
+                stage.displacement = state.displacement + ahead * stage.velocity;
+                stage.velocity = state.velocity + ahead * stage.acceleration;
+            }
+            row.push(&mut self.stages, &mut self.approaches, ground);
+            for (index, (node, memory)) in row.nodes().iter().zip(&self.memories).enumerate() {
+                // What the columns would remember of a stage is forgotten.
+                let drift = row.drift(index, &self.stages);
+                self.stages[index].restoring_force = node.column.respond(drift, *memory).force;
+            }
+            self.accelerate(row, ground);
+            self.add(row, stage, ground);
+        }
+    }
+
+    /// Gives the stage its accelerations, from equilibrium.
+    fn accelerate<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: Ground<'_>) {
+        for node in 0..self.stages.len() {
+            self.stages[node].acceleration =
+                row.acceleration(node, &self.stages, ground.under(node));
+        }
+    }
+
+    /// Adds the slopes of a stage and keeps its loads.
+    fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
+        for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
+            let stage = &self.stages[node];
+            slopes.0 += WEIGHTS[index] * stage.velocity;
+            slopes.1 += WEIGHTS[index] * stage.acceleration;
+            loads[index] = row.load(node, &self.stages, ground.under(node));
+        }
+    }
+
+    /// Accepts the end of the step, in equilibrium, and reports its spans.
+    fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        ground: Ground<'_>,
+        (clock, step): (Clock, usize),
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let times = (clock.time(step - 1), clock.time(step));
+        let sixth = clock.time_step / 6.0;
+        let bodies = self.stages.iter_mut().zip(&self.states);
+        for ((end, start), slopes) in bodies.zip(&self.slopes) {
+            end.displacement = start.displacement + sixth * slopes.0;
+            end.velocity = start.velocity + sixth * slopes.1;
+        }
+        row.push(&mut self.stages, &mut self.approaches, ground);
+        self.approaches
+            .forget_parted(row.pairs(), &self.stages, ground);
+        for (structure, node) in row.nodes().iter().enumerate() {
+            if !self.stages[structure].displacement.is_finite() {
+                return Err(RunError::Diverged {
+                    structure,
+                    time: times.1,
+                    time_step: clock.time_step,
+                });
+            }
+            let drift = row.drift(structure, &self.stages);
+            let response = node.column.respond(drift, self.memories[structure]);
+            self.stages[structure].restoring_force = response.force;
+            self.memories[structure] = response.memory;
+        }
+        self.accelerate(row, ground);
+        let (starts, ends) = (&self.states, &self.stages);
+        for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
+            let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);
+            let span = Span::step::<R, _>(structure, times, [*start, *end], weights, loads);
+            recorder.span(&span.over(row.below(structure, [starts, ends])));
+        }
+        self.states.copy_from_slice(&self.stages);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_limits_of_stability() {
+        let limit = |ratio| Rk4::critical_time_step(2.0, ratio) * 2.0;
+        assert!(
+            (limit(0.0) - 8.0_f64.sqrt()).abs() < 1e-12,
+            "{}",
+            limit(0.0)
+        );
+        // The real root of 1 + z/2 + z²/6 + z³/24 = 0.
+        let real = 2.785_293_563_405_282;
+        assert!((limit(1.0) - real).abs() < 1e-12, "{}", limit(1.0));
+        let fast = 3.0 + 8.0_f64.sqrt();
+        assert!((limit(3.0) * fast - real).abs() < 1e-12, "{}", limit(3.0));
+    }
+
+    #[test]
+    fn limit_every_smaller_step_is_stable() {
+        for direction in 0..=90 {
+            let angle = f64::from(direction).to_radians();
+            let ratio = libm::sin(angle);
+            let limit = Rk4::critical_time_step(1.0, ratio);
+            for part in 1..1000 {
+                let r = limit * f64::from(part) / 1000.0;
+                let growth = growth(-r * ratio, r * libm::cos(angle));
+                assert!(growth <= 1.0 + 1e-15, "{direction}°, {part}: {growth}");
+            }
+        }
+    }
+}

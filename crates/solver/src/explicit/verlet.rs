@@ -1,0 +1,376 @@
+//! Velocity Verlet method, with impacts after a step or located within it.
+//!
+//! Source: W. C. Swope et al., *J. Chem. Phys.* 76 (1982) 637; L. Verlet, *Phys. Rev.* 159 (1967) 98. Over a step h:
+//! u⁺ = u + h u̇ + h²ü/2, then u̇⁺ = u̇ + h (ü + ü⁺)/2.
+//!
+//! Damping of the structures is half-implicit: ü⁺ has the damping of u̇⁺ itself (a division, since c is constant). The
+//! method then moves as the central difference method does, is in equilibrium at both ends, and keeps the limit 2/ω
+//! whatever the damping. Floors that stand on floors share it: their velocities then are the solution of a tridiagonal
+//! system. Compliant contact is explicit: its rate is that of the predicted velocities u̇ + h ü.
+//!
+//! Impacts are located here and not in the central difference method: a step needs nothing but the state it starts
+//! from, so that it may begin and end anywhere, and its displacements are quadratic in time, so that the instant at
+//! which a gap closes is the root of a quadratic.
+
+pub(crate) mod formulas;
+mod storeys;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use formulas::{Closing, Length};
+use storeys::Storeys;
+
+use crate::impact::impacts::{Impacts, impulsive};
+use crate::model::approach::Approaches;
+use crate::model::ground::{Ground, Shaking};
+use crate::span::Load;
+use crate::{
+    Course, Excitation, Node, Pair, Recorder, RestoringForce, Row, RunError, Span, State, Work,
+};
+
+/// Settings of the velocity Verlet method. Order 2 while nothing touches, critical time step 2/ω.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Verlet {
+    /// When impulsive contact acts.
+    pub impacts: VerletImpacts,
+}
+
+/// When the impulsive contact of the velocity Verlet method acts.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum VerletImpacts {
+    /// After the step in which an overlap with approach is found: the rule of every stepping method.
+    #[default]
+    VelocityJump,
+    /// When the gap closes within the step; the velocities jump there and the rest of the step follows from them.
+    ///
+    /// A pair is located once a step: where it comes back before the end, or touches from the start, the velocities
+    /// jump after the step.
+    Located,
+}
+
+/// One structure during a step.
+struct Body<Memory> {
+    memory: Memory,
+    /// Instant of its state, counted from the start of the step \[s\].
+    since: f64,
+    /// Whether it gets a state at the instant under way.
+    due: bool,
+    /// Impulses of the pounding forces at the end of the span under way, from the left and from the right \[N·s\].
+    impulses: (f64, f64),
+}
+
+/// One time step.
+#[derive(Clone, Copy)]
+struct Step<'a> {
+    shaking: &'a Shaking<'a>,
+    /// Its number, from 1 on.
+    number: usize,
+    /// Times of both ends \[s\].
+    times: (f64, f64),
+    duration: f64,
+}
+
+impl<'a> Step<'a> {
+    /// Ground and time at an instant counted from the start of the step.
+    fn at(&self, instant: f64) -> (Ground<'a>, f64) {
+        if instant < self.duration {
+            let part = instant / self.duration;
+            let ground = self.shaking.within(self.number - 1, part);
+            (ground, self.times.0 + instant)
+        } else {
+            (self.shaking.at(self.number), self.times.1)
+        }
+    }
+}
+
+/// Scratch of a run.
+struct Scratch<Memory> {
+    bodies: Vec<Body<Memory>>,
+    /// Last states, after impacts.
+    states: Vec<State>,
+    /// States at the instant under way.
+    ends: Vec<State>,
+    impacts: Impacts,
+    /// When the gap of each pair closes \[s\], counted from the start of the step; infinite where it does not.
+    closings: Vec<f64>,
+    approaches: Approaches,
+    /// Nothing where all structures have one storey.
+    storeys: Option<Storeys>,
+}
+
+/// Integrates a row; the shared signature of all methods.
+pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+    settings: Verlet,
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    course: Course,
+    recorder: &mut R,
+) -> Result<Work, RunError> {
+    let clock = course.clock;
+    let guard = course.begin(row.nodes().len());
+    let shaking = row.shaken(excitation, clock);
+    let mut scratch = begin(row, shaking.at(0));
+    let mut work = Work::default();
+    for number in 1..=clock.n_steps {
+        guard.step(number, clock)?;
+        let step = Step {
+            shaking: &shaking,
+            number,
+            times: (clock.time(number - 1), clock.time(number)),
+            duration: clock.time_step,
+        };
+        if settings.impacts == VerletImpacts::Located {
+            scratch.locate(row, step, &mut work, recorder)?;
+        }
+        for body in &mut scratch.bodies {
+            body.due = true;
+        }
+        scratch.predict(step.duration);
+        scratch.finish(row, (step, step.duration), &mut work, recorder)?;
+        for body in &mut scratch.bodies {
+            body.since = 0.0;
+        }
+        let instant = step.at(step.duration);
+        scratch
+            .approaches
+            .forget_parted(row.pairs(), &scratch.states, instant.0);
+        work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
+        let Scratch {
+            impacts, states, ..
+        } = &mut scratch;
+        impacts.after_step(row, states, instant, recorder);
+        work.steps += 1;
+    }
+    Ok(work)
+}
+
+fn begin<Column: RestoringForce>(row: &Row<Column>, ground: Ground<'_>) -> Scratch<Column::Memory> {
+    let (states, memories) = row.initial(ground);
+    let body = |memory| Body {
+        memory,
+        since: 0.0,
+        due: true,
+        impulses: (0.0, 0.0),
+    };
+    Scratch {
+        bodies: memories.into_iter().map(body).collect(),
+        ends: states.clone(),
+        states,
+        impacts: Impacts::new(row),
+        closings: vec![f64::INFINITY; row.pairs().len()],
+        approaches: Approaches::new(row.pairs().len()),
+        storeys: Storeys::of(row),
+    }
+}
+
+impl<Memory: Copy> Scratch<Memory> {
+    /// Finds the impacts within a step, one instant after the other, and lets the velocities jump there.
+    fn locate<Column: RestoringForce<Memory = Memory>, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        step: Step<'_>,
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        self.closings.fill(0.0);
+        loop {
+            for (pair, closing) in row.pairs().iter().zip(&mut self.closings) {
+                // Not a number marks a pair that was located already.
+                if impulsive(pair).is_none() {
+                    *closing = f64::INFINITY;
+                } else if !closing.is_nan() {
+                    *closing = closes(pair, &self.states, &self.bodies, step);
+                }
+            }
+            let instant = self.closings.iter().copied().fold(f64::INFINITY, f64::min);
+            if instant.is_infinite() {
+                return Ok(());
+            }
+            self.predict(instant);
+            self.gather(row.pairs(), (instant, step.at(instant).0));
+            self.finish(row, (step, instant), work, recorder)?;
+            for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
+                if *touching {
+                    *closing = f64::NAN;
+                    work.touching_steps += 1;
+                }
+            }
+            self.impacts
+                .jump(row, &mut self.states, step.at(instant), recorder);
+        }
+    }
+
+    /// Displacements, and velocities to first order, at an instant counted from the start of the step.
+    fn predict(&mut self, instant: f64) {
+        for ((end, state), body) in self.ends.iter_mut().zip(&self.states).zip(&self.bodies) {
+            let h = instant - body.since;
+            *end = *state;
+            end.displacement += h * (state.velocity + 0.5 * h * state.acceleration);
+            end.velocity += h * state.acceleration;
+        }
+    }
+
+    /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
+    fn gather(&mut self, pairs: &[Pair], (instant, ground): (f64, Ground<'_>)) {
+        for body in &mut self.bodies {
+            body.due = false;
+        }
+        let Self {
+            impacts, closings, ..
+        } = self;
+        for ((pair, touching), closing) in pairs.iter().zip(&mut impacts.touching).zip(closings) {
+            *touching = *closing <= instant;
+            if *touching {
+                self.bodies[pair.left].due = true;
+                self.bodies[pair.right].due = true;
+            }
+        }
+        let mut grown = true;
+        while std::mem::take(&mut grown) {
+            for (pair, touching) in pairs.iter().zip(&mut self.impacts.touching) {
+                let (left, right) = (self.bodies[pair.left].due, self.bodies[pair.right].due);
+                let deformation = ground.deformation_of(pair, &self.ends);
+                let closed = if impulsive(pair).is_some() {
+                    deformation >= 0.0
+                } else {
+                    deformation > 0.0 || self.states[pair.left].force_from_right < 0.0
+                };
+                if (left || right) && closed {
+                    grown |= !(left && right);
+                    *touching = impulsive(pair).is_some();
+                    self.bodies[pair.left].due = true;
+                    self.bodies[pair.right].due = true;
+                }
+            }
+            if let Some(storeys) = &self.storeys {
+                grown |= storeys.gather(&mut self.bodies);
+            }
+        }
+    }
+
+    /// Gives every structure that is due its state at an instant for which it was predicted, and reports its span.
+    fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        (step, instant): (Step<'_>, f64),
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let (ground, time) = step.at(instant);
+        row.push(&mut self.ends, &mut self.approaches, ground);
+        self.share(row.pairs(), instant);
+        if self.storeys.is_some() {
+            return self.finish_storeys(row, (step, instant), work, recorder);
+        }
+        for (structure, node) in row.nodes().iter().enumerate() {
+            let body = &mut self.bodies[structure];
+            if !(body.due && instant > body.since) {
+                continue;
+            }
+            let (start, end) = (&self.states[structure], &mut self.ends[structure]);
+            if !end.displacement.is_finite() {
+                return Err(RunError::Diverged {
+                    structure,
+                    time: step.times.1,
+                    time_step: step.duration,
+                });
+            }
+            let h = instant - body.since;
+            let ground = ground.under(structure);
+            body.memory = close(node, body, (start, end), (ground, h));
+            work.force_evaluations += 1;
+            let (start_ground, start_time) = step.at(body.since);
+            let start_ground = start_ground.under(structure);
+            let loads = [(start, start_ground), (&*end, ground)].map(|(state, ground)| {
+                let forces = (state.restoring_force, node.damping * state.velocity);
+                Load::at(state, forces, ground)
+            });
+            let (times, ends) = ((start_time, time), [*start, *end]);
+            recorder.span(&Span {
+                impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
+                impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
+                ..Span::step::<R, _>(structure, times, ends, (0.5 * h, [1.0, 1.0]), loads)
+            });
+            self.states[structure] = *end;
+            body.since = instant;
+        }
+        Ok(())
+    }
+
+    /// Impulses of the pounding forces at an instant.
+    ///
+    /// A pair's force acts for half the time since both of its structures last had a state, on both: one of them may
+    /// have been hit by its other neighbour since.
+    fn share(&mut self, pairs: &[Pair], instant: f64) {
+        for body in &mut self.bodies {
+            body.impulses = (0.0, 0.0);
+        }
+        for pair in pairs {
+            let since = self.bodies[pair.left]
+                .since
+                .max(self.bodies[pair.right].since);
+            let half = 0.5 * (instant - since);
+            self.bodies[pair.left].impulses.1 = half * self.ends[pair.left].force_from_right;
+            self.bodies[pair.right].impulses.0 = half * self.ends[pair.right].force_from_left;
+        }
+    }
+}
+
+/// When the gap of a pair closes, counted from the start of the step; infinite where it does not close before its end,
+/// or is closed from the start.
+fn closes<Memory>(pair: &Pair, states: &[State], bodies: &[Body<Memory>], step: Step<'_>) -> f64 {
+    let since = bodies[pair.left].since.max(bodies[pair.right].since);
+    let at = |index: usize| {
+        let (state, h) = (&states[index], since - bodies[index].since);
+        (
+            state.displacement + h * (state.velocity + 0.5 * h * state.acceleration),
+            state.velocity + h * state.acceleration,
+            0.5 * state.acceleration,
+        )
+    };
+    let (left, right) = (at(pair.left), at(pair.right));
+    let (mut gap, mut rate) = (pair.gap - (left.0 - right.0), left.1 - right.1);
+    let mut curvature = left.2 - right.2;
+    if let Shaking::Delayed(_) = step.shaking {
+        let ground = step.at(since).0;
+        let opening = ground.opening(pair);
+        gap -= opening.displacement;
+        rate += opening.velocity;
+        curvature += 0.5 * (ground.under(pair.left) - ground.under(pair.right));
+    }
+    let closing = Closing {
+        gap,
+        rate,
+        curvature,
+    };
+    let root = closing.instant();
+    if gap >= 0.0 && since + root < step.duration {
+        since + root
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// The state at the end of a span whose displacement and pounding forces are known; returns what the columns remember.
+fn close<Column: RestoringForce>(
+    node: &Node<Column>,
+    body: &Body<Column::Memory>,
+    (start, end): (&State, &mut State),
+    (ground, h): (f64, f64),
+) -> Column::Memory {
+    let response = node.column.respond(end.displacement, body.memory);
+    let length = Length::new(h, node.inverse_mass * node.damping);
+    let half_way = start.velocity + length.half * start.acceleration;
+    let at_rest = State {
+        restoring_force: response.force,
+        ..State::default()
+    };
+    let smooth = node.acceleration(&at_rest, ground);
+    let pushed = node.inverse_mass * (body.impulses.0 + body.impulses.1);
+    end.restoring_force = response.force;
+    end.velocity = length.velocity(half_way, smooth, pushed);
+    end.acceleration = node.acceleration(end, ground);
+    response.memory
+}

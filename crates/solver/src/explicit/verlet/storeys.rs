@@ -1,0 +1,186 @@
+//! States of floors that stand on floors, at the end of a span of the velocity Verlet method.
+//!
+//! The damping of the end is that of its own velocities, which the dashpots between floors join. All floors of a building
+//! are due together, so that its equations have one step.
+
+use super::{Body, Scratch, Step};
+use crate::model::buildings::Buildings;
+use crate::model::dashpots::Dashpots;
+use crate::span::Load;
+use crate::{Recorder, RestoringForce, Row, RunError, Span, State, Work};
+
+/// What only rows in which floors stand on floors need.
+pub(super) struct Storeys {
+    buildings: Buildings,
+    dashpots: Dashpots,
+}
+
+impl Storeys {
+    /// Nothing for a row of structures of one storey.
+    pub(super) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
+        let buildings = Buildings::of(row)?;
+        Some(Self {
+            dashpots: Dashpots::new(row, &buildings),
+            buildings,
+        })
+    }
+
+    /// Lets all floors of a building be due with one of them; true when one was not.
+    pub(super) fn gather<Memory>(&self, bodies: &mut [Body<Memory>]) -> bool {
+        let mut grown = false;
+        for floors in self.buildings.each() {
+            let due = floors.iter().any(|index| bodies[*index].due);
+            for index in floors {
+                grown |= bodies[*index].due != due;
+                bodies[*index].due = due;
+            }
+        }
+        grown
+    }
+}
+
+impl<Memory: Copy> Scratch<Memory> {
+    /// What [`finish`](Scratch::finish) does, building by building; pounding forces and their impulses are known.
+    #[inline(never)] // The loop over structures of one storey would otherwise share its registers.
+    pub(super) fn finish_storeys<Column: RestoringForce<Memory = Memory>, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        (step, instant): (Step<'_>, f64),
+        work: &mut Work,
+        recorder: &mut R,
+    ) -> Result<(), RunError> {
+        let Some(storeys) = &mut self.storeys else {
+            return Ok(());
+        };
+        for range in storeys.buildings.ranges() {
+            let floors = &storeys.buildings.floors()[range.clone()];
+            let since = self.bodies[floors[0]].since;
+            if !(self.bodies[floors[0]].due && instant > since) {
+                continue;
+            }
+            // All floors of a building stand on one ground.
+            let at = |instant: f64| {
+                let (ground, time) = step.at(instant);
+                (ground.under(floors[0]), time)
+            };
+            let (start, end) = (at(since), at(instant));
+            let mut building = Building {
+                row,
+                floors,
+                bodies: &mut self.bodies,
+                states: &mut self.states,
+                ends: &mut self.ends,
+                span: (instant - since, [start, end]),
+            };
+            if let Some(structure) = building.diverged() {
+                return Err(RunError::Diverged {
+                    structure,
+                    time: step.times.1,
+                    time_step: step.duration,
+                });
+            }
+            building.respond(&mut storeys.dashpots.values[range.clone()]);
+            let velocities = storeys.dashpots.solve(range, instant - since);
+            building.go_on(velocities, instant, recorder);
+            work.force_evaluations += floors.len() as u64;
+        }
+        Ok(())
+    }
+}
+
+/// One building over a span.
+struct Building<'a, Column: RestoringForce> {
+    row: &'a Row<Column>,
+    /// Nodes of the floors, from the ground up.
+    floors: &'a [usize],
+    /// Of the whole row, as the states at both ends.
+    bodies: &'a mut [Body<Column::Memory>],
+    states: &'a mut [State],
+    ends: &'a mut [State],
+    /// Length of the span \[s\]; ground acceleration \[m/s²\] and time \[s\] at both ends.
+    span: (f64, [(f64, f64); 2]),
+}
+
+impl<Column: RestoringForce> Building<'_, Column> {
+    /// A floor whose displacement is no longer a finite number.
+    fn diverged(&self) -> Option<usize> {
+        let diverged = |index: &&usize| !self.ends[**index].displacement.is_finite();
+        self.floors.iter().find(diverged).copied()
+    }
+
+    /// From the top down: the forces of columns, and the velocities that would follow without the damping at the end.
+    fn respond(&mut self, velocities: &mut [f64]) {
+        let (h, [_, (ground, _)]) = self.span;
+        let mut carried = 0.0;
+        for (&index, velocity) in self.floors.iter().zip(velocities).rev() {
+            let (floor, start) = (&self.row.nodes()[index], &self.states[index]);
+            let drift = self.row.drift(index, self.ends);
+            let body = &mut self.bodies[index];
+            let response = floor.column.respond(drift, body.memory);
+            body.memory = response.memory;
+            self.ends[index].restoring_force = response.force;
+            let restoring = response.force - carried;
+            carried = response.force;
+            let ground = if floor.is_wall() { 0.0 } else { ground };
+            let half_way = start.velocity + 0.5 * h * start.acceleration;
+            let smooth = floor.inverse_mass * (0.0 - restoring) - ground;
+            let pushed = floor.inverse_mass * (body.impulses.0 + body.impulses.1);
+            *velocity = half_way + 0.5 * h * smooth + pushed;
+        }
+    }
+
+    /// From the top down: takes on the velocities at the end, reports the spans, and goes on from there.
+    fn go_on<R: Recorder>(&mut self, velocities: &[f64], instant: f64, recorder: &mut R) {
+        // Forces of the columns and of the dashpot of the storey above, at both ends.
+        let mut above = [(0.0, 0.0); 2];
+        let (h, [(first_ground, start_time), (last_ground, end_time)]) = self.span;
+        for (level, &index) in self.floors.iter().enumerate().rev() {
+            let floor = &self.row.nodes()[index];
+            let below = floor.support.below();
+            let below_velocity = if level > 0 {
+                velocities[level - 1]
+            } else {
+                0.0
+            };
+            if let Some(below) = below {
+                self.ends[below].velocity = below_velocity;
+            }
+            let start = self.states[index];
+            let before = below.map_or(0.0, |below| self.states[below].velocity);
+            let end = &mut self.ends[index];
+            end.velocity = velocities[level];
+            let mut net = |at: usize, state: &State, below: f64| {
+                let damping = floor.damping * (state.velocity - below);
+                let all = damping + floor.support.ground_damping() * state.velocity;
+                let (restoring, carried) = (state.restoring_force, above[at]);
+                above[at] = (restoring, damping);
+                (restoring - carried.0, all - carried.1)
+            };
+            let first = if R::READS_WEIGHED {
+                net(0, &start, before)
+            } else {
+                (0.0, 0.0)
+            };
+            let last = net(1, end, below_velocity);
+            let ground = if floor.is_wall() { 0.0 } else { last_ground };
+            end.acceleration =
+                floor.inverse_mass * (end.pounding_force() - last.1 - last.0) - ground;
+            let end = *end;
+            let loads = [
+                Load::at(&start, first, first_ground),
+                Load::at(&end, last, last_ground),
+            ];
+            let times = (start_time, end_time);
+            let weights = (0.5 * h, [1.0, 1.0]);
+            let body = &mut self.bodies[index];
+            recorder.span(&Span {
+                impulse_from_left: 0.5 * h * start.force_from_left + body.impulses.0,
+                impulse_from_right: 0.5 * h * start.force_from_right + body.impulses.1,
+                ..Span::step::<R, _>(index, times, [start, end], weights, loads)
+                    .over(self.row.below(index, [self.states, self.ends]))
+            });
+            self.states[index] = end;
+            body.since = instant;
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Impulsive contact as a jump of the velocities after a step: one rule for every stepping method.
+//!
+//! Every impulsive pair whose gap is closed and that approaches parts at e times its approach. One pair alone gets
+//! P = (1+e) m δ̇, m the reduced mass (the paper, equation (4)). Several at once are solved together, in rounds:
+//! 0 ≤ u⁺ + e u⁻ ⟂ P ≥ 0 over the touching pairs that do not separate, u the relative velocity (negative while
+//! approaching), repeated while a touching pair still approaches. A round changes the kinetic energy by
+//! ½ Σ P (1−e) u⁻ ≤ 0.
+//!
+//! Pairs one by one, each from the velocities before, would not create energy either (their impulses' product enters
+//! it with a minus sign), but would destroy it: a mass hit at once from both sides, e = 1, is not turned round, and its
+//! neighbours go on approaching.
+
+use pounding_contact::Stereomechanical;
+
+use crate::impact::rounds::{Rounds, Touching};
+use crate::model::ground::Ground;
+use crate::{Impact, Pair, Recorder, RestoringForce, Row, State, Velocities};
+
+/// Scratch of the rule, allocated once per run.
+pub(crate) struct Impacts {
+    /// Impulsive pairs that touch at this instant.
+    pub(crate) touching: Vec<bool>,
+    /// Impulse of every pair \[N·s\], all rounds.
+    impulses: Vec<f64>,
+    /// Velocity of every structure before the instant.
+    before: Vec<f64>,
+    /// Net impulse on every structure, where impulses were found with the step.
+    net: Vec<f64>,
+    rounds: Rounds<f64>,
+}
+
+/// The impulsive law of a pair, if it has one.
+pub(crate) fn impulsive(pair: &Pair) -> Option<Stereomechanical> {
+    pair.law.impulsive()
+}
+
+impl Impacts {
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
+        let (n, n_pairs) = (row.nodes().len(), row.pairs().len());
+        let mobilities = row.nodes().iter().map(|node| node.inverse_mass);
+        Self {
+            touching: vec![false; n_pairs],
+            impulses: vec![0.0; n_pairs],
+            before: vec![0.0; n],
+            net: vec![0.0; n],
+            rounds: Rounds::new(mobilities.collect(), n_pairs),
+        }
+    }
+
+    /// Lets the impulsive pairs whose gap is closed jump; true when one did.
+    pub(crate) fn after_step<Column: RestoringForce, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        states: &mut [State],
+        instant: (Ground<'_>, f64),
+        recorder: &mut R,
+    ) -> bool {
+        let mut touches = false;
+        for (touching, pair) in self.touching.iter_mut().zip(row.pairs()) {
+            *touching = instant.0.deformation_of(pair, states) >= 0.0 && impulsive(pair).is_some();
+            touches |= *touching;
+        }
+        touches && self.jump(row, states, instant, recorder)
+    }
+
+    /// Lets the pairs marked as touching jump: velocities, then accelerations from equilibrium; true when one did.
+    ///
+    /// Precondition: the spans that end at this instant (ground acceleration there, time) have been reported.
+    pub(crate) fn jump<Column: RestoringForce, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        states: &mut [State],
+        instant: (Ground<'_>, f64),
+        recorder: &mut R,
+    ) -> bool {
+        self.remember(states);
+        self.gather(row.pairs(), instant.0);
+        let jumps = self.strike_all();
+        if jumps {
+            for (link, impulse) in self.rounds.struck() {
+                self.impulses[link.pair] = impulse;
+                for node in [link.left, link.right] {
+                    states[node].velocity = self.rounds.velocity(node);
+                }
+            }
+            self.settle(row, states, instant, recorder);
+        }
+        jumps
+    }
+
+    /// Lists the pairs marked as touching.
+    fn gather(&mut self, pairs: &[Pair], ground: Ground<'_>) {
+        self.impulses.fill(0.0);
+        self.rounds.clear();
+        for (index, pair) in pairs.iter().enumerate() {
+            if let Some(law) = impulsive(pair).filter(|_| self.touching[index]) {
+                let touching = Touching {
+                    scenes: true,
+                    factor: 1.0 + law.restitution,
+                    opening_rate: ground.opening(pair).velocity,
+                    speeds: ground.extent(pair).velocity,
+                };
+                self.rounds.push((index, pair.left), touching);
+            }
+        }
+    }
+
+    /// Compiled once, not for every column and recorder.
+    #[inline(never)]
+    fn strike_all(&mut self) -> bool {
+        self.rounds.strike_all(|node| self.before[node])
+    }
+
+    /// Adds impulses of all pairs that were found with the step to the velocities; precondition as for a jump.
+    pub(crate) fn impose<Column: RestoringForce, R: Recorder>(
+        &mut self,
+        row: &Row<Column>,
+        (states, impulses): (&mut [State], &[f64]),
+        instant: (Ground<'_>, f64),
+        recorder: &mut R,
+    ) {
+        self.impulses.copy_from_slice(impulses);
+        self.remember(states);
+        strike(row, impulses, (&mut self.net, states));
+        self.settle(row, states, instant, recorder);
+    }
+
+    fn remember(&mut self, states: &[State]) {
+        for (before, state) in self.before.iter_mut().zip(states) {
+            *before = state.velocity;
+        }
+    }
+
+    /// Reports the impacts of an instant; accelerations follow the new velocities.
+    fn settle<Column: RestoringForce, R: Recorder>(
+        &self,
+        row: &Row<Column>,
+        states: &mut [State],
+        (ground, time): (Ground<'_>, f64),
+        recorder: &mut R,
+    ) {
+        self.report(row.pairs(), states, (ground, time), recorder);
+        for node in 0..states.len() {
+            if self.feels_jump(row, node, states) {
+                states[node].acceleration = row.acceleration(node, states, ground.under(node));
+            }
+        }
+    }
+
+    /// Whether the velocity of a node has jumped, or that of a floor to which a damper joins it.
+    fn feels_jump<Column: RestoringForce>(
+        &self,
+        row: &Row<Column>,
+        node: usize,
+        states: &[State],
+    ) -> bool {
+        let jumped = |node: usize| (states[node].velocity - self.before[node]).abs() > 0.0;
+        let below = row.nodes()[node].support.below();
+        jumped(node) || below.is_some_and(jumped) || row.above(node).is_some_and(jumped)
+    }
+
+    fn report<R: Recorder>(
+        &self,
+        pairs: &[Pair],
+        states: &[State],
+        (ground, time): (Ground<'_>, f64),
+        recorder: &mut R,
+    ) {
+        for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
+            if impulse > 0.0 {
+                let (left, right) = (pair.left, pair.right);
+                recorder.impact(&Impact {
+                    pair: index,
+                    left,
+                    right,
+                    time,
+                    impulse,
+                    before: Velocities {
+                        left: self.before[left],
+                        right: self.before[right],
+                    },
+                    after: Velocities {
+                        left: states[left].velocity,
+                        right: states[right].velocity,
+                    },
+                    opening_rate: ground.opening(pair).velocity,
+                });
+            }
+        }
+    }
+}
+
+/// Changes the velocities by the impulses of all pairs; `net` is scratch.
+fn strike<Column: RestoringForce>(
+    row: &Row<Column>,
+    impulses: &[f64],
+    (net, states): (&mut [f64], &mut [State]),
+) {
+    net.fill(0.0);
+    for (pair, impulse) in row.pairs().iter().zip(impulses) {
+        // Summed before it is added to a velocity: a mirrored row then gives mirrored bits.
+        net[pair.left] -= impulse;
+        net[pair.right] += impulse;
+    }
+    for ((state, net), node) in states.iter_mut().zip(net).zip(row.nodes()) {
+        state.velocity += node.inverse_mass * *net;
+    }
+}

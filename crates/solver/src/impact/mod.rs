@@ -1,0 +1,6 @@
+//! Impulses of impacts at one instant: one pair, chains of pairs, any set of pairs.
+
+pub(crate) mod chain;
+pub(crate) mod dense;
+pub(crate) mod impacts;
+pub(crate) mod rounds;

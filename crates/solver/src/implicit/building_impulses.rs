@@ -1,0 +1,152 @@
+//! Impulses of Moreau–Jean stepping on buildings of several storeys.
+//!
+//! An impulse on one floor moves the others of its building within the step, through the storeys, and those of buildings
+//! that a compliant pair joins to it. Velocities follow impulses by the inverse of the matrix of the step's equations, and
+//! all pairs of a cluster are solved with that.
+
+use crate::impact::dense::Complementarity;
+use crate::implicit::clusters::Clusters;
+use crate::implicit::contacts::Contacts;
+use crate::implicit::equation::Slopes;
+use crate::implicit::newmark::Scratch;
+use crate::{RestoringForce, Row};
+
+/// Solutions of a step after which every other one is taken half way: columns that yield under one impulse and do not under
+/// the next would else change their tangents for ever (one in 2400 random rows of light floors, Δt = 0.01 s).
+const TRUSTED: u32 = 8;
+
+/// Scratch of the clusters with storeys.
+pub(crate) struct Joint {
+    /// Closed impulsive pairs that belong to such a cluster.
+    pub(crate) members: Vec<bool>,
+    /// Those of the cluster under way.
+    pairs: Vec<usize>,
+    /// What equilibrium leaves open of the velocity of a node \[m/s\].
+    uncertain: Vec<f64>,
+    problem: Complementarity,
+}
+
+impl Joint {
+    pub(crate) fn new(n_nodes: usize, n_pairs: usize) -> Self {
+        Self {
+            members: vec![false; n_pairs],
+            pairs: Vec::with_capacity(n_pairs),
+            uncertain: vec![0.0; n_nodes],
+            problem: Complementarity::new(n_pairs),
+        }
+    }
+
+    /// Finds anew the impulses of every cluster with storeys that has a pair which does not meet the law of impact; true
+    /// when there was such a pair.
+    pub(crate) fn correct<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        contacts: &mut Contacts,
+        scratch: &mut Scratch<Column::Memory>,
+        slopes: Slopes,
+    ) -> bool {
+        self.members.fill(false);
+        let Some(mut clusters) = scratch.clusters.take() else {
+            return false;
+        };
+        let mut lacked = false;
+        if contacts.closed.contains(&true) {
+            let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
+            let pairs = row.pairs().iter().enumerate();
+            let pairs = pairs.filter(|(index, _)| joins(*index));
+            clusters.join(pairs.map(|(_, pair)| (pair.left, pair.right)));
+            for first in 0..clusters.buildings.len() {
+                let joins = |pair: usize| contacts.closed[pair] || scratch.touching[pair];
+                if clusters.gather(first, joins) && clusters.has_storeys() {
+                    lacked |= self.settle(row, &mut clusters, (contacts, scratch), slopes);
+                }
+            }
+        }
+        scratch.clusters = Some(clusters);
+        lacked
+    }
+
+    /// The same for one cluster.
+    fn settle<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        clusters: &mut Clusters,
+        (contacts, scratch): (&mut Contacts, &Scratch<Column::Memory>),
+        slopes: Slopes,
+    ) -> bool {
+        let pairs = clusters.pairs.iter().copied();
+        self.pairs.clear();
+        self.pairs
+            .extend(pairs.filter(|pair| contacts.closed[*pair]));
+        if self.pairs.is_empty() {
+            return false;
+        }
+        let trials = &scratch.trials;
+        let mut joined = clusters.joined(row, |pair| scratch.touching[pair]);
+        for (allowed, node) in joined.profile.vector.iter_mut().zip(joined.nodes) {
+            *allowed = joined.masses[*node] * trials[*node].allowed_residual();
+        }
+        joined.solve(row, trials);
+        for (open, node) in joined.profile.vector.iter().zip(joined.nodes) {
+            self.uncertain[*node] = slopes.velocity * open;
+            // No impulse moves a floor more than if it were free.
+            contacts.mobilities[*node] = row.nodes()[*node].inverse_mass;
+        }
+        let mut lacked = false;
+        for &index in &self.pairs {
+            self.members[index] = true;
+            let uncertain = |node: usize| self.uncertain[node];
+            lacked |= contacts.lacks(index, &row.pairs()[index], scratch, uncertain);
+        }
+        if !lacked {
+            return false;
+        }
+        self.problem.begin(self.pairs.len());
+        for (by, &index) in self.pairs.iter().enumerate() {
+            let pair = &row.pairs()[index];
+            let vector = &mut joined.profile.vector;
+            vector.fill(0.0);
+            for (node, impulse) in [(pair.left, -1.0), (pair.right, 1.0)] {
+                if !row.nodes()[node].is_wall() {
+                    vector[joined.place[node]] = impulse;
+                }
+            }
+            joined.profile.solve_again();
+            for (other, &index) in self.pairs.iter().enumerate() {
+                let pair = &row.pairs()[index];
+                let velocity = |node: usize| joined.profile.vector[joined.place[node]];
+                let taken = velocity(pair.right) - velocity(pair.left);
+                self.problem.set(other, by, taken);
+            }
+        }
+        self.replace(row, contacts, scratch);
+        true
+    }
+
+    /// Solves for the impulses of the cluster under way.
+    fn replace<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        contacts: &mut Contacts,
+        scratch: &Scratch<Column::Memory>,
+    ) {
+        for (place, &index) in self.pairs.iter().enumerate() {
+            let pair = &row.pairs()[index];
+            let rate = contacts.rate(index, pair, &scratch.trials);
+            // Without the impulses found so far, which are to be replaced.
+            let earlier = self.pairs.iter().map(|index| contacts.impulses[*index]);
+            let taken = self.problem.taken(place, earlier);
+            self.problem.demand[place] = rate + contacts.bounce[index] + taken;
+        }
+        self.problem.solve();
+        let halves = contacts.solution >= TRUSTED && contacts.solution.is_multiple_of(2);
+        for (&index, impulse) in self.pairs.iter().zip(&self.problem.impulses) {
+            let earlier = contacts.impulses[index];
+            contacts.impulses[index] = if halves {
+                0.5 * (earlier + impulse)
+            } else {
+                *impulse
+            };
+        }
+    }
+}

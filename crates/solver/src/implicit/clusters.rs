@@ -1,0 +1,236 @@
+//! Which buildings move together: those that pairs join.
+
+use crate::implicit::cluster::{Joined, Line, couples};
+use crate::model::profile::Profile;
+use crate::{Node, RestoringForce, Row};
+
+/// The buildings of a row: the floors of one stand on each other.
+pub(crate) struct Buildings {
+    /// Of every node its building.
+    of: Vec<usize>,
+    /// Floors, building by building, each from the ground up.
+    floors: Vec<usize>,
+    /// Where the floors of each building start, and where the last ones end.
+    starts: Vec<usize>,
+    /// Of every node the pair with its right neighbour.
+    pairs: Vec<Option<usize>>,
+}
+
+impl Buildings {
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Self {
+        let n = row.nodes().len();
+        let mut buildings = Self {
+            of: vec![0; n],
+            floors: Vec::with_capacity(n),
+            starts: vec![0],
+            pairs: vec![None; n],
+        };
+        let grounded = |node: &usize| row.nodes()[*node].support.below().is_none();
+        for ground_floor in (0..n).filter(grounded) {
+            let mut floor = Some(ground_floor);
+            while let Some(node) = floor {
+                buildings.of[node] = buildings.starts.len() - 1;
+                buildings.floors.push(node);
+                floor = row.above(node);
+            }
+            buildings.starts.push(buildings.floors.len());
+        }
+        for (index, pair) in row.pairs().iter().enumerate() {
+            buildings.pairs[pair.left] = Some(index);
+        }
+        buildings
+    }
+
+    /// Number of buildings.
+    pub(crate) fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Nodes of a building from the ground up.
+    pub(crate) fn floors(&self, building: usize) -> &[usize] {
+        &self.floors[self.starts[building]..self.starts[building + 1]]
+    }
+
+    /// Number of floors of a building.
+    fn height(&self, building: usize) -> usize {
+        self.starts[building + 1] - self.starts[building]
+    }
+
+    /// Number of floors of the tallest building.
+    pub(crate) fn tallest(&self) -> usize {
+        let heights = (0..self.len()).map(|building| self.height(building));
+        heights.max().unwrap_or(0)
+    }
+}
+
+/// Buildings that pairs join, found anew whenever other pairs join; scratch of a run.
+pub(crate) struct Clusters {
+    pub(crate) buildings: Buildings,
+    /// Of every building one that comes no later and is joined to it; itself for the first of a cluster.
+    earlier: Vec<usize>,
+    /// Of the first building of a cluster the last one.
+    last: Vec<usize>,
+    /// Of every building the next one of its cluster.
+    next: Vec<Option<usize>>,
+    /// Whether a pair joins a building to another one.
+    joined: Vec<bool>,
+    /// Nodes of the cluster gathered last, in the order of elimination: a floor comes after the one below it.
+    pub(crate) nodes: Vec<usize>,
+    /// Its pairs.
+    pub(crate) pairs: Vec<usize>,
+    /// Those that couple its floors.
+    pushing: Vec<usize>,
+    /// Where each of its nodes comes in that order.
+    place: Vec<usize>,
+    /// Mass of every node \[kg\]; 1 for a wall, whose equation says that it stays.
+    masses: Vec<f64>,
+    /// Its matrix.
+    profile: Profile,
+}
+
+impl Clusters {
+    /// Of a row with buildings of several storeys; nothing for other rows, whose clusters are [lines](Line).
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
+        (0..row.nodes().len()).find(|node| row.above(*node).is_some())?;
+        let buildings = Buildings::new(row);
+        let mass = |node: &Node<Column>| {
+            if node.is_wall() {
+                1.0
+            } else {
+                1.0 / node.inverse_mass
+            }
+        };
+        let (n, n_buildings) = (row.nodes().len(), buildings.len());
+        let width = buildings.tallest().min(n_buildings);
+        Some(Self {
+            earlier: vec![0; n_buildings],
+            last: vec![0; n_buildings],
+            next: vec![None; n_buildings],
+            joined: vec![false; n_buildings],
+            nodes: Vec::with_capacity(n),
+            pairs: Vec::with_capacity(row.pairs().len()),
+            pushing: Vec::with_capacity(row.pairs().len()),
+            place: vec![0; n],
+            masses: row.nodes().iter().map(mass).collect(),
+            profile: Profile::with_capacity(n, n * (width + 1)),
+            buildings,
+        })
+    }
+
+    /// Joins buildings by pairs of nodes.
+    pub(crate) fn join(&mut self, pairs: impl Iterator<Item = (usize, usize)>) {
+        for (building, earlier) in self.earlier.iter_mut().enumerate() {
+            *earlier = building;
+        }
+        self.joined.fill(false);
+        for (left, right) in pairs {
+            let [left, right] = [left, right].map(|node| self.buildings.of[node]);
+            self.joined[left] = true;
+            self.joined[right] = true;
+            let [left, right] = [self.first(left), self.first(right)];
+            self.earlier[left.max(right)] = left.min(right);
+        }
+        for building in 0..self.earlier.len() {
+            self.next[building] = None;
+            self.last[building] = building;
+            let first = self.first(building);
+            if first != building {
+                self.next[self.last[first]] = Some(building);
+                self.last[first] = building;
+            }
+        }
+    }
+
+    /// The first building of the cluster of a building.
+    fn first(&mut self, mut building: usize) -> usize {
+        while self.earlier[building] != building {
+            let earlier = self.earlier[building];
+            self.earlier[building] = self.earlier[earlier];
+            building = earlier;
+        }
+        building
+    }
+
+    /// Gathers the cluster that begins with a building; true if there is one, of more than a building alone.
+    pub(crate) fn gather(&mut self, first: usize, is_taken: impl Fn(usize) -> bool) -> bool {
+        if !self.joined[first] || self.earlier[first] != first {
+            return false;
+        }
+        self.nodes.clear();
+        let (mut n_buildings, mut tallest) = (0, 0);
+        let mut building = Some(first);
+        while let Some(index) = building {
+            self.nodes.extend_from_slice(self.buildings.floors(index));
+            n_buildings += 1;
+            tallest = tallest.max(self.buildings.height(index));
+            building = self.next[index];
+        }
+        // The matrix is as narrow as there are buildings, level by level, or storeys, building by building.
+        if n_buildings <= tallest {
+            self.nodes.sort_unstable();
+        }
+        self.pairs.clear();
+        for &node in &self.nodes {
+            let pair = self.buildings.pairs[node];
+            self.pairs.extend(pair.filter(|pair| is_taken(*pair)));
+        }
+        true
+    }
+
+    /// Whether the cluster gathered last has a building of several storeys.
+    pub(crate) fn has_storeys(&self) -> bool {
+        let building = |node: &usize| self.buildings.height(self.buildings.of[*node]);
+        self.nodes.iter().any(|node| building(node) > 1)
+    }
+
+    /// The cluster gathered last, if no building of it has several storeys: they stand side by side and each touches the next,
+    /// so that tall buildings elsewhere in the row do not change their bits.
+    pub(crate) fn line(&self) -> Option<Line> {
+        let range = |indices: &[usize]| {
+            let (first, last) = (indices.first()?, indices.last()?);
+            Some(*first..*last + 1)
+        };
+        if self.has_storeys() {
+            return None;
+        }
+        Some(Line {
+            nodes: range(&self.nodes)?,
+            pairs: range(&self.pairs)?,
+        })
+    }
+
+    /// The cluster gathered last; of its pairs, those that push couple their floors.
+    pub(crate) fn joined<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        pushes: impl Fn(usize) -> bool,
+    ) -> Joined<'_> {
+        for (place, node) in self.nodes.iter().enumerate() {
+            self.place[*node] = place;
+        }
+        self.pushing.clear();
+        let pairs = self.pairs.iter().copied();
+        self.pushing.extend(pairs.filter(|pair| pushes(*pair)));
+        self.profile.begin(self.nodes.len());
+        for (place, node) in self.nodes.iter().enumerate() {
+            if let Some(below) = row.nodes()[*node].support.below() {
+                self.profile.join(place, self.place[below]);
+            }
+        }
+        for pair in &self.pushing {
+            let pair = &row.pairs()[*pair];
+            if couples(row, pair) {
+                self.profile
+                    .join(self.place[pair.left], self.place[pair.right]);
+            }
+        }
+        self.profile.lay_out();
+        Joined {
+            nodes: &self.nodes,
+            pairs: &self.pushing,
+            profile: &mut self.profile,
+            place: &self.place,
+            masses: &self.masses,
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! What a step solves: how its unknowns follow from accelerations, and which floors find their equilibrium together.
+
+use crate::implicit::trial::Trial;
+use crate::{RestoringForce, Row};
+
+/// What a method's step looks like to Newton: how displacement and velocity follow the acceleration.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slopes {
+    /// ∂u/∂ü \[s²\].
+    pub(crate) displacement: f64,
+    /// ∂u̇/∂ü \[s\].
+    pub(crate) velocity: f64,
+    /// Weight of the inertia where that of the other forces is 1 \[–\].
+    pub(crate) inertia: f64,
+    /// Δt, for messages \[s\].
+    pub(crate) time_step: f64,
+}
+
+/// An equilibrium that was not found.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Failure {
+    /// A number of this structure is not finite.
+    NotFinite { structure: usize },
+    /// The residual, relative to the sum of its terms' magnitudes, stays too large.
+    NotConverged { iterations: u32, residual: f64 },
+}
+
+/// Floors that find their equilibrium together, and how the equations of motion couple them.
+pub(crate) trait Cluster {
+    /// Whether a floor of it may stand on another one.
+    const STOREYS: bool;
+
+    /// All floors of its buildings; each comes after the one below it.
+    fn nodes(&self) -> impl Iterator<Item = usize> + Clone;
+
+    /// The pairs that push.
+    fn pairs(&self) -> impl Iterator<Item = usize>;
+
+    /// One Newton correction: eliminates in the linearised equations, adds what comes out to the accelerations.
+    fn correct<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        trials: &mut [Trial<Column::Memory>],
+    );
+}

@@ -1,0 +1,188 @@
+//! The equation of motion of a cluster at the end of an implicit step: residuals per unit of mass, and their tangents.
+
+use pounding_contact::Overlap;
+
+use crate::implicit::equation::{Cluster, Slopes};
+use crate::implicit::trial::Trial;
+use crate::model::ground::Ground;
+use crate::{Floor, Node, Pair, RestoringForce, Row, Support, Work};
+
+/// Relative rounding of a displacement, a velocity or a deformation: each goes through up to four operations.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Evaluates the residuals of a cluster; returns their sum of squares, each times its mass.
+///
+/// That weight makes light and heavy floors count alike. Walls have no residual.
+#[inline]
+pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
+    row: &Row<Column>,
+    trials: &mut [Trial<Column::Memory>],
+    cluster: &C,
+    (slopes, ground): (Slopes, Ground<'_>),
+    work: &mut Work,
+) -> f64 {
+    let mut n_nodes = 0;
+    for index in cluster.nodes() {
+        let node = &row.nodes()[index];
+        match node.support {
+            Support::Floor(floor) if C::STOREYS => {
+                let (before, rest) = trials.split_at_mut(index);
+                let (below, trial) = (&mut before[floor.below], &mut rest[0]);
+                follow(trial, slopes);
+                let drift = (
+                    trial.displacement - below.displacement,
+                    trial.velocity - below.velocity,
+                );
+                evaluate(node, trial, drift, (slopes, ground.under(index)));
+                let carrying = &row.nodes()[floor.below];
+                stand((node, trial), (carrying, below), &floor, slopes);
+            }
+            Support::Ground | Support::Floor(_) => {
+                let trial = &mut trials[index];
+                follow(trial, slopes);
+                let drift = (trial.displacement, trial.velocity);
+                evaluate(node, trial, drift, (slopes, ground.under(index)));
+            }
+        }
+        n_nodes += 1;
+    }
+    work.force_evaluations += n_nodes;
+    for pair in cluster.pairs() {
+        couple(row, &row.pairs()[pair], trials, (slopes, ground));
+    }
+    let mut sum = 0.0;
+    for index in cluster.nodes() {
+        let (node, trial) = (&row.nodes()[index], &mut trials[index]);
+        // The net contact force is summed before it is added to anything: a mirrored row then gives mirrored bits.
+        trial.residual -= node.inverse_mass * (trial.force_from_left + trial.force_from_right);
+        if !node.is_wall() {
+            sum += trial.residual * trial.residual / node.inverse_mass;
+        }
+    }
+    sum
+}
+
+/// Displacement and velocity that follow from the acceleration.
+#[inline]
+fn follow<Memory>(trial: &mut Trial<Memory>, slopes: Slopes) {
+    trial.displacement = trial.predicted.0 + slopes.displacement * trial.acceleration;
+    trial.velocity = trial.predicted.1 + slopes.velocity * trial.acceleration;
+}
+
+/// Residual and tangent of one floor with the forces of its own storey; what stands on it and its neighbours are left
+/// out.
+#[inline]
+fn evaluate<Column: RestoringForce>(
+    node: &Node<Column>,
+    trial: &mut Trial<Column::Memory>,
+    (drift, rate): (f64, f64),
+    (slopes, ground): (Slopes, f64),
+) {
+    let w = node.inverse_mass;
+    trial.response = node.column.respond(drift, trial.memory);
+    let ground = if node.is_wall() { 0.0 } else { ground };
+    let (damping, restoring) = (w * node.damping * rate, w * trial.response.force);
+    let inertia = slopes.inertia * trial.acceleration;
+    trial.residual = inertia + damping + restoring + ground + trial.carried;
+    trial.scale = inertia.abs() + damping.abs() + restoring.abs() + ground.abs();
+    trial.scale += trial.carried.abs();
+    let (displacement, velocity) = extent(trial);
+    trial.rounding =
+        ROUNDING * w * (trial.response.tangent * displacement + node.damping * velocity);
+    trial.diagonal = slopes.inertia
+        + w * (node.damping * slopes.velocity + trial.response.tangent * slopes.displacement);
+    (trial.lower, trial.upper) = (0.0, 0.0);
+    (trial.force_from_left, trial.force_from_right) = (0.0, 0.0);
+}
+
+/// Largest displacement and velocity that enter those of a trial: far beyond what the structure can follow, the
+/// prediction is large and cancels.
+fn extent<Memory>(trial: &Trial<Memory>) -> (f64, f64) {
+    // Not `f64::max`, which spends four operations more on numbers that are none: no equation with one is balanced.
+    let larger = |a: f64, b: f64| if a > b { a } else { b };
+    (
+        larger(trial.displacement.abs(), trial.predicted.0.abs()),
+        larger(trial.velocity.abs(), trial.predicted.1.abs()),
+    )
+}
+
+/// Adds what a storey does to the floor below it, and what standing on a floor adds to its own.
+#[inline]
+fn stand<Column: RestoringForce>(
+    (node, trial): (&Node<Column>, &mut Trial<Column::Memory>),
+    (carrying, below): (&Node<Column>, &mut Trial<Column::Memory>),
+    floor: &Floor,
+    slopes: Slopes,
+) {
+    let (w, w_below) = (node.inverse_mass, carrying.inverse_mass);
+    let (restoring, stiffness) = (trial.response.force, trial.response.tangent);
+    let damping = node.damping * (trial.velocity - below.velocity);
+    let tangent = node.damping * slopes.velocity + stiffness * slopes.displacement;
+    let (extent, extent_below) = (extent(trial), extent(below));
+    let rounding = |(displacement, velocity): (f64, f64)| {
+        ROUNDING * (stiffness * displacement + node.damping * velocity)
+    };
+    below.residual -= w_below * (restoring + damping);
+    let both = rounding(extent) + rounding(extent_below);
+    below.push(w_below, restoring.abs() + damping.abs(), (tangent, both));
+    below.above = -w_below * tangent;
+    trial.below = -w * tangent;
+    trial.rounding += w * rounding(extent_below);
+    // Against the ground.
+    let against = floor.ground_damping * trial.velocity;
+    trial.residual += w * against;
+    let own = (
+        floor.ground_damping * slopes.velocity,
+        ROUNDING * floor.ground_damping * extent.1,
+    );
+    trial.push(w, against.abs(), own);
+}
+
+/// Adds the pounding force of one pair.
+fn couple<Column: RestoringForce>(
+    row: &Row<Column>,
+    pair: &Pair,
+    trials: &mut [Trial<Column::Memory>],
+    (slopes, ground): (Slopes, Ground<'_>),
+) {
+    let (left, right) = (&trials[pair.left], &trials[pair.right]);
+    let deformation = ground.deformation(pair, left.displacement - right.displacement);
+    // Impulsive contact acts between steps; a compliant pair that this step brings together may touch a little earlier.
+    let near = deformation > 0.0 || left.approach_speed.is_some();
+    if near && pair.law.is_compliant() {
+        let rate = ground.rate(pair, left.velocity - right.velocity);
+        let overlap = Overlap {
+            deformation,
+            rate,
+            reduced_mass: row.reduced_mass(pair),
+            // A building alone sees no pair; those that overlap then were marked, with their speed.
+            approach_speed: left.approach_speed.unwrap_or(0.0),
+        };
+        let contact = if deformation > 0.0 {
+            pair.law.respond(&overlap)
+        } else {
+            pair.law.before_touch(&overlap)
+        };
+        let Some(contact) = contact else {
+            return;
+        };
+        let (displaced, fast, grounds) = (
+            left.displacement.abs() + right.displacement.abs() + pair.gap,
+            left.velocity.abs() + right.velocity.abs(),
+            ground.extent(pair),
+        );
+        let rounding = ROUNDING
+            * (contact.stiffness * (displaced + grounds.displacement)
+                + contact.damping * (fast + grounds.velocity));
+        let tangent = contact.stiffness * slopes.displacement + contact.damping * slopes.velocity;
+        let node = |index: usize| row.nodes()[index].inverse_mass;
+        let left = &mut trials[pair.left];
+        left.force_from_right = -contact.force;
+        left.upper = -node(pair.left) * tangent;
+        left.push(node(pair.left), contact.force, (tangent, rounding));
+        let right = &mut trials[pair.right];
+        right.force_from_left = contact.force;
+        right.lower = -node(pair.right) * tangent;
+        right.push(node(pair.right), contact.force, (tangent, rounding));
+    }
+}

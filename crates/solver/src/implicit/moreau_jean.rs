@@ -1,0 +1,232 @@
+//! Moreau–Jean time stepping: a θ-method on velocities with the law of impact at the level of velocities.
+//!
+//! Source: J. J. Moreau, in *Nonsmooth Mechanics and Applications* (1988) 1; M. Jean, *Comput. Methods Appl. Mech.
+//! Engng* 177 (1999) 235; V. Acary & B. Brogliato, *Numerical Methods for Nonsmooth Dynamical Systems* (2008), ch. 10.
+//!
+//! Over a step h: m(u̇⁺ − u̇) = h (θ r⁺ + (1−θ) r) + P and u⁺ = u + h (θ u̇⁺ + (1−θ) u̇), r all smooth forces. A pair takes
+//! part where its gap, predicted half a step ahead, is closed; then 0 ≤ v⁺ + e v ⟂ P ≥ 0, v its relative velocity
+//! (negative while approaching) at both ends of the step. All pairs are solved together with the step.
+//!
+//! Two departures, so that no impact creates energy. A pair that separates at the start of the step, or would at its end
+//! without impulses, waits for the next step. And where the smooth forces slow the approach down within the step, what
+//! they leave of it is turned round, not the v of the start.
+//!
+//! Smooth forces are implicit, compliant pairs among them; columns that yield and pairs of both kinds side by side are
+//! met by repeating the solution with the tangents of the last one.
+//!
+//! An impulse is reported at the end of its step, as a jump from the velocity that the smooth forces alone give. Where
+//! buildings are hit on several levels the jumps of one instant create no energy together: the matrix of the step lets
+//! velocities follow impulses no further than free masses. One of them alone may seem to, at a large step: its pair
+//! was turned round by what storeys passed on from other levels.
+
+use crate::error::require;
+use crate::impact::chain::Together;
+use crate::implicit::building_impulses::Joint;
+use crate::implicit::contacts::Contacts;
+use crate::implicit::equation::Slopes;
+use crate::implicit::newmark::{Scratch, arrive, balance, begin, commit, load, load_at};
+use crate::implicit::newton::{self};
+use crate::model::ground::Ground;
+use crate::{Course, Excitation, Pair, Recorder, RestoringForce, Row, RunError, Work};
+
+/// Settings of Moreau–Jean time stepping. No critical time step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MoreauJean {
+    /// θ \[–\], 1/2 (order 2 while nothing touches, no damping of its own) ..= 1 (order 1, most damping).
+    pub theta: f64,
+}
+
+/// Solutions after which a step is given up.
+const MAX_ITERATIONS: u32 = 50;
+
+impl MoreauJean {
+    pub(crate) fn check(self) -> Result<(), RunError> {
+        let valid = (0.5..=1.0).contains(&self.theta);
+        require(valid, "theta", self.theta, "0.5 to 1")
+    }
+}
+
+/// The solution of a step: its impulses, and what finds them.
+struct Solution {
+    contacts: Contacts,
+    /// Pairs that do not yet meet the law of impact.
+    lacking: Vec<bool>,
+    /// Impulse of every pair that was found last \[N·s\].
+    found: Vec<f64>,
+    together: Together<f64>,
+    /// Of buildings of several storeys.
+    joint: Option<Joint>,
+}
+
+/// Integrates a row; the shared signature of all methods. Clusters of compliant pairs form as in Newmark's method.
+pub(crate) fn run<Column: RestoringForce, R: Recorder>(
+    settings: MoreauJean,
+    row: &Row<Column>,
+    excitation: Excitation<'_>,
+    course: Course,
+    recorder: &mut R,
+) -> Result<Work, RunError> {
+    let clock = course.clock;
+    settings.check()?;
+    let (dt, theta) = (clock.time_step, settings.theta);
+    let guard = course.begin(row.nodes().len());
+    let shaking = row.shaken(excitation, clock);
+    let slopes = Slopes {
+        displacement: theta * theta * dt * dt,
+        velocity: theta * dt,
+        inertia: 1.0,
+        time_step: dt,
+    };
+    let mut scratch = begin(row, shaking.at(0));
+    let size = (row.nodes().len(), row.pairs().len());
+    let mut solution = Solution::new(size, scratch.clusters.is_some());
+    let mut work = Work::default();
+    for step in 1..=clock.n_steps {
+        guard.step(step, clock)?;
+        let at_ends = [step - 1, step].map(|node| shaking.at(node));
+        let instant = (at_ends[1], clock.time(step));
+        solution.solve(row, &mut scratch, (slopes, (at_ends, instant.1)), &mut work)?;
+        let contacts = &solution.contacts;
+        arrive(&mut scratch, (clock, step))?;
+        let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
+        if hit {
+            contacts.release(row, &mut scratch.ends, at_ends[1]);
+        }
+        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+            // The smooth forces at the end are those of the velocities after the impulses.
+            let after = |node: usize| {
+                ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
+            };
+            let start = load::<_, R>(row, node, ends[0], at_ends[0].under(node));
+            let end = load_at::<_, R>(row, node, ends[1], (at_ends[1].under(node), after));
+            ((dt, [1.0 - theta, theta]), [start, end])
+        });
+        work.touching_steps += contacts.n_touching(row, &scratch, at_ends[1]);
+        if hit {
+            let Scratch {
+                states, impacts, ..
+            } = &mut scratch;
+            impacts.impose(row, (states, &contacts.impulses), instant, recorder);
+        }
+        work.steps += 1;
+    }
+    Ok(work)
+}
+
+impl Solution {
+    fn new(size: (usize, usize), has_storeys: bool) -> Self {
+        let (n_structures, n_pairs) = size;
+        Self {
+            contacts: Contacts::new(size),
+            lacking: vec![false; n_pairs],
+            found: vec![0.0; n_pairs],
+            together: Together::new(n_pairs),
+            joint: has_storeys.then(|| Joint::new(n_structures, n_pairs)),
+        }
+    }
+
+    /// Solves a step: smooth forces with the impulses found so far, impulses with those forces, until neither changes.
+    fn solve<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        (slopes, (ground, time)): (Slopes, ([Ground<'_>; 2], f64)),
+        work: &mut Work,
+    ) -> Result<(), RunError> {
+        self.contacts
+            .choose(row, scratch, (slopes.time_step, ground[0]));
+        for (rate, pair) in self.contacts.opening_rates.iter_mut().zip(row.pairs()) {
+            *rate = ground[1].opening(pair).velocity;
+        }
+        for iterations in 0..=MAX_ITERATIONS {
+            self.contacts.solution = iterations;
+            self.contacts.predict(row, scratch, slopes);
+            balance(row, scratch, (slopes, ground), time, work)?;
+            if iterations == 0 {
+                self.contacts.approach(row, scratch, ground[0]);
+            }
+            if !self.correct(row, scratch, slopes) {
+                return Ok(());
+            }
+        }
+        Err(self.contacts.failure(row, time))
+    }
+
+    /// Finds the impulses anew where the last ones do not meet the law of impact; true when there was such a pair.
+    fn correct<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &mut Scratch<Column::Memory>,
+        slopes: Slopes,
+    ) -> bool {
+        newton::mobilities(row.nodes(), &scratch.trials, &mut self.contacts.mobilities);
+        let mut lacked = false;
+        if let Some(joint) = &mut self.joint {
+            lacked = joint.correct(row, &mut self.contacts, scratch, slopes);
+        }
+        lacked | self.correct_lines(row, scratch, slopes)
+    }
+
+    /// The same for clusters of structures of one storey.
+    fn correct_lines<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        scratch: &Scratch<Column::Memory>,
+        slopes: Slopes,
+    ) -> bool {
+        let trials = &scratch.trials;
+        let uncertain = |node: usize| slopes.velocity * trials[node].uncertain_acceleration();
+        let mut lacks = false;
+        for (index, pair) in row.pairs().iter().enumerate() {
+            self.lacking[index] =
+                self.is_in_line(index) && self.contacts.lacks(index, pair, scratch, uncertain);
+            lacks |= self.lacking[index];
+        }
+        if !lacks {
+            return false;
+        }
+        let taken = |index: usize| self.contacts.mobilities[index] * self.contacts.net[index];
+        self.together.clear();
+        for (index, pair) in row.pairs().iter().enumerate() {
+            if self.is_in_line(index) {
+                let rate = self.contacts.rate(index, pair, trials);
+                // Without the impulses found so far, which are to be replaced.
+                let demand =
+                    rate + self.contacts.bounce[index] + (taken(pair.right) - taken(pair.left));
+                self.together.push((index, pair.left), demand);
+            }
+        }
+        self.replace(row.pairs());
+        true
+    }
+
+    /// Whether a pair takes part whose impulse is found with mobilities: one of structures of one storey.
+    fn is_in_line(&self, pair: usize) -> bool {
+        let member = |joint: &Joint| joint.members[pair];
+        self.contacts.closed[pair] && !self.joint.as_ref().is_some_and(member)
+    }
+
+    /// Solves for the impulses of neighbouring closed pairs one of which lacks something; others keep every bit.
+    fn replace(&mut self, pairs: &[Pair]) {
+        self.together.solve(&self.contacts.mobilities);
+        self.found.fill(0.0);
+        for (link, impulse) in self.together.links.iter().zip(&self.together.impulses) {
+            self.found[link.pair] = *impulse;
+        }
+        let mut first = 0;
+        while first < pairs.len() {
+            let mut end = first + 1;
+            while end < pairs.len()
+                && self.contacts.closed[first]
+                && self.contacts.closed[end]
+                && pairs[end].left == pairs[end - 1].right
+            {
+                end += 1;
+            }
+            if self.lacking[first..end].contains(&true) {
+                self.contacts.impulses[first..end].copy_from_slice(&self.found[first..end]);
+            }
+            first = end;
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Newton's method for the equilibrium of a cluster: one building, or neighbours that touch.
+//!
+//! The unknowns are the accelerations at the end of the step. With displacement increments as unknowns the terms
+//! 4u/Δt² would cancel and leave a residual of 1e-9 at Δt = 1e-4 s; accelerations do not cancel.
+//!
+//! A correction is halved until the residual falls: the damper of the viscoelastic element starts like δ^(1/4), and a
+//! full correction can jump out of contact and back for ever.
+
+use crate::implicit::equation::{Cluster, Failure, Slopes};
+use crate::implicit::equilibrium::residual;
+use crate::implicit::trial::Trial;
+use crate::model::ground::Ground;
+use crate::{Node, RestoringForce, Row, Work};
+
+/// Iterations after which a cluster is given up.
+pub(crate) const MAX_ITERATIONS: u32 = 50;
+/// Halvings of one correction after which a cluster is given up.
+const MAX_HALVINGS: u32 = 30;
+
+/// Finds the accelerations of a cluster that are in equilibrium over the ground at the end of a step.
+///
+/// Nothing outside the cluster is read or written.
+pub(crate) fn solve<Column: RestoringForce, C: Cluster>(
+    row: &Row<Column>,
+    trials: &mut [Trial<Column::Memory>],
+    cluster: &mut C,
+    step: (Slopes, Ground<'_>),
+    work: &mut Work,
+) -> Result<(), Failure> {
+    let mut merit = residual(row, trials, cluster, step, work);
+    let mut iterations = 0;
+    // A motion that died out to less than 1e-150 m leaves residuals whose squares underflow: none can fall further.
+    while merit != 0.0 && !is_balanced(trials, cluster) {
+        if !merit.is_finite() {
+            return Err(not_finite(trials, cluster));
+        }
+        let failure = not_converged(trials, cluster, iterations);
+        if iterations == MAX_ITERATIONS {
+            return Err(failure);
+        }
+        iterations += 1;
+        work.newton_iterations += 1;
+        cluster.correct(row, trials);
+        let mut halvings = 0;
+        loop {
+            let tried = residual(row, trials, cluster, step, work);
+            // Balanced within rounding, the merit may no longer fall. Not a number never passes.
+            if tried < merit || is_balanced(trials, cluster) {
+                merit = tried;
+                break;
+            }
+            if halvings == MAX_HALVINGS {
+                return Err(failure);
+            }
+            halvings += 1;
+            for node in cluster.nodes() {
+                trials[node].correction *= 0.5;
+                trials[node].acceleration -= trials[node].correction;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn is_balanced<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> bool {
+    cluster.nodes().all(|node| trials[node].is_balanced())
+}
+
+/// The largest residual that is left.
+fn not_converged<Memory>(
+    trials: &[Trial<Memory>],
+    cluster: &impl Cluster,
+    iterations: u32,
+) -> Failure {
+    let residuals = cluster.nodes().map(|node| trials[node].relative_residual());
+    Failure::NotConverged {
+        iterations,
+        residual: residuals.fold(0.0, f64::max),
+    }
+}
+
+/// The first structure without a finite residual, or the one whose residual overflows when squared.
+fn not_finite<Memory>(trials: &[Trial<Memory>], cluster: &impl Cluster) -> Failure {
+    let overflows = |node: &usize| !(trials[*node].residual * trials[*node].residual).is_finite();
+    let first = cluster.nodes().filter(overflows).min();
+    Failure::NotFinite {
+        structure: first.or(cluster.nodes().min()).unwrap_or(0),
+    }
+}
+
+/// Velocity that a unit impulse gives to each structure in a step, its forces at the end of the step included \[1/kg\]:
+/// what it does to its neighbours across compliant pairs comes back to it.
+pub(crate) fn mobilities<Column: RestoringForce>(
+    nodes: &[Node<Column>],
+    trials: &[Trial<Column::Memory>],
+    mobilities: &mut [f64],
+) {
+    // The diagonal of the inverse of a tridiagonal matrix: what elimination from the left takes off, then from the right.
+    let mut taken = 0.0;
+    for (index, (mobility, trial)) in mobilities.iter_mut().zip(trials).enumerate() {
+        *mobility = taken;
+        if let Some(next) = trials.get(index + 1) {
+            taken = trial.upper * next.lower / (trial.diagonal - taken);
+        }
+    }
+    taken = 0.0;
+    for index in (0..nodes.len()).rev() {
+        let trial = &trials[index];
+        mobilities[index] =
+            nodes[index].inverse_mass / (trial.diagonal - mobilities[index] - taken);
+        if let Some(before) = index.checked_sub(1) {
+            taken = trials[before].upper * trial.lower / (trial.diagonal - taken);
+        }
+    }
+}

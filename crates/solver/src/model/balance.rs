@@ -1,0 +1,107 @@
+//! Drifts and forces of the floors of a row.
+
+use crate::model::ground::Ground;
+use crate::model::support::{Floor, Support};
+use crate::span::Load;
+use crate::{Motion, Node, RestoringForce, Row, State};
+
+impl<Column: RestoringForce> Row<Column> {
+    /// Whether a node is a structure of one storey, or a wall: it stands on the ground and nothing stands on it.
+    #[inline]
+    pub(crate) fn stands_alone(&self, node: usize) -> bool {
+        matches!(self.nodes()[node].support, Support::Ground) && self.above(node).is_none()
+    }
+
+    /// Drift of the storey below a node \[m\]: its displacement relative to what it stands on.
+    #[inline]
+    pub(crate) fn drift(&self, node: usize, states: &[State]) -> f64 {
+        match self.nodes()[node].support.below() {
+            None => states[node].displacement,
+            Some(below) => states[node].displacement - states[below].displacement,
+        }
+    }
+
+    /// Damping force \[N\] against the motion of a node, of its own storey and the one above, at these velocities.
+    #[inline]
+    pub(crate) fn damping_force(&self, node: usize, states: &[State]) -> f64 {
+        let velocity = |index: usize| states[index].velocity;
+        self.damping_at(node, velocity)
+    }
+
+    /// The same at velocities \[m/s\] of any kind.
+    #[inline]
+    pub(crate) fn damping_at(&self, node: usize, velocity: impl Fn(usize) -> f64) -> f64 {
+        let own = match self.nodes()[node].support {
+            Support::Ground => self.nodes()[node].damping * velocity(node),
+            Support::Floor(Floor {
+                below,
+                ground_damping,
+            }) => {
+                self.nodes()[node].damping * (velocity(node) - velocity(below))
+                    + ground_damping * velocity(node)
+            }
+        };
+        match self.above(node) {
+            None => own,
+            Some(above) => own - self.nodes()[above].damping * (velocity(above) - velocity(node)),
+        }
+    }
+
+    /// Restoring force \[N\] against a displacement of a node to the right, of its own storey and the one above.
+    #[inline]
+    pub(crate) fn restoring_force(&self, node: usize, states: &[State]) -> f64 {
+        match self.above(node) {
+            None => states[node].restoring_force,
+            Some(above) => states[node].restoring_force - states[above].restoring_force,
+        }
+    }
+
+    /// Acceleration \[m/s²\] of a node in equilibrium with the velocities and forces of these states; a wall has none.
+    #[inline]
+    pub(crate) fn acceleration(&self, node: usize, states: &[State], ground: f64) -> f64 {
+        let wall = self.nodes()[node].is_wall();
+        let ground = if wall { 0.0 } else { ground };
+        let force = states[node].pounding_force()
+            - self.damping_force(node, states)
+            - self.restoring_force(node, states);
+        self.nodes()[node].inverse_mass * force - ground
+    }
+
+    /// What acts on a node in these states, as it enters the equation of its motion.
+    #[inline]
+    pub(crate) fn load(&self, node: usize, states: &[State], ground: f64) -> Load {
+        let forces = (
+            self.restoring_force(node, states),
+            self.damping_force(node, states),
+        );
+        Load::at(&states[node], forces, ground)
+    }
+
+    /// Motion of the floor below a node in states at the start and at the end of a span; nothing on the ground.
+    #[inline]
+    pub(crate) fn below(&self, node: usize, [start, end]: [&[State]; 2]) -> Option<[Motion; 2]> {
+        let below = self.nodes()[node].support.below()?;
+        Some([(&start[below]).into(), (&end[below]).into()])
+    }
+
+    /// States at t = 0, in equilibrium, and what the columns then remember.
+    pub(crate) fn initial(&self, ground: Ground<'_>) -> (Vec<State>, Vec<Column::Memory>) {
+        let state = |node: &Node<Column>| State {
+            displacement: node.initial_displacement,
+            velocity: node.initial_velocity,
+            ..State::default()
+        };
+        let mut states: Vec<_> = self.nodes().iter().map(state).collect();
+        let mut memories = Vec::with_capacity(states.len());
+        for (index, node) in self.nodes().iter().enumerate() {
+            let drift = self.drift(index, &states);
+            let response = node.column.respond(drift, node.column.untouched());
+            states[index].restoring_force = response.force;
+            memories.push(response.memory);
+        }
+        for index in 0..states.len() {
+            states[index].acceleration = self.acceleration(index, &states, ground.under(index));
+        }
+        (states, memories)
+    }
+}

@@ -1,0 +1,97 @@
+//! Columns that harden after yielding.
+
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
+
+use crate::model::column::yielding;
+use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce};
+
+/// Bilinear columns with kinematic hardening; they remember the plastic displacement \[m\].
+///
+/// f = a k d + h, where h is the force of elastic-perfectly plastic columns of stiffness (1 − a) k that yield at
+/// (1 − a) `f_y`; the loop keeps the width 2 `f_y` (A. K. Chopra, *Dynamics of Structures*, 7.1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bilinear<N = f64> {
+    /// Stiffness before yielding k \[N/m\], > 0.
+    pub stiffness: N,
+    /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
+    pub yield_force: N,
+    /// Stiffness after yielding over that before a \[–\], 0 ≤ a < 1.
+    pub hardening: N,
+}
+
+impl<N: Number> RestoringForce<N> for Bilinear<N> {
+    type Memory = N;
+
+    #[inline(always)]
+    fn untouched(&self) -> N {
+        self.stiffness.like(0.0)
+    }
+
+    #[inline(always)]
+    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
+        let one = self.stiffness.like(1.0);
+        let hysteretic = (one - self.hardening) * self.stiffness;
+        let limit = (one - self.hardening) * self.yield_force;
+        let elastic = self.hardening * self.stiffness;
+        let drift = (displacement, plastic_displacement);
+        let plastic = yielding(drift, hysteretic, limit, [self.stiffness, elastic]);
+        Response {
+            force: elastic * displacement + plastic.force,
+            ..plastic
+        }
+    }
+}
+
+impl Hysteretic for Bilinear {
+    fn hysteresis(&self) -> Hysteresis {
+        Hysteresis {
+            stiffness: self.stiffness,
+            hardening: self.hardening,
+            yield_force: self.yield_force,
+            knee: Knee::Sharp,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_a_loop_by_hand() {
+        // k = 100 kN/m, u_y = 10 mm, a = 0.1.
+        let column = Bilinear {
+            stiffness: 1e5,
+            yield_force: 1e3,
+            hardening: 0.1,
+        };
+        let mut memory = 0.0;
+        // To 30 mm: 1000 + 0.1·100e3·0.02 = 1200 N; back it yields after 2 u_y, at 10 mm and −800 N; at −30 mm −1200 N.
+        for (displacement, force, tangent) in [
+            (0.005, 500.0, 1e5),
+            (0.03, 1200.0, 1e4),
+            (0.02, 200.0, 1e5),
+            (0.01, -800.0, 1e5),
+            (-0.03, -1200.0, 1e4),
+            (-0.02, -200.0, 1e5),
+        ] {
+            let response = column.respond(displacement, memory);
+            assert!(
+                (response.force - force).abs() < 1e-9,
+                "{displacement}: {response:?}"
+            );
+            // At 10 mm it is at the knee: either tangent is right there.
+            let knee = (displacement - 0.01).abs() < 1e-12;
+            assert!(
+                knee || (response.tangent - tangent).abs() < 1e-9,
+                "{displacement}: {response:?}"
+            );
+            memory = response.memory;
+        }
+    }
+}

@@ -1,0 +1,226 @@
+use crate::{Clock, ModelError};
+
+/// Ground acceleration at equally spaced instants, linear between them, zero outside; first sample at t = 0.
+///
+/// Stepping methods sample it once per run; its segments are what a closed form needs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Excitation<'a> {
+    time_step: f64,
+    samples: &'a [f64],
+}
+
+/// A linear piece of the ground acceleration, from a given time on.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Segment {
+    /// Ground acceleration at that time \[m/s²\].
+    pub(crate) value: f64,
+    /// Its slope \[m/s³\].
+    pub(crate) slope: f64,
+    /// Where the piece ends \[s\].
+    pub(crate) end: f64,
+}
+
+impl Segment {
+    /// Coefficient `n` of the acceleration as a series in x, with t = now + x^p.
+    #[inline]
+    pub(crate) fn coefficient(&self, n: usize, p: usize) -> f64 {
+        if n == 0 {
+            self.value
+        } else if n == p {
+            self.slope
+        } else {
+            0.0
+        }
+    }
+}
+
+/// Instants closer to a sample than this fraction of a segment take the sample itself.
+const SNAP: f64 = 1e-9;
+
+impl<'a> Excitation<'a> {
+    /// Borrows ground accelerations \[m/s²\], `time_step` \[s\] apart.
+    ///
+    /// # Errors
+    /// [`ModelError`] when there is no sample, one is not finite, or `time_step` is not a finite number > 0.
+    pub fn new(time_step: f64, samples: &'a [f64]) -> Result<Self, ModelError> {
+        if samples.is_empty() {
+            return Err(ModelError::NoSamples);
+        }
+        if !(time_step.is_finite() && time_step > 0.0) {
+            return Err(ModelError::OutOfRange {
+                place: "excitation.time_step".into(),
+                found: time_step,
+                allowed: "a finite number > 0",
+            });
+        }
+        if let Some(index) = samples.iter().position(|sample| !sample.is_finite()) {
+            return Err(ModelError::OutOfRange {
+                place: format!("excitation.samples[{index}]"),
+                found: samples[index],
+                allowed: "a finite number",
+            });
+        }
+        Ok(Self { time_step, samples })
+    }
+
+    /// Time between two samples \[s\], > 0.
+    pub fn time_step(&self) -> f64 {
+        self.time_step
+    }
+
+    /// Ground accelerations at t = 0, Δt, 2Δt, … \[m/s²\].
+    pub fn samples(&self) -> &'a [f64] {
+        self.samples
+    }
+
+    /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it, where the motion arrives at some
+    /// time \[s\], ≥ 0; the ground rests before.
+    pub(crate) fn segment(&self, time: f64, arrival: f64) -> Segment {
+        self.segment_since(0.0, time, arrival)
+    }
+
+    /// The same of a clock that shows 0 at an instant \[s\], and of its time.
+    pub(crate) fn segment_since(&self, zero: f64, time: f64, arrival: f64) -> Segment {
+        let n = self.samples.len();
+        let start = |index: usize| (index as f64 * self.time_step + arrival) - zero;
+        let Some(index) = last_sample(time, self.time_step, n, start) else {
+            return Segment {
+                value: 0.0,
+                slope: 0.0,
+                end: arrival - zero,
+            };
+        };
+        let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1))
+        else {
+            return Segment {
+                value: 0.0,
+                slope: 0.0,
+                end: f64::INFINITY,
+            };
+        };
+        let slope = (right - left) / self.time_step;
+        Segment {
+            value: left + slope * (time - start(index)),
+            slope,
+            end: start(index + 1),
+        }
+    }
+
+    /// Ground acceleration at every node of a clock, 0..=n \[m/s²\].
+    pub(crate) fn sampled(&self, clock: Clock) -> Vec<f64> {
+        let ratio = clock.time_step / self.time_step;
+        (0..=clock.n_steps)
+            .map(|step| self.at_position(step as f64 * ratio))
+            .collect()
+    }
+
+    /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\], where the motion arrives at some
+    /// time \[s\].
+    pub(crate) fn at(&self, time: f64, arrival: f64) -> f64 {
+        self.at_position(time / self.time_step - arrival / self.time_step)
+    }
+
+    /// Ground acceleration at a `position` counted in samples; nothing before the first one.
+    pub(crate) fn at_position(&self, position: f64) -> f64 {
+        let sample = |index: f64| {
+            // Precondition of the cast: index is a whole number ≥ 0; beyond the last sample `get` says so.
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a whole number >= 0"
+            )]
+            let index = index as usize;
+            self.samples.get(index).copied().unwrap_or(0.0)
+        };
+        if position <= -SNAP {
+            return 0.0;
+        }
+        let nearest = position.round();
+        if (position - nearest).abs() < SNAP {
+            return sample(nearest);
+        }
+        let below = position.floor();
+        if below + 1.0 >= self.samples.len() as f64 {
+            return 0.0;
+        }
+        let fraction = position - below;
+        let (left, right) = (sample(below), sample(below + 1.0));
+        left + fraction * (right - left)
+    }
+}
+
+/// The last sample that has arrived at a time, of which none comes after the one numbered `most`; nothing before the
+/// first. They arrive `time_step` after each other.
+pub(crate) fn last_sample(
+    time: f64,
+    time_step: f64,
+    most: usize,
+    arrives: impl Fn(usize) -> f64,
+) -> Option<usize> {
+    if time < arrives(0) {
+        return None;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "time >= the first arrival; beyond the last sample nothing follows"
+    )]
+    // Not beyond the last sample: a count that no number of samples reaches could not be raised.
+    let mut index = (((time - arrives(0)) / time_step) as usize).min(most);
+    while index < most && arrives(index + 1) <= time {
+        index += 1;
+    }
+    while index > 0 && arrives(index) > time {
+        index -= 1;
+    }
+    Some(index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_sampled_linearly_and_zero_outside() {
+        let ground = [1.0, 3.0, -1.0];
+        let excitation = Excitation::new(0.01, &ground).unwrap();
+        let clock = Clock {
+            time_step: 0.005,
+            n_steps: 6,
+        };
+        assert_eq!(
+            excitation.sampled(clock),
+            [1.0, 2.0, 3.0, 1.0, -1.0, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn limit_own_grid_takes_the_samples() {
+        let ground: Vec<f64> = (0..1000).map(|i| f64::from(i).sqrt()).collect();
+        let excitation = Excitation::new(0.01, &ground).unwrap();
+        assert_eq!(
+            excitation.sampled(Clock {
+                time_step: 0.01,
+                n_steps: 999
+            }),
+            ground
+        );
+        let fine = excitation.sampled(Clock {
+            time_step: 0.01 / 3.0,
+            n_steps: 2997,
+        });
+        assert!(
+            fine.iter().step_by(3).eq(&ground),
+            "every third node is a sample"
+        );
+    }
+
+    #[test]
+    fn extreme_bad_excitations_are_refused() {
+        assert_eq!(Excitation::new(0.01, &[]), Err(ModelError::NoSamples));
+        for time_step in [0.0, -0.01, f64::NAN, f64::INFINITY] {
+            assert!(Excitation::new(time_step, &[1.0]).is_err(), "{time_step}");
+        }
+        assert!(Excitation::new(0.01, &[0.0, f64::NAN]).is_err(), "NaN");
+    }
+}

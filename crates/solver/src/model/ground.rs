@@ -1,0 +1,195 @@
+//! The ground at an instant, as stepping methods see it.
+
+use crate::model::travel::Travel;
+use crate::{Clock, Excitation, Motion, Pair, State};
+
+/// The ground motion of a run; decided once.
+pub(crate) enum Shaking<'a> {
+    /// All buildings are shaken at once: its acceleration at every node of the clock \[m/s²\].
+    Common(Vec<f64>),
+    /// It arrives at them one after the other.
+    Delayed(Delayed<'a>),
+}
+
+/// A ground motion that travels along a row.
+#[derive(Debug)]
+pub(crate) struct Delayed<'a> {
+    excitation: Excitation<'a>,
+    travel: Travel,
+    /// Arrival at every node, in samples.
+    arrivals: Vec<f64>,
+    /// Samples in a time step.
+    ratio: f64,
+}
+
+/// The ground at an instant.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Ground<'a> {
+    /// Its acceleration \[m/s²\].
+    Common(f64),
+    Delayed {
+        of: &'a Delayed<'a>,
+        /// Time steps since t = 0, and the part of the next one that has passed.
+        step: usize,
+        part: f64,
+    },
+}
+
+impl<'a> Shaking<'a> {
+    /// Of a row of so many nodes; `travel` where the motion does not arrive everywhere at once.
+    pub(crate) fn new(
+        n_nodes: usize,
+        travel: Option<Travel>,
+        excitation: Excitation<'a>,
+        clock: Clock,
+    ) -> Self {
+        match travel {
+            None => Self::Common(excitation.sampled(clock)),
+            Some(travel) => {
+                let arrival = |node: usize| travel.arrival(node) / excitation.time_step();
+                Self::Delayed(Delayed {
+                    excitation,
+                    arrivals: (0..n_nodes).map(arrival).collect(),
+                    travel,
+                    ratio: clock.time_step / excitation.time_step(),
+                })
+            }
+        }
+    }
+
+    /// At a node of the clock.
+    #[inline]
+    pub(crate) fn at(&self, step: usize) -> Ground<'_> {
+        match self {
+            Self::Common(samples) => Ground::Common(samples[step]),
+            Self::Delayed(of) => Ground::Delayed {
+                of,
+                step,
+                part: 0.0,
+            },
+        }
+    }
+
+    /// At a part of the time step that begins at a node of the clock; accelerations are linear in it.
+    pub(crate) fn within(&self, step: usize, part: f64) -> Ground<'_> {
+        match self {
+            Self::Common(samples) => {
+                let rise = samples[step + 1] - samples[step];
+                Ground::Common(samples[step] + part * rise)
+            }
+            Self::Delayed(of) => Ground::Delayed { of, step, part },
+        }
+    }
+}
+
+impl Ground<'_> {
+    /// Acceleration of the ground under a node \[m/s²\].
+    #[inline]
+    pub(crate) fn under(self, node: usize) -> f64 {
+        match self {
+            Self::Common(acceleration) => acceleration,
+            Self::Delayed { of, step, part } => of.acceleration(node, (step, part)),
+        }
+    }
+
+    /// Deformation of a pair \[m\] whose left neighbour is displaced by so much more than the right one \[m\].
+    #[inline]
+    pub(crate) fn deformation(self, pair: &Pair, ahead: f64) -> f64 {
+        match self {
+            Self::Common(_) => ahead - pair.gap,
+            Self::Delayed { .. } => ahead + self.opening(pair).displacement - pair.gap,
+        }
+    }
+
+    /// Rate of deformation of a pair \[m/s\] whose left neighbour is so much faster than the right one \[m/s\].
+    #[inline]
+    pub(crate) fn rate(self, pair: &Pair, faster: f64) -> f64 {
+        match self {
+            Self::Common(_) => faster,
+            Self::Delayed { .. } => faster + self.opening(pair).velocity,
+        }
+    }
+
+    /// Deformation of a pair in these states of all structures \[m\]; positive where it overlaps.
+    #[inline]
+    pub(crate) fn deformation_of(self, pair: &Pair, states: &[State]) -> f64 {
+        let ahead = states[pair.left].displacement - states[pair.right].displacement;
+        self.deformation(pair, ahead)
+    }
+
+    /// Its rate \[m/s\], positive while approaching.
+    #[inline]
+    pub(crate) fn rate_of(self, pair: &Pair, states: &[State]) -> f64 {
+        self.rate(
+            pair,
+            states[pair.left].velocity - states[pair.right].velocity,
+        )
+    }
+
+    /// How far the grounds of a pair have moved towards each other, and at which rate: 0 where they move alike.
+    #[inline]
+    pub(crate) fn opening(self, pair: &Pair) -> Motion {
+        match self {
+            Self::Common(_) => Motion::default(),
+            Self::Delayed { of, step, part } => of.opening(pair, (step, part)),
+        }
+    }
+
+    /// Rounding of that distance, and of its rate, is that of these magnitudes.
+    #[inline]
+    pub(crate) fn extent(self, pair: &Pair) -> Motion {
+        match self {
+            Self::Common(_) => Motion::default(),
+            Self::Delayed { of, step, part } => of.extent(pair, (step, part)),
+        }
+    }
+
+    /// The ground a part of a time step earlier, of which openings alone may be asked.
+    pub(crate) fn earlier(self, by: f64) -> Self {
+        match self {
+            Self::Common(_) => self,
+            Self::Delayed { of, step, part } => Self::Delayed {
+                of,
+                step,
+                part: part - by,
+            },
+        }
+    }
+}
+
+impl Delayed<'_> {
+    #[inline(never)] // Rows whose ground moves alike would share its registers.
+    fn acceleration(&self, node: usize, (step, part): (usize, f64)) -> f64 {
+        let at = |step: usize| {
+            let position = step as f64 * self.ratio - self.arrivals[node];
+            self.excitation.at_position(position)
+        };
+        let start = at(step);
+        if part > 0.0 {
+            start + part * (at(step + 1) - start)
+        } else {
+            start
+        }
+    }
+
+    fn grounds(&self, pair: &Pair, (step, part): (usize, f64)) -> [Motion; 2] {
+        let position = (step as f64 + part) * self.ratio;
+        let under = |node: usize| self.travel.at(position - self.arrivals[node]);
+        [under(pair.left), under(pair.right)]
+    }
+
+    #[inline(never)]
+    fn opening(&self, pair: &Pair, at: (usize, f64)) -> Motion {
+        let [left, right] = self.grounds(pair, at);
+        left.since(right)
+    }
+
+    #[inline(never)]
+    fn extent(&self, pair: &Pair, at: (usize, f64)) -> Motion {
+        let [left, right] = self.grounds(pair, at);
+        Motion {
+            displacement: left.displacement.abs() + right.displacement.abs(),
+            velocity: left.velocity.abs() + right.velocity.abs(),
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! The row: structures and buildings, columns, pairs, and the ground that shakes them.
+
+pub(crate) mod approach;
+pub(crate) mod balance;
+pub(crate) mod bilinear;
+pub(crate) mod bouc_wen;
+pub(crate) mod buildings;
+pub(crate) mod column;
+pub(crate) mod damping;
+pub(crate) mod dashpots;
+pub(crate) mod excitation;
+pub(crate) mod ground;
+pub(crate) mod levels;
+pub(crate) mod modes;
+pub(crate) mod node;
+pub(crate) mod oscillation;
+pub(crate) mod profile;
+pub(crate) mod row;
+pub(crate) mod support;
+pub(crate) mod travel;

@@ -1,0 +1,130 @@
+//! Floors, walls, and the pairs of them that can touch.
+
+use pounding_contact::ContactLaw;
+
+use crate::model::support::{Floor, Support};
+use crate::{ModelError, RestoringForce, State};
+
+/// One floor of a building, or a fixed wall. The only floor of a building of one storey is a structure (SDOF).
+///
+/// Displacements and velocities are relative to the ground; columns and their damping see the drift, that is the
+/// displacement relative to what they stand on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node<Column> {
+    /// Inverse mass \[1/kg\], ≥ 0; 0 for a fixed wall, which stays where it is.
+    pub inverse_mass: f64,
+    /// Damping coefficient c of the storey below the floor \[N·s/m\], ≥ 0.
+    pub damping: f64,
+    /// The columns of that storey.
+    pub column: Column,
+    /// What the columns stand on.
+    pub support: Support,
+    /// Displacement at t = 0 \[m\].
+    pub initial_displacement: f64,
+    /// Velocity at t = 0 \[m/s\].
+    pub initial_velocity: f64,
+}
+
+impl<Column> Node<Column> {
+    /// A structure at rest with a mass \[kg\] and a damping coefficient \[N·s/m\].
+    pub fn structure(mass: f64, damping: f64, column: Column) -> Self {
+        Self {
+            inverse_mass: 1.0 / mass,
+            damping,
+            column,
+            support: Support::Ground,
+            initial_displacement: 0.0,
+            initial_velocity: 0.0,
+        }
+    }
+
+    /// The same on another floor of the building.
+    #[must_use]
+    pub fn on_floor(self, floor: Floor) -> Self {
+        Self {
+            support: Support::Floor(floor),
+            ..self
+        }
+    }
+
+    /// A fixed wall; its column is asked at displacement 0 only and moves nothing.
+    pub fn wall(column: Column) -> Self {
+        Self {
+            inverse_mass: 0.0,
+            damping: 0.0,
+            column,
+            support: Support::Ground,
+            initial_displacement: 0.0,
+            initial_velocity: 0.0,
+        }
+    }
+
+    /// Whether the node is a fixed wall.
+    pub fn is_wall(&self) -> bool {
+        self.inverse_mass == 0.0
+    }
+}
+
+impl<Column> Node<Column> {
+    /// 1 for a structure, 0 for a wall: walls do not feel inertia.
+    pub(crate) fn mobile(&self) -> f64 {
+        if self.is_wall() { 0.0 } else { 1.0 }
+    }
+}
+
+impl<Column: RestoringForce> Node<Column> {
+    /// Acceleration \[m/s²\] of a structure of one storey in equilibrium; a wall has none.
+    pub(crate) fn acceleration(&self, state: &State, ground: f64) -> f64 {
+        let ground = if self.is_wall() { 0.0 } else { ground };
+        let force = state.pounding_force() - self.damping * state.velocity - state.restoring_force;
+        self.inverse_mass * force - ground
+    }
+}
+
+/// Two neighbours that can touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// Node index of the left neighbour.
+    pub left: usize,
+    /// Node index of the right neighbour.
+    pub right: usize,
+    /// Gap at rest g \[m\], ≥ 0.
+    pub gap: f64,
+    /// What happens while they touch.
+    pub law: ContactLaw,
+}
+
+/// For every node the floor that stands on it.
+///
+/// # Errors
+/// [`ModelError`] for a floor that does not stand on an earlier one, or not alone.
+pub(crate) fn floors_above<Column>(
+    nodes: &[Node<Column>],
+    above: &mut Vec<Option<usize>>,
+) -> Result<(), ModelError> {
+    above.clear();
+    above.resize(nodes.len(), None);
+    for (index, node) in nodes.iter().enumerate() {
+        let Support::Floor(Floor {
+            below,
+            ground_damping,
+        }) = node.support
+        else {
+            continue;
+        };
+        if !(ground_damping >= 0.0 && ground_damping.is_finite()) {
+            return Err(ModelError::Node {
+                node: index,
+                field: "support.ground_damping",
+                found: ground_damping,
+                allowed: "a finite number >= 0",
+            });
+        }
+        let free = below < index && above[below].is_none();
+        if !free || node.is_wall() || nodes[below].is_wall() {
+            return Err(ModelError::NotAFloor { node: index, below });
+        }
+        above[below] = Some(index);
+    }
+    Ok(())
+}

@@ -1,0 +1,264 @@
+use pounding_contact::{ContactForce, Overlap, reduced_mass};
+
+use crate::model::approach::Approaches;
+use crate::model::ground::{Ground, Shaking};
+use crate::model::node::floors_above;
+use crate::{Clock, Excitation, ModelError, RestoringForce, State, Travel};
+use crate::{Node, Pair};
+
+/// The model: floors, level by level and in each from left to right, and the pairs of them that can touch.
+///
+/// A row of structures of one storey is one level. Structures that cannot touch share no pair, and nothing of one then
+/// enters the arithmetic of the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row<Column> {
+    nodes: Vec<Node<Column>>,
+    /// For every node the floor that stands on it.
+    above: Vec<Option<usize>>,
+    pairs: Vec<Pair>,
+    /// When the ground motion arrives at every node \[s\]; nothing where it does so everywhere at t = 0.
+    arrivals: Option<Vec<f64>>,
+}
+
+impl<Column: RestoringForce> Row<Column> {
+    /// How an excitation shakes it on a clock.
+    pub(crate) fn shaken<'a>(&self, excitation: Excitation<'a>, clock: Clock) -> Shaking<'a> {
+        Shaking::new(self.nodes.len(), self.travel(excitation), excitation, clock)
+    }
+
+    /// Checks and keeps the nodes and pairs.
+    ///
+    /// # Errors
+    /// [`ModelError`] for a mass, damping or initial state out of range, a floor that does not stand on an earlier one
+    /// of its own, a pair that is not made of neighbours in order, a negative gap, a contact parameter out of range, or
+    /// neighbours that overlap at t = 0.
+    pub fn new(nodes: Vec<Node<Column>>, pairs: Vec<Pair>) -> Result<Self, ModelError> {
+        let unchecked = Self {
+            nodes,
+            above: Vec::new(),
+            pairs,
+            arrivals: None,
+        };
+        unchecked.checked()
+    }
+
+    /// Another row in the memory of this one, for many of them: with these nodes and pairs, and a ground motion that arrives
+    /// everywhere at t = 0.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn renewed(
+        mut self,
+        nodes: impl IntoIterator<Item = Node<Column>>,
+        pairs: impl IntoIterator<Item = Pair>,
+    ) -> Result<Self, ModelError> {
+        self.nodes.clear();
+        self.nodes.extend(nodes);
+        self.pairs.clear();
+        self.pairs.extend(pairs);
+        self.arrivals = None;
+        self.checked()
+    }
+
+    fn checked(mut self) -> Result<Self, ModelError> {
+        let (nodes, pairs) = (&self.nodes, &self.pairs);
+        for (index, node) in nodes.iter().enumerate() {
+            check_node(index, node)?;
+        }
+        floors_above(nodes, &mut self.above)?;
+        for (index, pair) in pairs.iter().enumerate() {
+            let in_order = index == 0 || pairs[index - 1].left < pair.left;
+            let neighbours = pair.right == pair.left + 1 && pair.right < nodes.len();
+            if !in_order
+                || !neighbours
+                || (nodes[pair.left].is_wall() && nodes[pair.right].is_wall())
+            {
+                return Err(ModelError::NotNeighbours {
+                    pair: index,
+                    left: pair.left,
+                    right: pair.right,
+                    n_nodes: nodes.len(),
+                });
+            }
+            check_pair(index, pair)?;
+            let overlap = nodes[pair.left].initial_displacement
+                - nodes[pair.right].initial_displacement
+                - pair.gap;
+            if overlap > 0.0 {
+                return Err(ModelError::OverlapsAtStart {
+                    pair: index,
+                    overlap,
+                });
+            }
+        }
+        Ok(self)
+    }
+
+    /// The same row, at whose nodes the ground motion arrives one after the other: after these times \[s\], ≥ 0, one for
+    /// each node, which all floors of a building share.
+    ///
+    /// A wave of apparent velocity v reaches a base that is a distance x further along its way after x/v. Every building,
+    /// and every wall, then stands on a ground of its own, which moves as the excitation says, that much later, and rests
+    /// before. Displacements, velocities and accelerations stay relative to it, so that nothing of a building alone changes
+    /// but its time. What changes is the deformation of a pair, δ = (u + `u_g`)\_left − (u + `u_g`)\_right − g, with `u_g` the exact
+    /// double integral of the record ([`Travel`]). Where all arrive at once and at t = 0, this is the row as it was.
+    ///
+    /// # Errors
+    /// [`ModelError`] for another number of times than nodes, a time that is not a finite number ≥ 0, and a floor whose
+    /// time is not that of the floor below.
+    pub fn delayed(self, arrivals: Vec<f64>) -> Result<Self, ModelError> {
+        if arrivals.len() != self.nodes.len() {
+            return Err(ModelError::Arrivals {
+                found: arrivals.len(),
+                n_nodes: self.nodes.len(),
+            });
+        }
+        for (index, (node, &found)) in self.nodes.iter().zip(&arrivals).enumerate() {
+            let refused = |allowed| ModelError::OutOfRange {
+                place: format!("arrivals[{index}]"),
+                found,
+                allowed,
+            };
+            if !(found >= 0.0 && found.is_finite()) {
+                return Err(refused("a finite number >= 0"));
+            }
+            let below = node.support.below().map_or(found, |below| arrivals[below]);
+            if found.total_cmp(&below).is_ne() {
+                return Err(refused(
+                    "that of the floor below: a building stands on one ground",
+                ));
+            }
+        }
+        let at_once = arrivals.iter().all(|arrival| *arrival == 0.0);
+        Ok(Self {
+            arrivals: (!at_once).then_some(arrivals),
+            ..self
+        })
+    }
+
+    /// The floors and walls: those on the ground from left to right, then those of the next level, and so on.
+    pub fn nodes(&self) -> &[Node<Column>] {
+        &self.nodes
+    }
+
+    /// The pairs that can touch, level by level from left to right.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+
+    /// The floor that stands on a node; nothing on the top floor of a building, and on a wall.
+    pub fn above(&self, node: usize) -> Option<usize> {
+        self.above[node]
+    }
+
+    /// Number of pairs that overlap.
+    pub(crate) fn n_overlaps(&self, states: &[State], ground: Ground<'_>) -> u64 {
+        let overlaps = |pair: &&Pair| ground.deformation_of(pair, states) > 0.0;
+        self.pairs.iter().filter(overlaps).count() as u64
+    }
+
+    /// Gives the states the pounding forces \[N\] of their displacements and velocities, compliant pairs only.
+    pub(crate) fn push(
+        &self,
+        states: &mut [State],
+        approaches: &mut Approaches,
+        ground: Ground<'_>,
+    ) {
+        for state in states.iter_mut() {
+            (state.force_from_left, state.force_from_right) = (0.0, 0.0);
+        }
+        for (index, pair) in self.pairs.iter().enumerate() {
+            let deformation = ground.deformation_of(pair, states);
+            // Impulsive contact acts between steps.
+            if deformation > 0.0 && pair.law.is_compliant() {
+                let rate = ground.rate_of(pair, states);
+                let overlap = Overlap {
+                    deformation,
+                    rate,
+                    reduced_mass: self.reduced_mass(pair),
+                    approach_speed: approaches.of(index, rate),
+                };
+                if let Some(ContactForce { force, .. }) = pair.law.respond(&overlap) {
+                    states[pair.left].force_from_right = -force;
+                    states[pair.right].force_from_left = force;
+                }
+            }
+        }
+    }
+
+    /// Reduced mass of a pair \[kg\].
+    pub(crate) fn reduced_mass(&self, pair: &Pair) -> f64 {
+        reduced_mass(
+            self.nodes[pair.left].inverse_mass,
+            self.nodes[pair.right].inverse_mass,
+        )
+    }
+}
+
+impl<Column> Row<Column> {
+    /// How an excitation travels along the row; nothing where it arrives at all nodes at t = 0.
+    pub fn travel(&self, excitation: Excitation<'_>) -> Option<Travel> {
+        let arrivals = self.arrivals.as_ref()?;
+        Some(Travel::new(excitation, arrivals.clone()))
+    }
+
+    /// When the ground motion arrives at a node \[s\].
+    pub fn arrival(&self, node: usize) -> f64 {
+        self.arrivals
+            .as_ref()
+            .map_or(0.0, |arrivals| arrivals[node])
+    }
+}
+
+fn check_node<Column>(index: usize, node: &Node<Column>) -> Result<(), ModelError> {
+    const NOT_NEGATIVE: &str = "a finite number >= 0";
+    let require = |valid: bool, field: &'static str, found: f64, allowed: &'static str| {
+        if valid && found.is_finite() {
+            return Ok(());
+        }
+        Err(ModelError::Node {
+            node: index,
+            field,
+            found,
+            allowed,
+        })
+    };
+    require(
+        node.inverse_mass >= 0.0,
+        "inverse_mass",
+        node.inverse_mass,
+        NOT_NEGATIVE,
+    )?;
+    require(node.damping >= 0.0, "damping", node.damping, NOT_NEGATIVE)?;
+    let stands = !node.is_wall() || node.initial_displacement == 0.0;
+    require(
+        stands,
+        "initial_displacement",
+        node.initial_displacement,
+        "a finite number; 0 for a wall",
+    )?;
+    let moves = !node.is_wall() || node.initial_velocity == 0.0;
+    require(
+        moves,
+        "initial_velocity",
+        node.initial_velocity,
+        "a finite number; 0 for a wall",
+    )
+}
+
+fn check_pair(index: usize, pair: &Pair) -> Result<(), ModelError> {
+    if !(pair.gap >= 0.0 && pair.gap.is_finite()) {
+        return Err(ModelError::Pair {
+            pair: index,
+            field: "gap",
+            found: pair.gap,
+            allowed: "a finite number >= 0",
+        });
+    }
+    pair.law.check().map_err(|error| ModelError::Pair {
+        pair: index,
+        field: error.parameter,
+        found: error.found,
+        allowed: error.allowed,
+    })
+}

@@ -1,0 +1,21 @@
+//! Recorders: each keeps one kind of result and sees only spans and impacts.
+
+mod closings;
+mod collisions;
+mod floor_accelerations;
+mod histories;
+mod last_displacements;
+mod ledger;
+mod peaks;
+pub(crate) mod recorder;
+mod transferred_momentum;
+
+pub use closings::{Closing, Closings};
+pub(crate) use collisions::is_plastic;
+pub use collisions::{Collision, Collisions};
+pub use floor_accelerations::FloorAccelerations;
+pub use histories::{Histories, History};
+pub use last_displacements::LastDisplacements;
+pub use ledger::{Laws, Ledger, LedgerError, PairTerms, Terms};
+pub use peaks::{Peak, Peaks, StructurePeaks};
+pub use transferred_momentum::TransferredMomentum;

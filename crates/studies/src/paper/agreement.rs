@@ -1,0 +1,331 @@
+//! Published numbers against computed ones, number by number.
+
+use crate::StudyError;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::{paper::printed::Printed, paper::printed::PrintedDigits};
+use crate::{paper::tables::Value, paper::tables::to_csv};
+use pounding_text::digits;
+
+/// Largest relative difference of a number that counts as reproduced.
+pub const REPRODUCED: f64 = 1e-3;
+/// Largest relative difference of a number that counts as close.
+pub const CLOSE: f64 = 3e-2;
+
+/// How a computed number compares with the published one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Within [`REPRODUCED`]; a published 0 only by a computed 0.
+    Reproduced,
+    /// Within [`CLOSE`].
+    Close,
+    /// Further away, or not computed at all.
+    Differs,
+    /// Published by another work, whose inputs are not known, so that a difference says nothing.
+    #[serde(rename = "not comparable")]
+    NotComparable,
+}
+
+impl Verdict {
+    fn of(published: f64, computed: f64) -> Self {
+        let difference = relative_difference(published, computed);
+        if difference <= REPRODUCED {
+            Self::Reproduced
+        } else if difference <= CLOSE {
+            Self::Close
+        } else {
+            Self::Differs
+        }
+    }
+
+    /// The verdict in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Reproduced => "reproduced",
+            Self::Close => "close",
+            Self::Differs => "differs",
+            Self::NotComparable => "not comparable",
+        }
+    }
+}
+
+/// abs(computed − published)/abs(published); for a published 0 it is 0 or infinite.
+fn relative_difference(published: f64, computed: f64) -> f64 {
+    let difference = (computed - published).abs();
+    if difference == 0.0 {
+        0.0
+    } else {
+        // A published 0 gives infinity: it is reproduced only by a computed 0.
+        difference / published.abs()
+    }
+}
+
+/// A number as the paper prints it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Published {
+    /// Table, or `text`.
+    pub table: String,
+    /// Row of the table.
+    pub row: String,
+    /// Quantity.
+    pub quantity: String,
+    /// Unit.
+    pub unit: String,
+    /// The number as printed.
+    pub published: Printed,
+}
+
+/// Why a number is not reproduced, or not to its last printed digit: a known disagreement.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reason {
+    /// Table, or `text`.
+    pub table: String,
+    /// Row of the table.
+    pub row: String,
+    /// Quantity.
+    pub quantity: String,
+    /// The verdict that is known.
+    pub verdict: Verdict,
+    /// Why.
+    pub reason: String,
+}
+
+/// One row of the agreement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The published number.
+    pub published: Published,
+    /// The computed number; nothing when no study gives it.
+    pub computed: Option<f64>,
+    /// How they compare.
+    pub verdict: Verdict,
+    /// Whether the printed digits come out.
+    pub digits: PrintedDigits,
+    /// Why it, or its last printed digit, is not reproduced; empty when no reason is known.
+    pub reason: String,
+}
+
+impl Comparison {
+    /// abs(computed − published)/abs(published) \[–\], infinite for a published 0 and another number; nothing where none is computed.
+    pub(crate) fn relative_difference(&self) -> Option<f64> {
+        let computed = self.computed?;
+        Some(relative_difference(
+            self.published.published.value,
+            computed,
+        ))
+    }
+}
+
+/// The published numbers of the paper and the known disagreements with them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedValues {
+    values: Vec<Published>,
+    reasons: Vec<Reason>,
+}
+
+type Key<'a> = (&'a str, &'a str, &'a str);
+
+impl PublishedValues {
+    /// Reads `table-*.csv`, `text.csv` and `reasons.csv` of a folder.
+    ///
+    /// # Errors
+    /// [`StudyError`] naming the file, and the line where there is one.
+    pub fn read(folder: &Path) -> Result<Self, StudyError> {
+        let mut values = Vec::new();
+        for name in [
+            "table-2", "table-4", "table-5", "table-6", "table-7", "text",
+        ] {
+            values.extend(read_csv(&folder.join(name).with_extension("csv"))?);
+        }
+        Ok(Self {
+            values,
+            reasons: read_csv(&folder.join("reasons.csv"))?,
+        })
+    }
+
+    /// The numbers as printed, in the order of the tables.
+    pub(crate) fn values(&self) -> &[Published] {
+        &self.values
+    }
+
+    /// Compares every published number with the computed one of the same table, row and quantity.
+    pub fn compare(&self, computed: &BTreeMap<String, Vec<Value>>) -> Vec<Comparison> {
+        let mut found: BTreeMap<Key<'_>, (f64, &str)> = BTreeMap::new();
+        for (table, values) in computed {
+            for value in values {
+                found.insert(
+                    (table, &value.row, &value.quantity),
+                    (value.value, value.unit),
+                );
+            }
+        }
+        let reasons: BTreeMap<Key<'_>, &Reason> = self
+            .reasons
+            .iter()
+            .map(|reason| ((&*reason.table, &*reason.row, &*reason.quantity), reason))
+            .collect();
+        let compare = |published: &Published| {
+            let key = (&*published.table, &*published.row, &*published.quantity);
+            let computed = found
+                .get(&key)
+                .filter(|(_, unit)| *unit == published.unit)
+                .map(|(value, _)| *value);
+            let known = reasons.get(&key);
+            let verdict = match known {
+                Some(reason) if reason.verdict == Verdict::NotComparable => Verdict::NotComparable,
+                _ => computed.map_or(Verdict::Differs, |value| {
+                    Verdict::of(published.published.value, value)
+                }),
+            };
+            let digits = computed.map_or(PrintedDigits::Other, |value| {
+                PrintedDigits::of(&published.published, value)
+            });
+            let reason = known.map(|known| known.reason.clone()).unwrap_or_default();
+            Comparison {
+                published: published.clone(),
+                computed,
+                verdict,
+                digits,
+                reason,
+            }
+        };
+        self.values.iter().map(compare).collect()
+    }
+
+    /// Disagreements that are not listed, and listed ones that have vanished or changed, in words.
+    pub fn surprises(&self, comparisons: &[Comparison]) -> Vec<String> {
+        let mut surprises = Vec::new();
+        for Comparison {
+            published,
+            verdict,
+            digits,
+            reason,
+            ..
+        } in comparisons
+        {
+            let key = |reason: &&Reason| {
+                (&reason.table, &reason.row, &reason.quantity)
+                    == (&published.table, &published.row, &published.quantity)
+            };
+            let known = self
+                .reasons
+                .iter()
+                .find(key)
+                .map_or(Verdict::Reproduced, |reason| reason.verdict);
+            let number = format!(
+                "table {}, {}, {}",
+                published.table, published.row, published.quantity
+            );
+            if known != *verdict {
+                surprises.push(format!(
+                    "{number}: found \"{}\", studies/published/reasons.csv says \"{}\"",
+                    verdict.words(),
+                    known.words()
+                ));
+            } else if *digits == PrintedDigits::Other && reason.is_empty() {
+                surprises.push(format!(
+                    "{number}: found other digits than printed, \
+                     studies/published/reasons.csv gives no reason"
+                ));
+            } else if *digits != PrintedDigits::Other
+                && *verdict == Verdict::Reproduced
+                && !reason.is_empty()
+            {
+                surprises.push(format!(
+                    "{number}: found as printed, studies/published/reasons.csv gives a reason why not"
+                ));
+            }
+        }
+        for reason in &self.reasons {
+            let key = (&reason.table, &reason.row, &reason.quantity);
+            if !self
+                .values
+                .iter()
+                .any(|value| (&value.table, &value.row, &value.quantity) == key)
+            {
+                surprises.push(format!(
+                    "reasons.csv names a number that is not published: {key:?}"
+                ));
+            }
+        }
+        surprises
+    }
+}
+
+/// The agreement as CSV text.
+pub fn agreement_csv(comparisons: &[Comparison]) -> String {
+    let header = [
+        "table",
+        "row",
+        "quantity",
+        "unit",
+        "published",
+        "computed",
+        "relative_difference",
+        "verdict",
+        "printed_digits",
+        "reason",
+    ]
+    .map(String::from);
+    let row = |comparison: &Comparison| {
+        let published = &comparison.published;
+        let difference = comparison.relative_difference();
+        let difference = difference.map(|difference| format!("{difference:.1e}"));
+        vec![
+            published.table.clone(),
+            published.row.clone(),
+            published.quantity.clone(),
+            published.unit.clone(),
+            published.published.text().into(),
+            comparison.computed.map(digits).unwrap_or_default(),
+            difference.unwrap_or_default(),
+            comparison.verdict.words().into(),
+            comparison.digits.words().into(),
+            comparison.reason.clone(),
+        ]
+    };
+    to_csv(&header, &comparisons.iter().map(row).collect::<Vec<_>>())
+}
+
+fn read_csv<Row: for<'de> Deserialize<'de>>(path: &Path) -> Result<Vec<Row>, StudyError> {
+    let csv = |source| StudyError::Csv {
+        path: path.to_path_buf(),
+        source,
+    };
+    csv::Reader::from_path(path)
+        .map_err(csv)?
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(csv)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_verdicts_at_their_bounds() {
+        for (published, computed, verdict) in [
+            (100.0, 100.1, Verdict::Reproduced),
+            (100.0, 100.11, Verdict::Close),
+            (-100.0, -97.0, Verdict::Close),
+            (-100.0, -96.9, Verdict::Differs),
+            (-100.0, 100.0, Verdict::Differs),
+            (0.0, 0.0, Verdict::Reproduced),
+            (0.0, 1e-300, Verdict::Differs),
+            (1.0, f64::NAN, Verdict::Differs),
+        ] {
+            assert_eq!(
+                Verdict::of(published, computed),
+                verdict,
+                "{published} against {computed}"
+            );
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Which claims hold of exact runs, and of exact runs under noisy records.
+
+use super::{Asked, Claim, ClaimCount, Finding, Runs, TESTS};
+use crate::Completed;
+use crate::StudyError;
+
+/// Share of the noisy records in which a claim must hold to survive \[–\].
+const ENOUGH: f64 = 0.95;
+
+/// What exact runs say to a claim.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Survival {
+    /// Nothing, for this reason.
+    NotAsked(&'static str),
+    /// Something.
+    Asked {
+        /// What was computed under the paper's record.
+        computed: String,
+        /// Whether the claim holds there.
+        finding: Finding,
+        /// Of how many noisy records it holds.
+        n_holds: usize,
+        /// How many noisy records there were.
+        n_noisy: usize,
+    },
+}
+
+impl Survival {
+    /// What was computed and found, and whether the claim survives perturbation, in words.
+    pub(super) fn cells(&self) -> [String; 3] {
+        match self {
+            Self::NotAsked(reason) => {
+                let not = format!("not asked: {reason}");
+                [String::new(), not.clone(), not]
+            }
+            Self::Asked {
+                computed,
+                finding,
+                n_holds,
+                n_noisy,
+            } => {
+                let word = |yes| if yes { "yes" } else { "no" };
+                let share = *n_holds as f64 / *n_noisy as f64;
+                let perturbed = if *n_noisy == 0 {
+                    "not asked: no noisy records".into()
+                } else {
+                    format!("{}: in {n_holds} of {n_noisy} runs", word(share >= ENOUGH))
+                };
+                [computed.clone(), finding.words().into(), perturbed]
+            }
+        }
+    }
+}
+
+impl Survival {
+    /// In how many cases of other ground motions the claim holds, in words.
+    pub(super) fn beyond(&self, tally: Option<ClaimCount>) -> String {
+        match (self, tally) {
+            (Self::NotAsked(reason), _) => format!("not asked: {reason}"),
+            (Self::Asked { .. }, None) => "not asked: no other ground motions".into(),
+            (Self::Asked { .. }, Some(tally)) => tally.words(),
+        }
+    }
+}
+
+/// The claims that exact runs can be asked: their places among all, and what they say in few words, in lines.
+pub(crate) fn asked() -> impl Iterator<Item = (usize, &'static str)> {
+    let words = |(index, (_, asked)): (usize, &(super::Test, Asked))| match *asked {
+        Asked::Exactly(words) => Some((index, words)),
+        Asked::Not(_) => None,
+    };
+    TESTS.iter().enumerate().filter_map(words)
+}
+
+/// The verdict of exact runs on every claim; nothing where they have nothing to say.
+///
+/// # Errors
+/// [`StudyError::MissingScene`] when a scene that a claim needs is not there.
+pub(crate) fn verdicts(exact: &[Completed]) -> Result<Vec<Option<Claim>>, StudyError> {
+    let runs = Runs::new(exact);
+    let verdict = |(test, asked): &(super::Test, Asked)| match asked {
+        Asked::Exactly(_) => test(&runs).map(Some),
+        Asked::Not(_) => Ok(None),
+    };
+    TESTS.iter().map(verdict).collect()
+}
+
+/// What became of every claim: of the exact runs, and of noisy ones.
+pub(crate) fn survivals(exact: &[Option<Claim>], noisy: &[Vec<Option<Claim>>]) -> Vec<Survival> {
+    let survival = |(index, verdict): (usize, &Option<Claim>)| match (verdict, TESTS[index].1) {
+        (Some(verdict), _) => {
+            let holds = |run: &&Vec<Option<Claim>>| {
+                run[index].as_ref().is_some_and(|run| run.finding.holds())
+            };
+            Survival::Asked {
+                computed: verdict.computed.clone(),
+                finding: verdict.finding,
+                n_holds: noisy.iter().filter(holds).count(),
+                n_noisy: noisy.len(),
+            }
+        }
+        (None, Asked::Not(reason)) => Survival::NotAsked(reason),
+        (None, Asked::Exactly(_)) => unreachable!("verdicts answers what is asked"),
+    };
+    exact.iter().enumerate().map(survival).collect()
+}

@@ -1,0 +1,122 @@
+//! Figures of quantities over time: the record, displacements, shear forces.
+
+use crate::StudyError;
+use pounding_motion::Record;
+
+use super::{capital, label, points};
+use crate::Completed;
+use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, minus};
+use pounding_scene::{RunResult, Scene, Structure};
+
+/// The axis of time of a scene.
+pub(super) fn time_axis(scene: &Scene) -> Axis {
+    Axis::over("Time (s)", 0.0, scene.duration())
+}
+
+/// The title of a study over its first panel, nothing over the others.
+fn title(completed: &Completed, panel: usize) -> String {
+    match panel {
+        0 => completed.file.study.title.clone(),
+        _ => String::new(),
+    }
+}
+
+/// The record as its file has it: in g, not reversed.
+pub(super) fn record(scene: &Scene, record: &Record) -> Figure {
+    let sign = if scene.record.reversed { -1.0 } else { 1.0 };
+    let in_g = |acceleration: f64| {
+        sign * acceleration / (scene.record.scale * scene.record.gravity_m_per_s2)
+    };
+    let shown: Vec<_> = record
+        .samples()
+        .iter()
+        .enumerate()
+        .map(|(i, sample)| (i as f64 * record.time_step(), in_g(*sample)))
+        .take_while(|(time, _)| *time <= scene.duration())
+        .collect();
+    let peak = shown
+        .iter()
+        .copied()
+        .fold((0.0, 0.0), |peak: (f64, f64), point| {
+            if point.1.abs() > peak.1.abs() {
+                point
+            } else {
+                peak
+            }
+        });
+    let text = minus(&format!("{:.3} g at {:.2} s", peak.1, peak.0));
+    Figure {
+        height_in: 2.8,
+        x: time_axis(scene),
+        panels: vec![Panel {
+            y: Axis::auto("Ground acceleration (g)"),
+            levels: vec![0.0],
+            notes: vec![Note::new(peak, text)],
+            curves: vec![
+                Curve::new(Kind::Thin, Shade::Blue, shown),
+                Curve::new(Kind::Points, Shade::Vermilion, vec![peak]),
+            ],
+            ..Panel::default()
+        }],
+        ..Figure::default()
+    }
+}
+
+/// Displacements of structures that stand apart, a panel each, their peaks marked.
+pub(super) fn displacements(completed: &Completed) -> Figure {
+    let (scene, outcome) = (&completed.file.study.scenes[0], &completed.outcomes[0]);
+    let panel = |(index, structure)| {
+        let peak = outcome.peaks.of(index).displacement;
+        let at = (peak.time, 1e3 * peak.value);
+        let text = minus(&format!("{:.1} mm at {:.2} s", at.1, at.0));
+        let history = points(outcome, index, |state| 1e3 * state.displacement);
+        Panel {
+            title: title(completed, index),
+            y: Axis::auto("Displacement (mm)"),
+            levels: vec![0.0],
+            notes: vec![Note::new(at, text)],
+            curves: vec![
+                Curve::new(Kind::Line, Shade::nth(index), history).named(label(structure)),
+                Curve::new(Kind::Points, Shade::nth(index), vec![at]),
+            ],
+            ..Panel::default()
+        }
+    };
+    Figure {
+        x: time_axis(scene),
+        panels: scene.structures.iter().enumerate().map(panel).collect(),
+        ..Figure::default()
+    }
+}
+
+/// Shear force of one structure: the first scene behind, each further scene in a panel of its own.
+pub(super) fn shear_forces(completed: &Completed, structure: &str) -> Result<Figure, StudyError> {
+    let curve = |((scene, outcome), index): ((&Scene, &RunResult), usize)| {
+        let mut names = scene.structures.iter().map(Structure::name);
+        let position = names.position(|name| name == structure)?;
+        let history = points(outcome, position, |state| state.restoring_force / 1e3);
+        let (kind, shade) = match index {
+            0 => (Kind::Dashed, Shade::Ink),
+            _ => (Kind::Line, Shade::nth(index - 1)),
+        };
+        Some(Curve::new(kind, shade, history).named(capital(&scene.name)))
+    };
+    let curves: Option<Vec<_>> = completed.runs().zip(0..).map(curve).collect();
+    let allowed = "the name of a structure of every scene";
+    let place = "output.shear_force_figure.structure";
+    let curves =
+        curves.ok_or_else(|| completed.refuse(place, format!("\"{structure}\""), allowed))?;
+    let panel = |(panel, front): (usize, &Curve)| Panel {
+        title: title(completed, panel),
+        y: Axis::auto("Shear force (kN)"),
+        levels: vec![0.0],
+        curves: vec![curves[0].clone(), front.clone()],
+        ..Panel::default()
+    };
+    Ok(Figure {
+        height_in: 5.0,
+        x: time_axis(&completed.file.study.scenes[0]),
+        panels: curves.iter().skip(1).enumerate().map(panel).collect(),
+        ..Figure::default()
+    })
+}

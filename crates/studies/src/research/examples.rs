@@ -1,0 +1,72 @@
+//! Scenes with a page of explanation: their figures and tables, made anew with every reproduction.
+
+use crate::StudyError;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use pounding_report::Report;
+use pounding_scene::{Effects, Scene, Simulation, files_in};
+
+/// The scenes of a folder that have a page beside them: `row.md` explains `row.toml` or `row.json`.
+#[derive(Debug)]
+pub struct Examples {
+    scenes: Vec<(PathBuf, Scene)>,
+}
+
+impl Examples {
+    /// Reads the scenes of a folder whose names have a page.
+    ///
+    /// # Errors
+    /// [`StudyError`] naming the file that cannot be read.
+    pub fn read(folder: &Path) -> Result<Self, StudyError> {
+        let ends = |path: &Path, end: &str| path.extension().is_some_and(|found| found == end);
+        let is_scene = |path: &PathBuf| {
+            (ends(path, "toml") || ends(path, "json")) && path.with_extension("md").exists()
+        };
+        let paths = files_in(folder)?.into_iter().filter(is_scene);
+        let scenes = paths.map(|path| Ok::<_, StudyError>((path.clone(), Scene::read(&path)?)));
+        Ok(Self {
+            scenes: scenes.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Number of times that [`Self::files`] calls `done`.
+    pub fn n_units(&self) -> usize {
+        self.scenes.len()
+    }
+
+    /// What a run with its effects leaves, but histories and what speaks of versions: `NAME/impacts.csv`, `NAME/effects.csv` and
+    /// the figures, by path; `done` is called after each scene.
+    ///
+    /// # Errors
+    /// The first [`StudyError`] in the order of names.
+    pub fn files(
+        &self,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+        let made = self.scenes.par_iter().map(|(path, scene)| {
+            let files = of_scene(path, scene).map_err(|error| error.in_file(path));
+            done();
+            files
+        });
+        let made: Vec<_> = made.collect();
+        let made: Result<Vec<_>, _> = made.into_iter().collect();
+        Ok(made?.into_iter().flatten().collect())
+    }
+}
+
+fn of_scene(path: &Path, scene: &Scene) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let prepared = Simulation::new(scene, folder)?;
+    let effects = Effects::of(&prepared)?;
+    let report = Report::of(&prepared, true)?.with_effects(Some(effects));
+    let is_figure = |name: &str| Path::new(name).extension().is_some_and(|end| end == "png");
+    let shown = |name: &str| is_figure(name) || ["impacts.csv", "effects.csv"].contains(&name);
+    let name = path.file_stem().unwrap_or_default();
+    let files = report.files().into_iter().filter(|(file, _)| shown(file));
+    Ok(files
+        .map(|(file, bytes)| (Path::new("examples").join(name).join(file), bytes))
+        .collect())
+}

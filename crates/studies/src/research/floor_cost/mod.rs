@@ -1,0 +1,206 @@
+//! What a floor costs in a step: rows of buildings, to be timed beside rows of as many structures of one storey.
+//!
+//! All floors weigh the same and every storey is as stiff as the structure of one storey in its place, so that the fastest
+//! oscillation, which a time step has to follow, does not grow with the height.
+
+mod figure;
+
+use crate::StudyError;
+use std::f64::consts::PI;
+use std::path::Path;
+
+use pounding_contact::{ContactLaw, NonlinearViscoelastic};
+
+use figure::METHODS;
+pub use figure::{FloorCost, floor_cost_figure};
+use pounding_scene::COMPARED_METHODS;
+use pounding_scene::{
+    Building, Columns, Contact, Damping, FileUse, Method, RecordUse, RunBudget, STANDARD_GRAVITY,
+    Scene, Simulation, Source, Storey, Structure,
+};
+
+/// How many buildings of how many storeys stand in a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowSize {
+    /// Storeys of each building, > 0.
+    pub storeys: usize,
+    /// Number of buildings, > 0.
+    pub buildings: usize,
+}
+
+impl RowSize {
+    /// Number of floors.
+    pub fn floors(self) -> usize {
+        self.storeys * self.buildings
+    }
+
+    /// A row of as many floors, each a structure of its own.
+    #[must_use]
+    pub fn of_one_storey(self) -> Self {
+        Self {
+            storeys: 1,
+            buildings: self.floors(),
+        }
+    }
+}
+
+/// What the floors of a row do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Condition {
+    /// Columns yield; else they are elastic.
+    pub yielding: bool,
+    /// Neighbours stand a hundredth of a millimetre apart and touch; else nothing can touch.
+    pub touching: bool,
+}
+
+impl Condition {
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::new(false, false),
+        Self::new(true, false),
+        Self::new(false, true),
+        Self::new(true, true),
+    ];
+
+    const fn new(yielding: bool, touching: bool) -> Self {
+        Self { yielding, touching }
+    }
+
+    /// In the words of a table: columns, and contact.
+    pub fn words(self) -> [&'static str; 2] {
+        [
+            if self.yielding { "yielding" } else { "elastic" },
+            if self.touching { "touching" } else { "apart" },
+        ]
+    }
+}
+
+/// Time step of the stepping methods \[s\].
+const TIME_STEP: f64 = 0.004;
+/// Duration of a run \[s\].
+const DURATION: f64 = 3.0;
+/// Gap between neighbours that touch \[m\].
+const GAP: f64 = 1e-5;
+/// Mass of a floor \[kg\].
+const MASS: f64 = 1e5;
+/// Yield force of a storey over the weight of the floors that it carries \[–\].
+const YIELDS_AT: f64 = 0.03;
+
+/// A row to be timed.
+#[derive(Debug)]
+pub struct TimedRow {
+    prepared: Simulation,
+}
+
+impl TimedRow {
+    /// The methods to be timed, with their names in tables.
+    pub fn methods() -> impl Iterator<Item = (&'static str, Method)> {
+        let timed = |key: &str| METHODS.iter().any(|(name, ..)| *name == key);
+        let contenders = COMPARED_METHODS.iter().filter(move |one| timed(one.key));
+        contenders.map(|contender| {
+            let method = (contender.method)(TIME_STEP);
+            match method.time_step() {
+                Some(_) => (contender.key, method),
+                None => (contender.key, Method::EXACT),
+            }
+        })
+    }
+
+    /// A row of buildings under the first seconds of a record.
+    ///
+    /// # Errors
+    /// [`StudyError`] when the record cannot be read.
+    pub fn new(
+        size: RowSize,
+        condition: Condition,
+        method: Method,
+        record: &Path,
+    ) -> Result<Self, StudyError> {
+        let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+            impact_stiffness: 2.75e9,
+            impact_damping_ratio: 0.35,
+        });
+        let contact = Contact {
+            gap_m: GAP,
+            law,
+            levels: None,
+        };
+        let scene = Scene {
+            name: format!("{} buildings of {} storeys", size.buildings, size.storeys),
+            record: RecordUse::of(Source::File(FileUse {
+                file: record.to_string_lossy().into_owned(),
+                ..FileUse::default()
+            })),
+            duration_s: Some(DURATION),
+            structures: (0..size.buildings)
+                .map(|index| Structure::Building(building(index, size.storeys, condition.yielding)))
+                .collect(),
+            contacts: condition
+                .touching
+                .then(|| vec![contact; size.buildings - 1]),
+            arrivals_s: None,
+            method,
+            budget: RunBudget::default(),
+        };
+        let prepared = Simulation::new(&scene, Path::new(""))?;
+        Ok(Self { prepared })
+    }
+
+    /// Runs the row.
+    ///
+    /// Returns the share of steps, over all pairs of floors, in which they touch \[–\]; nothing without pairs, and of a method
+    /// without steps.
+    ///
+    /// # Errors
+    /// [`pounding_scene::Error::Run`] when the run ends early.
+    pub fn run(&self) -> Result<Option<f64>, StudyError> {
+        let work = self.prepared.timed()?;
+        let steps = work.steps * self.prepared.floors().facing().len() as u64;
+        Ok((steps > 0).then(|| work.touching_steps as f64 / steps as f64))
+    }
+}
+
+/// Storeys as stiff as a structure of one storey with a period of 0.3 to 0.5 s; the multiples of a prime, modulo another,
+/// spread them.
+fn building(index: usize, storeys: usize, yields: bool) -> Building {
+    let period = 0.3 + 0.2 * ((index * 7919) % 101) as f64 / 101.0;
+    let omega = 2.0 * PI / period;
+    let weight = |storey: usize| MASS * STANDARD_GRAVITY * (storeys - storey) as f64;
+    let storey = |storey: usize| Storey {
+        mass_kg: MASS,
+        height_m: None,
+        columns: Columns {
+            yield_force_n: yields.then(|| YIELDS_AT * weight(storey)),
+            ..Columns::elastic(MASS * omega * omega)
+        },
+        initial_displacement_m: 0.0,
+        initial_velocity_m_per_s: 0.0,
+    };
+    Building {
+        name: format!("building {index}"),
+        damping: Damping::Ratio(0.05),
+        storeys: (0..storeys).map(storey).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_all_methods_are_timed() {
+        let names: Vec<_> = TimedRow::methods().map(|(name, _)| name).collect();
+        assert_eq!(names, METHODS.map(|(name, ..)| name));
+    }
+
+    #[test]
+    fn limit_a_tower_of_one_storey_stands_in_the_row_of_one_storey() {
+        let size = RowSize {
+            storeys: 5,
+            buildings: 6,
+        };
+        assert_eq!(size.of_one_storey().floors(), size.floors());
+        let [tower, single] = [5, 1].map(|storeys| building(3, storeys, false));
+        assert_eq!(tower.storeys[0], single.storeys[0]);
+    }
+}

@@ -1,0 +1,232 @@
+//! Which numbers of a scene depend on the law, and which do not.
+
+use super::entry::{Entry, key, label, mark, shade};
+use super::scenes::{Item, Played, items};
+use crate::paper::figures::capital;
+use crate::paper::tables::to_csv;
+use crate::research::work_precision::Quantity;
+use crate::study::laws::{is_linear, is_spring};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
+use pounding_text::digits;
+
+/// One number of a scene under all laws that deliver the same e.
+struct Compared<'a> {
+    played: &'a Played,
+    item: Item,
+    /// Under the compliant laws, in their order; springs without damping deliver another e.
+    compliant: Vec<(&'a Entry, f64)>,
+    /// Under the impulsive law.
+    impulsive: Option<f64>,
+}
+
+impl Compared<'_> {
+    fn mean(&self) -> f64 {
+        let sum: f64 = self.compliant.iter().map(|(_, value)| value).sum();
+        sum / self.compliant.len() as f64
+    }
+
+    /// Least and largest with their laws, of some of the laws.
+    fn extremes(&self, wanted: impl Fn(&Entry) -> bool) -> Option<[(&Entry, f64); 2]> {
+        let values = || {
+            let of_law = self.compliant.iter().copied();
+            of_law.filter(|(entry, _)| wanted(entry))
+        };
+        let least = values().min_by(|one, other| one.1.total_cmp(&other.1))?;
+        let largest = values().max_by(|one, other| one.1.total_cmp(&other.1))?;
+        Some([least, largest])
+    }
+
+    /// Largest over smallest, less one; nothing where the smallest is zero and the largest is not.
+    fn spread(&self, wanted: impl Fn(&Entry) -> bool) -> Option<f64> {
+        let [(_, least), (_, largest)] = self.extremes(wanted)?;
+        match (least > 0.0, largest > 0.0) {
+            (true, _) => Some(largest / least - 1.0),
+            (false, true) => None,
+            (false, false) => Some(0.0),
+        }
+    }
+}
+
+/// Every number of every scene.
+fn compare<'a>(played: &'a [Played], entries: &'a [Entry]) -> Vec<Compared<'a>> {
+    let of_scene = |scene: &'a Played| {
+        let found = |(entry, outcome): (&'a Entry, &'a Result<_, _>)| {
+            Some((entry, items(outcome.as_ref().ok()?, entry.is_compliant())))
+        };
+        let all: Vec<_> = entries
+            .iter()
+            .zip(&scene.outcomes)
+            .filter_map(found)
+            .collect();
+        let mut items: Vec<Item> = Vec::new();
+        for item in all.iter().flat_map(|(_, items)| items) {
+            if !items.iter().any(|known| known.is_as(item)) {
+                items.push(item.clone());
+            }
+        }
+        let compared = move |item: Item| {
+            let value = |(entry, items): &(&'a Entry, Vec<Item>)| {
+                let same = items.iter().find(|known| known.is_as(&item))?;
+                Some((*entry, same.value))
+            };
+            let values = || all.iter().filter_map(value);
+            Compared {
+                played: scene,
+                compliant: values()
+                    .filter(|(entry, _)| entry.is_compliant() && !is_spring(entry.name()))
+                    .collect(),
+                impulsive: values()
+                    .find(|(entry, _)| !entry.is_compliant())
+                    .map(|(_, value)| value),
+                item,
+            }
+        };
+        items.into_iter().map(compared)
+    };
+    let all = played.iter().flat_map(of_scene);
+    // An impulsive law has a peak of its own.
+    all.filter(|compared| !compared.compliant.is_empty())
+        .collect()
+}
+
+/// Spreads up to which a number does not depend on the law, or a little.
+const LIMITS: [f64; 2] = [0.01, 0.1];
+
+/// Whether a number depends on the law.
+fn depends(spread: Option<f64>) -> &'static str {
+    let [no, little] = LIMITS;
+    match spread {
+        Some(spread) if spread <= no => "no",
+        Some(spread) if spread <= little => "a little",
+        _ => "yes",
+    }
+}
+
+/// How far apart the laws are in every number of every scene.
+pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
+    let header = [
+        "scene",
+        "quantity",
+        "structure",
+        "unit",
+        "laws",
+        "least",
+        "law_of_least",
+        "largest",
+        "law_of_largest",
+        "depends_on_law",
+        "spread",
+        "spread_of_linear_springs",
+        "spread_of_hertz_springs",
+        "stereomechanical",
+        "stereomechanical_over_mean",
+    ];
+    let row = |compared: &Compared<'_>| {
+        let item = &compared.item;
+        let spread = |spread: Option<f64>| spread.map_or_else(String::new, digits);
+        let mut row = vec![
+            compared.played.scene.clone(),
+            item.quantity.into(),
+            item.structure.map_or_else(String::new, |n| n.to_string()),
+            item.unit.into(),
+            compared.compliant.len().to_string(),
+        ];
+        let of_all = compared.spread(|_| true);
+        let one_of_them = of_all.is_none_or(|spread| spread > 0.0);
+        for (entry, value) in compared.extremes(|_| true).into_iter().flatten() {
+            let law = one_of_them.then(|| key(entry.name()));
+            row.extend([digits(value), law.unwrap_or_default()]);
+        }
+        row.extend([depends(of_all).into(), spread(of_all)]);
+        row.push(spread(compared.spread(|entry| is_linear(entry.name()))));
+        row.push(spread(compared.spread(|entry| !is_linear(entry.name()))));
+        let ratio = compared.impulsive.map(|value| value / compared.mean());
+        row.push(compared.impulsive.map_or_else(String::new, digits));
+        row.push(
+            ratio
+                .filter(|ratio| ratio.is_finite())
+                .map_or_else(String::new, digits),
+        );
+        row
+    };
+    let rows: Vec<_> = compare(played, entries).iter().map(row).collect();
+    to_csv(&header.map(String::from), &rows)
+}
+
+/// Panels, and their heights.
+const SHOWN: [(Quantity, f64); 4] = [
+    (Quantity::FirstImpulse, 8.0),
+    (Quantity::ContactPeak, 8.0),
+    (Quantity::Momentum, 22.0),
+    (Quantity::Displacement, 22.0),
+];
+
+/// Every law over the mean of the compliant laws.
+pub(super) fn figure(played: &[Played], entries: &[Entry]) -> Figure {
+    let all = compare(played, entries);
+    let panel = |(quantity, weight): (Quantity, f64)| {
+        let shown = |compared: &&Compared<'_>| compared.item.quantity == quantity.key();
+        let rows: Vec<_> = all.iter().filter(shown).collect();
+        let names = rows.iter().map(|compared| name(compared)).collect();
+        Panel {
+            title: quantity.words(true).into(),
+            y: Axis::names(names),
+            curves: curves(&rows, entries),
+            legend: Legend::Shared,
+            weight,
+            ..Panel::default()
+        }
+    };
+    Figure {
+        height_in: 8.8,
+        columns: 2,
+        x: Axis::auto("Over the mean of the compliant laws"),
+        panels: SHOWN.into_iter().map(panel).collect(),
+    }
+}
+
+fn curves(rows: &[&Compared<'_>], entries: &[Entry]) -> Vec<Curve> {
+    let curve = |entry: &Entry| {
+        let value = |compared: &&Compared<'_>| {
+            let same = |(of, _): &&(&Entry, f64)| of.name() == entry.name();
+            let found = compared.compliant.iter().find(same);
+            if entry.is_compliant() {
+                found.map(|(_, value)| *value)
+            } else {
+                compared.impulsive
+            }
+        };
+        let point = |(y, compared): (usize, &&Compared<'_>)| {
+            // Nothing is a multiple of nothing.
+            let ratio = value(compared)? / compared.mean();
+            ratio.is_finite().then_some((ratio, y as f64))
+        };
+        let points = rows.iter().enumerate().filter_map(point).collect();
+        let curve = Curve::new(Kind::Points, shade(entry.name()), points);
+        curve.marked(mark(entry.name())).named(label(entry.name()))
+    };
+    let mut shown: Vec<_> = entries
+        .iter()
+        .filter(|entry| !is_spring(entry.name()))
+        .collect();
+    // Hollow marks over solid ones, so that both are seen.
+    shown.sort_by_key(|entry| (!entry.is_compliant(), is_linear(entry.name())));
+    shown.into_iter().map(curve).collect()
+}
+
+/// Name of a row of the figure.
+fn name(compared: &Compared<'_>) -> String {
+    let scene = &compared.played.scene;
+    let scene = scene
+        .replace("layout ", "")
+        .replace("structures", "")
+        .replace(',', "");
+    let scene = scene.split_whitespace().collect::<Vec<_>>().join(" ");
+    let place = match compared.item.structure {
+        None => "",
+        Some(1) => " left",
+        Some(number) if number == compared.played.n_structures => " right",
+        Some(_) => " middle",
+    };
+    capital(&scene) + place
+}

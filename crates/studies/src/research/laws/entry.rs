@@ -1,0 +1,131 @@
+//! The laws under comparison, and how figures show them.
+
+use pounding_contact::LawName;
+
+use crate::study::laws::{AtlasSettings, is_linear};
+use pounding_plot::{Mark, Shade};
+use pounding_scene::{Certificate, CertificateError};
+
+/// A law calibrated exactly, with all names that lead to it: four formulas choose the damping of one force.
+#[derive(Debug)]
+pub(super) struct Entry {
+    pub(super) names: Vec<LawName>,
+    pub(super) certificate: Certificate,
+}
+
+/// Number of laws that differ once they are calibrated exactly: four names share the force of Hertz-damp.
+pub(super) const N_LAWS: usize = LawName::ALL.len() - 3;
+
+impl Entry {
+    /// Every law once, in the order of its first name.
+    pub(super) fn all(settings: &AtlasSettings) -> Result<Vec<Self>, CertificateError> {
+        let mut entries: Vec<Self> = Vec::new();
+        for law in LawName::ALL {
+            let certificate = settings.certificate(law, settings.restitution(law))?;
+            match entries.last_mut() {
+                Some(last) if last.certificate.law == certificate.law => last.names.push(law),
+                _ => entries.push(Self {
+                    names: vec![law],
+                    certificate,
+                }),
+            }
+        }
+        Ok(entries)
+    }
+
+    /// The first of its names.
+    pub(super) fn name(&self) -> LawName {
+        self.names[0]
+    }
+
+    /// Whether it has a force over time.
+    pub(super) fn is_compliant(&self) -> bool {
+        self.certificate.law.is_compliant()
+    }
+
+    /// Rows of a table, once for each name.
+    pub(super) fn rows(
+        &self,
+        row: impl Fn(String) -> Vec<Vec<String>>,
+    ) -> impl Iterator<Item = Vec<String>> {
+        self.names.iter().flat_map(move |name| row(key(*name)))
+    }
+}
+
+/// Name of a law in tables.
+pub(super) fn key(law: LawName) -> String {
+    law.description().name.into()
+}
+
+/// Name of a law in figures.
+pub(super) fn label(law: LawName) -> &'static str {
+    match law {
+        LawName::Stereomechanical => "Stereomechanical",
+        LawName::LinearSpring => "Linear spring",
+        LawName::Hertz => "Hertz spring",
+        LawName::KelvinVoigt => "Kelvin–Voigt",
+        LawName::ModifiedLinearViscoelastic => "Modified linear viscoelastic",
+        LawName::NonlinearViscoelastic => "Nonlinear viscoelastic",
+        LawName::HertzDamp => "Hertz-damp",
+        LawName::CorrectedHertzDamp => "Corrected Hertz-damp",
+        LawName::HuntCrossley => "Hunt–Crossley",
+        LawName::Gonthier => "Gonthier",
+        LawName::ModifiedKelvin => "Modified Kelvin",
+        LawName::PantWijeyewickrema => "Pant–Wijeyewickrema",
+        LawName::KuwabaraKono => "Kuwabara–Kono",
+    }
+}
+
+/// Colour of a law: one for linear springs, one for Hertz springs.
+pub(super) fn shade(law: LawName) -> Shade {
+    if law == LawName::Stereomechanical {
+        Shade::Ink
+    } else if is_linear(law) {
+        Shade::Blue
+    } else {
+        Shade::Vermilion
+    }
+}
+
+/// Mark of a law, among those of its colour.
+pub(super) fn mark(law: LawName) -> Mark {
+    match law {
+        LawName::Stereomechanical => Mark::Stroke,
+        LawName::KelvinVoigt => Mark::HollowSquare,
+        LawName::ModifiedLinearViscoelastic => Mark::HollowDiamond,
+        LawName::ModifiedKelvin => Mark::HollowTriangle,
+        LawName::PantWijeyewickrema | LawName::LinearSpring => Mark::Ring,
+        LawName::NonlinearViscoelastic => Mark::Square,
+        LawName::HertzDamp => Mark::Diamond,
+        LawName::CorrectedHertzDamp => Mark::Triangle,
+        LawName::HuntCrossley => Mark::Inverted,
+        LawName::Gonthier => Mark::Cross,
+        LawName::KuwabaraKono | LawName::Hertz => Mark::Disc,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_four_names_are_one_law() {
+        let settings = AtlasSettings {
+            masses_kg: [75e3, 3e6],
+            approach_speed_m_per_s: 0.3,
+            linear_stiffness_n_per_m: 9.35e7,
+            hertz_stiffness_n_per_m1_5: 2.75e9,
+            restitution: 0.65,
+            restitutions: Vec::new(),
+            approach_speeds_m_per_s: Vec::new(),
+            steps_per_contact: Vec::new(),
+        };
+        let entries = Entry::all(&settings).expect("laws that take these settings");
+        assert_eq!(entries.len(), N_LAWS);
+        let names: Vec<_> = entries.iter().flat_map(|entry| &entry.names).collect();
+        assert!(
+            names.into_iter().eq(&LawName::ALL),
+            "each law once, in order"
+        );
+    }
+}

@@ -1,0 +1,232 @@
+//! Free impacts of the laws at one e: forces over deformation and time, and their extremes.
+
+use pounding_contact::{Clamp, ContactLaw, LawName};
+use pounding_solver::{Clock, Collisions, Exact, Excitation, Histories, Integrator, State};
+use rayon::prelude::*;
+
+use super::entry::{Entry, label, shade};
+use crate::paper::tables::to_csv;
+use crate::study::laws::{AtlasSettings, is_linear, is_spring};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
+use pounding_scene::{CollisionError, FreeCollision};
+use pounding_text::digits;
+
+/// Points of a history, from touch to parting.
+const N_POINTS: u32 = 500;
+/// Intervals before the touch and after the parting.
+const BESIDE: u32 = 2;
+
+/// A free impact of a compliant law over time.
+#[derive(Debug)]
+pub(super) struct Impact {
+    /// Time since the touch \[s\], deformation \[m\], force \[N\].
+    points: Vec<[f64; 3]>,
+    /// Time from the touch to the end of the force \[s\].
+    force_duration: f64,
+}
+
+/// Lets the free pair collide under every law; nothing for an impulsive one.
+pub(super) fn collide(
+    entries: &[Entry],
+    settings: &AtlasSettings,
+) -> Result<Vec<Option<Impact>>, CollisionError> {
+    let collision = settings.collision();
+    let impacts: Vec<_> = entries
+        .par_iter()
+        .map(|entry| match entry.certificate.impact {
+            Some(impact) => {
+                Impact::new(entry.certificate.law, &collision, impact.duration).map(Some)
+            }
+            None => Ok(None),
+        })
+        .collect();
+    impacts.into_iter().collect()
+}
+
+impl Impact {
+    /// The exact method.
+    fn new(
+        law: ContactLaw,
+        collision: &FreeCollision,
+        duration: f64,
+    ) -> Result<Self, CollisionError> {
+        let interval = duration / f64::from(N_POINTS);
+        let touch = f64::from(BESIDE) * interval;
+        let gap = collision.speed * touch;
+        let row = collision.row(law, gap)?;
+        let end = duration + 2.0 * touch;
+        let clock = Clock {
+            time_step: end,
+            n_steps: 1,
+        };
+        let rest =
+            Excitation::new(end, &[0.0]).map_err(|_| CollisionError::TimeStep { found: end })?;
+        let n = row.nodes().len();
+        let mut recorder = (
+            Histories::new(n, interval, end),
+            Collisions::new(n, row.pairs()),
+        );
+        Integrator::Exact(Exact::default()).run(&row, rest, clock, &mut recorder)?;
+        let (histories, collisions) = recorder;
+        let states = |structure| histories.of(structure).states.iter();
+        let state = |(i, (left, right)): (usize, (&State, &State))| {
+            let deformation = left.displacement - right.displacement - gap;
+            let time = i as f64 * interval - touch;
+            [time, deformation.max(0.0), -left.force_from_right]
+        };
+        let pair = collision.free_pair();
+        let form = law.form(pair.reduced_mass, pair.approach_speed);
+        // A linear dashpot begins with a jump.
+        let jump = form.map_or(0.0, |form| form.unclamped(0.0, pair.approach_speed));
+        let mut points = vec![[0.0; 3], [0.0, 0.0, jump]];
+        let after = states(0)
+            .zip(states(1))
+            .enumerate()
+            .skip(BESIDE as usize + 1);
+        points.extend(after.map(state).take_while(|[time, ..]| *time <= duration));
+        points.push([duration, 0.0, 0.0]);
+        let forces = collisions.all().iter().map(|met| met.end - met.start);
+        Ok(Self {
+            points,
+            force_duration: forces.fold(0.0, f64::max),
+        })
+    }
+}
+
+/// Duration, extremes and clamp of every law.
+pub(super) fn table(
+    entries: &[Entry],
+    impacts: &[Option<Impact>],
+    settings: &AtlasSettings,
+) -> String {
+    let header = [
+        "law",
+        "restitution",
+        "duration_s",
+        "max_deformation_m",
+        "peak_force_n",
+        "impulse_n_s",
+        "would_pull",
+        "clamped_from_s",
+        "deformation_at_clamp_m",
+    ];
+    let mut rows = Vec::new();
+    for (entry, impact) in entries.iter().zip(impacts) {
+        let found = &entry.certificate;
+        let (e, speed) = (found.by_exact, settings.approach_speed_m_per_s);
+        let mut cells = vec![digits(e)];
+        cells.extend(match &found.impact {
+            Some(free) => [free.duration, free.max_deformation, free.peak_force].map(digits),
+            None => [const { String::new() }; 3],
+        });
+        cells.push(digits(found.impulse));
+        let clamp = found.law.clamp();
+        cells.push(
+            match clamp {
+                Clamp::Never => "never",
+                Clamp::DrivenApart => "driven apart",
+                Clamp::EveryCollision => "every collision",
+            }
+            .into(),
+        );
+        cells.extend(match (impact, &found.impact) {
+            (Some(impact), Some(free)) if clamp == Clamp::EveryCollision => {
+                // From there on the pair flies apart at e v₀.
+                let flight = free.duration - impact.force_duration;
+                [impact.force_duration, e * speed * flight].map(digits)
+            }
+            _ => [const { String::new() }; 2],
+        });
+        rows.extend(entry.rows(|name| {
+            let mut row = vec![name];
+            row.extend(cells.iter().cloned());
+            vec![row]
+        }));
+    }
+    to_csv(&header.map(String::from), &rows)
+}
+
+/// Force over deformation.
+pub(super) fn loops(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
+    let point = |[_, deformation, force]: [f64; 3]| (1e3 * deformation, 1e-6 * force);
+    figure(entries, impacts, "Deformation (mm)", |entry, impact| {
+        // A spring returns on the way it came, and dashes would fill the gaps of dashes.
+        let turns = is_spring(entry.name());
+        let deeper = |pair: &&[[f64; 3]]| !turns || pair[1][1] >= pair[0][1];
+        let steps = impact.points.windows(2).take_while(deeper);
+        steps.map(|pair| point(pair[0])).collect()
+    })
+}
+
+/// Force over time.
+pub(super) fn histories(entries: &[Entry], impacts: &[Option<Impact>]) -> Figure {
+    let point = |[time, _, force]: &[f64; 3]| (1e3 * time, 1e-6 * force);
+    figure(
+        entries,
+        impacts,
+        "Time since the touch (ms)",
+        |_, impact| impact.points.iter().map(point).collect(),
+    )
+}
+
+/// A panel for each law with damping, linear springs on the left, behind it its spring without; at the end both springs.
+fn figure(
+    entries: &[Entry],
+    impacts: &[Option<Impact>],
+    x: &str,
+    points: impl Fn(&Entry, &Impact) -> Vec<(f64, f64)>,
+) -> Figure {
+    let met = entries.iter().zip(impacts);
+    let met = met.filter_map(|(entry, impact)| {
+        let curve = Curve::new(
+            Kind::Line,
+            shade(entry.name()),
+            points(entry, impact.as_ref()?),
+        );
+        Some((entry.name(), curve))
+    });
+    let (springs, damped): (Vec<_>, Vec<_>) = met.partition(|(law, _)| is_spring(*law));
+    let peak = springs
+        .iter()
+        .chain(&damped)
+        .flat_map(|(_, curve)| &curve.points);
+    let peak = peak.map(|point| point.1).fold(0.0, f64::max);
+    let panel = |title: &str, curves| Panel {
+        title: title.into(),
+        y: Axis::over("Force (MN)", 0.0, 1.05 * peak),
+        curves,
+        legend: Legend::Shared,
+        ..Panel::default()
+    };
+    let of_law = |(law, curve): &(LawName, Curve)| {
+        let same = springs
+            .iter()
+            .filter(|(spring, _)| is_linear(*spring) == is_linear(*law));
+        let behind = same.map(|(_, spring)| Curve {
+            kind: Kind::Dashed,
+            shade: Shade::Ink,
+            ..spring.clone().named("The same spring without damping")
+        });
+        panel(label(*law), behind.chain([curve.clone()]).collect())
+    };
+    let (left, right): (Vec<_>, Vec<_>) = damped.iter().partition(|(law, _)| is_linear(*law));
+    let mut panels = Vec::new();
+    let mut right = right.into_iter();
+    for law in left {
+        panels.push(of_law(law));
+        panels.extend(right.next().map(of_law));
+    }
+    let both = springs
+        .iter()
+        .map(|(law, curve)| curve.clone().named(label(*law)));
+    panels.push(panel("Linear and Hertz spring", both.collect()));
+    for panel in panels.iter_mut().skip(1).step_by(2) {
+        panel.y.label.clear();
+    }
+    Figure {
+        height_in: 8.2,
+        columns: 2,
+        x: Axis::auto(x),
+        panels,
+    }
+}

@@ -1,0 +1,122 @@
+//! The atlas of contact laws: what each delivers to a free impact, by every method, and what it does in the paper's
+//! scenes.
+//!
+//! Laws are compared at one e, calibrated exactly, and at one stiffness for linear springs and one for Hertz springs.
+//! What is called delivered is that of the exact method, or of the law's own relation, which agrees with it to 1e-9.
+
+mod dependence;
+mod entry;
+mod impacts;
+mod restitution;
+mod scenes;
+mod time_step;
+
+use crate::StudyError;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::Completed;
+use pounding_plot::{Figure, render_png};
+use pounding_scene::{CertificateError, Scene};
+
+use crate::study::laws::AtlasSettings;
+use entry::Entry;
+
+/// All that the laws were asked, and their answers.
+#[derive(Debug)]
+pub struct Atlas {
+    settings: AtlasSettings,
+    path: PathBuf,
+    entries: Vec<Entry>,
+    asked: Vec<restitution::Asked>,
+    impacts: Vec<Option<impacts::Impact>>,
+    ladders: Vec<time_step::Ladder>,
+    played: Vec<scenes::Played>,
+}
+
+impl Atlas {
+    /// Asks every law; `done` is called after each run of a scene, and after each method with each law.
+    ///
+    /// The laws that the scenes name play no part. A run that fails is kept with its reason.
+    ///
+    /// # Errors
+    /// [`StudyError::Study`] for settings with which no law can be calibrated or no impact followed.
+    pub fn draw(
+        completed: &Completed,
+        settings: &AtlasSettings,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Self, StudyError> {
+        let refuse = |error: CertificateError| {
+            let allowed = "masses, speed, stiffness and restitution that every law takes";
+            completed.refuse("output.laws", error.to_string(), allowed)
+        };
+        let entries = Entry::all(settings).map_err(refuse)?;
+        let impacts = impacts::collide(&entries, settings).map_err(|error| refuse(error.into()))?;
+        Ok(Self {
+            asked: restitution::ask(settings),
+            ladders: time_step::climb(&entries, settings, done),
+            played: scenes::play(completed, &entries, settings, done),
+            settings: settings.clone(),
+            path: completed.file.path.clone(),
+            entries,
+            impacts,
+        })
+    }
+
+    /// Number of times that [`Self::draw`] calls `done`.
+    pub(crate) fn n_runs(scenes: &[Scene]) -> usize {
+        scenes::n_runs(scenes) + time_step::n_ladders()
+    }
+
+    /// Tables and figures by their path in the results folder.
+    ///
+    /// # Errors
+    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+        let mut files: BTreeMap<&str, Vec<u8>> = BTreeMap::new();
+        for (name, text) in self.tables() {
+            files.insert(name, text.into_bytes());
+        }
+        for (name, figure) in self.figures() {
+            let png = render_png(&figure).map_err(|source| StudyError::Plot {
+                path: self.path.clone(),
+                source,
+            })?;
+            files.insert(name, png);
+        }
+        let folder = Path::new("laws");
+        let files = files.into_iter();
+        Ok(files
+            .map(|(name, bytes)| (folder.join(name), bytes))
+            .collect())
+    }
+
+    fn tables(&self) -> [(&'static str, String); 6] {
+        let (entries, settings) = (&self.entries, &self.settings);
+        [
+            ("restitution.csv", restitution::table(&self.asked)),
+            ("approach-speed.csv", restitution::speeds(entries, settings)),
+            (
+                "free-impact.csv",
+                impacts::table(entries, &self.impacts, settings),
+            ),
+            ("time-step.csv", time_step::table(entries, &self.ladders)),
+            ("scenes.csv", scenes::table(&self.played, entries)),
+            ("dependence.csv", dependence::table(&self.played, entries)),
+        ]
+    }
+
+    fn figures(&self) -> [(&'static str, Figure); 5] {
+        let (entries, impacts) = (&self.entries, &self.impacts);
+        [
+            ("restitution.png", restitution::figure(&self.asked)),
+            ("force-deformation.png", impacts::loops(entries, impacts)),
+            ("force-time.png", impacts::histories(entries, impacts)),
+            (
+                "time-step.png",
+                time_step::figure(entries, &self.ladders, &self.settings),
+            ),
+            ("scenes.png", dependence::figure(&self.played, entries)),
+        ]
+    }
+}

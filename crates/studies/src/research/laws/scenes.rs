@@ -1,0 +1,182 @@
+//! The paper's scenes under every law.
+
+use pounding_contact::{Calibration, FreePair, reduced_mass};
+use rayon::prelude::*;
+
+use super::entry::{Entry, N_LAWS};
+use crate::Completed;
+use crate::paper::tables::to_csv;
+use crate::study::laws::AtlasSettings;
+use crate::{research::work_precision::Quantities, research::work_precision::Quantity};
+use pounding_scene::{Scene, Simulation, Structure};
+use pounding_text::digits;
+
+/// What a scene gives under every law, in their order.
+#[derive(Debug)]
+pub(super) struct Played {
+    pub(super) scene: String,
+    pub(super) n_structures: usize,
+    /// What came out, or why nothing did.
+    pub(super) outcomes: Vec<Result<Quantities, String>>,
+}
+
+/// Runs every scene under every law; `done` is called after each run.
+pub(super) fn play(
+    completed: &Completed,
+    entries: &[Entry],
+    settings: &AtlasSettings,
+    done: &(dyn Fn() + Sync),
+) -> Vec<Played> {
+    let scenes = &completed.file.study.scenes;
+    let runs: Vec<_> = scenes
+        .iter()
+        .flat_map(|scene| entries.iter().map(move |entry| (scene, entry)))
+        .collect();
+    let run = |(scene, entry): (&Scene, &Entry)| {
+        let outcome = run(completed, scene, (entry, settings));
+        done();
+        outcome
+    };
+    let outcomes: Vec<_> = runs.into_par_iter().map(run).collect();
+    let mut outcomes = outcomes.into_iter();
+    let played = |scene: &Scene| Played {
+        scene: scene.name.clone(),
+        n_structures: scene.structures.len(),
+        outcomes: outcomes.by_ref().take(entries.len()).collect(),
+    };
+    scenes.iter().map(played).collect()
+}
+
+/// How often [`play`] calls `done`.
+pub(super) fn n_runs(scenes: &[Scene]) -> usize {
+    scenes.len() * N_LAWS
+}
+
+/// A scene under a law that is calibrated for every pair.
+fn run(
+    completed: &Completed,
+    scene: &Scene,
+    (entry, settings): (&Entry, &AtlasSettings),
+) -> Result<Quantities, String> {
+    let mut scene = scene.clone();
+    let name = entry.name();
+    let asked = (settings.restitution(name), Calibration::Exact);
+    let neighbours = scene.structures.windows(2);
+    for (contact, pair) in scene.contacts.iter_mut().flatten().zip(neighbours) {
+        let [left, right] = [&pair[0], &pair[1]].map(inverse_mass);
+        let pair = FreePair {
+            reduced_mass: reduced_mass(left, right),
+            approach_speed: settings.approach_speed_m_per_s,
+        };
+        let law = name.calibrated(settings.stiffness(name), asked, &pair);
+        contact.law = law.map_err(|error| error.to_string())?;
+    }
+    let prepared = Simulation::new(&scene, completed.file.base());
+    let outcome = prepared.and_then(|prepared| prepared.run(None));
+    let outcome = outcome.map_err(|error| error.to_string())?;
+    let recorders = (outcome.peaks, outcome.collisions, outcome.momentum, ());
+    Ok(Quantities::of(&recorders, scene.structures.len()))
+}
+
+fn inverse_mass(structure: &Structure) -> f64 {
+    match structure {
+        Structure::Sdof(structure) => 1.0 / structure.mass_kg,
+        Structure::Building(_) | Structure::Wall => 0.0,
+    }
+}
+
+/// A number of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Item {
+    pub(super) quantity: &'static str,
+    /// Number of the structure from the left; nothing for a number of the whole row.
+    pub(super) structure: Option<usize>,
+    pub(super) unit: &'static str,
+    pub(super) value: f64,
+}
+
+impl Item {
+    /// Whether both are the same number of a scene, under whatever law.
+    pub(super) fn is_as(&self, other: &Self) -> bool {
+        let keys = |item: &Self| (item.quantity, item.structure, item.unit);
+        keys(self) == keys(other)
+    }
+}
+
+/// Key of the one number that is no [`Quantity`].
+const COUNT: &str = "number_of_collisions";
+
+/// The numbers of a scene under a law, in the order of tables.
+pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
+    let item = |quantity: Quantity, (value, number): (&f64, usize)| {
+        let of_row = found.values(quantity).len() == 1;
+        Item {
+            quantity: quantity.key(),
+            structure: (!of_row).then_some(number),
+            unit: quantity.unit(compliant),
+            value: *value,
+        }
+    };
+    let values = |quantity: Quantity| {
+        let numbered = found.values(quantity).iter().zip(1..);
+        numbered.map(move |value| item(quantity, value))
+    };
+    let count = Item {
+        quantity: COUNT,
+        structure: None,
+        unit: "1",
+        value: found.n_collisions as f64,
+    };
+    let items = Quantity::ALL.into_iter().flat_map(values);
+    items.chain([count]).collect()
+}
+
+/// Every number of every scene under every law.
+pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
+    let header = [
+        "scene",
+        "law",
+        "restitution",
+        "quantity",
+        "structure",
+        "unit",
+        "value",
+        "failed",
+    ];
+    let mut rows = Vec::new();
+    for scene in played {
+        for (entry, outcome) in entries.iter().zip(&scene.outcomes) {
+            rows.extend(entry.rows(|law| {
+                let e = digits(entry.certificate.by_exact);
+                let start = [scene.scene.clone(), law, e];
+                let row = |cells: [String; 5]| start.iter().cloned().chain(cells).collect();
+                cells(outcome, entry).into_iter().map(row).collect()
+            }));
+        }
+    }
+    to_csv(&header.map(String::from), &rows)
+}
+
+/// Quantity, structure, unit, value and why there is none.
+fn cells(outcome: &Result<Quantities, String>, entry: &Entry) -> Vec<[String; 5]> {
+    let cells = |item: Item| {
+        [
+            item.quantity.into(),
+            item.structure.map_or_else(String::new, |n| n.to_string()),
+            item.unit.into(),
+            digits(item.value),
+            String::new(),
+        ]
+    };
+    match outcome {
+        Ok(found) => items(found, entry.is_compliant())
+            .into_iter()
+            .map(cells)
+            .collect(),
+        Err(reason) => {
+            let mut row = [const { String::new() }; 5];
+            row[4].clone_from(reason);
+            vec![row]
+        }
+    }
+}

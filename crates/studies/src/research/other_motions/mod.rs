@@ -1,0 +1,210 @@
+//! The paper's future work for its own scenes: other ground motions, in both directions, and its claims under them.
+//!
+//! The scenes are those of Tables 2, 4, 6 and 7 and of Fig. 15 with the paper's structures, gaps and contact laws, by the
+//! exact method. A run lasts until the ground has been at rest for a while, so that no collision is cut off; only
+//! where a motion has a duration of its own does it end earlier, as the paper's does after 10 s.
+//!
+//! All of it is asked once more of changed scenes ([`Change`]): with buildings of several storeys in place of the structures, and
+//! under weaker shaking.
+//!
+//! A case is a motion in one direction. A claim of the paper is asked in every case; where nothing touches it does not
+//! apply.
+
+mod findings;
+mod matrix;
+mod numbers;
+mod response;
+mod shaking;
+mod spectra;
+mod study;
+mod world;
+
+use crate::StudyError;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use sha2::{Digest, Sha256};
+
+use crate::{paper::claims::ClaimCount, paper::claims::ClaimCounts, paper::claims::asked};
+use pounding_plot::{PlotError, render_png, writable};
+
+use crate::study::change::Change;
+use shaking::Shaking;
+pub use study::BeyondStudy;
+pub(crate) use study::motions_of;
+use world::MotionCase;
+
+/// A motion, by its place in the list, in one direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Case {
+    motion: usize,
+    reversed: bool,
+}
+
+/// What the scenes did under every motion in both directions.
+#[derive(Debug)]
+pub struct Beyond {
+    path: PathBuf,
+    motions: Vec<Shaking>,
+    /// The paper's scenes first, then each change of them.
+    groups: Vec<Group>,
+    papers: Option<Case>,
+    periods: Vec<f64>,
+    left_out: Vec<(String, String)>,
+}
+
+/// What the scenes did under every motion in both directions, as the paper has them or with one change.
+#[derive(Debug)]
+struct Group {
+    change: Option<Change>,
+    /// For each motion as recorded and reversed.
+    worlds: Vec<[MotionCase; 2]>,
+}
+
+/// A claim, and in how many cases it holds.
+pub type Counted = (&'static str, ClaimCount);
+
+/// Motions in a figure; of more there are several.
+const MOTIONS_PER_FIGURE: usize = 12;
+
+impl Beyond {
+    /// In how many cases each of the paper's claims holds, a column for the paper's scenes and one for each change of them.
+    pub fn tallies(&self) -> Vec<ClaimCounts> {
+        let of = |group: &Group| {
+            let mut claims = Vec::new();
+            for ((index, _), asked) in asked().zip(findings::all(&group.worlds)) {
+                claims.resize(index, None);
+                claims.push(Some(asked.tally()));
+            }
+            let of_papers = ClaimCounts::default().column;
+            let column = match group.change {
+                None => of_papers,
+                Some(change) => format!("{of_papers}_{}", change.word()),
+            };
+            ClaimCounts { column, claims }
+        };
+        self.groups.iter().map(of).collect()
+    }
+
+    /// The claims that exact runs can be asked, and in how many cases each holds: of the paper's scenes, and of each change
+    /// of them.
+    pub fn claims(&self) -> Vec<(Option<Change>, Vec<Counted>)> {
+        let of = |group: &Group| {
+            let claims = findings::all(&group.worlds);
+            let counted = |asked: &findings::Asked<'_>| (asked.claim.claim, asked.tally());
+            (group.change, claims.iter().map(counted).collect())
+        };
+        self.groups.iter().map(of).collect()
+    }
+
+    /// Records that shook nothing, and why.
+    pub fn left_out(&self) -> &[(String, String)] {
+        &self.left_out
+    }
+
+    /// Tables and figures by their path in the results folder.
+    ///
+    /// # Errors
+    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+        let folder = Path::new("beyond");
+        let motions = shaking::table(&self.motions, &self.periods);
+        let mut files = BTreeMap::from([(folder.join("motions.csv"), motions.into_bytes())]);
+        for pages in self.pages() {
+            let spectra = spectra::figure(&self.motions[pages.clone()], &self.periods);
+            let name = folder.join(page_name("spectra", &pages));
+            files.insert(name, self.drawn(render_png(&spectra))?);
+        }
+        let groups: Vec<_> = self
+            .groups
+            .par_iter()
+            .map(|group| self.of_group(group))
+            .collect();
+        for (group, made) in self.groups.iter().zip(groups) {
+            let folder = match group.change {
+                None => folder.to_path_buf(),
+                Some(change) => folder.join(change.word()),
+            };
+            let made = made?.into_iter();
+            files.extend(made.map(|(name, bytes)| (folder.join(name), bytes)));
+        }
+        Ok(files)
+    }
+
+    /// Tables and figures of a group by their names.
+    fn of_group(&self, group: &Group) -> Result<BTreeMap<String, Vec<u8>>, StudyError> {
+        let (motions, worlds) = (&self.motions, &group.worlds);
+        let mut files: BTreeMap<String, Vec<u8>> = [
+            ("scenes.csv", numbers::table(motions, worlds)),
+            ("direction.csv", numbers::directions(motions, worlds)),
+            ("claims.csv", self.findings(group)),
+            ("verdicts.csv", findings::verdicts(motions, worlds)),
+        ]
+        .map(|(name, text)| (name.into(), text.into_bytes()))
+        .into();
+        if group.change.is_some_and(Change::is_long) {
+            files.insert("made-by.txt".into(), made_by(&files).into_bytes());
+        }
+        for pages in self.pages() {
+            let matrix = matrix::drawing(self, group, pages.clone());
+            let response = response::figure(self, group, pages.clone());
+            let claims = self.drawn(render_png(&matrix))?;
+            files.insert(page_name("claims", &pages), claims);
+            let response = self.drawn(render_png(&response))?;
+            files.insert(page_name("response", &pages), response);
+        }
+        Ok(files)
+    }
+
+    /// The claims of a group; of changed scenes beside those of the paper's.
+    fn findings(&self, group: &Group) -> String {
+        let (changed, plain) = (group.change.is_some(), &self.groups[0].worlds);
+        let plain = changed.then(|| findings::all(plain));
+        let all = findings::all(&group.worlds);
+        findings::table(&self.motions, &all, (plain, self.papers))
+    }
+
+    /// The motions of every page of a figure.
+    fn pages(&self) -> impl Iterator<Item = Range<usize>> {
+        let all = self.motions.len();
+        let starts = (0..all).step_by(MOTIONS_PER_FIGURE);
+        starts.map(move |from| from..all.min(from + MOTIONS_PER_FIGURE))
+    }
+
+    fn drawn(&self, png: Result<Vec<u8>, PlotError>) -> Result<Vec<u8>, StudyError> {
+        png.map_err(|source| StudyError::Plot {
+            path: self.path.clone(),
+            source,
+        })
+    }
+}
+
+/// The command that makes tables which `reproduce` does not, and the hashes by which the committed ones are known to be its.
+fn made_by(tables: &BTreeMap<String, Vec<u8>>) -> String {
+    let line = |(name, text): (&String, &Vec<u8>)| {
+        format!("SHA-256 of {name}: {:x}\n", Sha256::digest(text))
+    };
+    let lines: String = tables.iter().map(line).collect();
+    format!("cargo xtask beyond\n{lines}")
+}
+
+/// Name of a figure of some of the motions.
+fn page_name(figure: &str, motions: &Range<usize>) -> String {
+    match motions.start / MOTIONS_PER_FIGURE {
+        0 => format!("{figure}.png"),
+        page => format!("{figure}-{}.png", page + 1),
+    }
+}
+
+/// A name that fits into a figure.
+fn short(name: &str) -> String {
+    const LONGEST: usize = 22;
+    let name = writable(name);
+    if name.chars().count() <= LONGEST {
+        return name;
+    }
+    let start: String = name.chars().take(LONGEST - 1).collect();
+    start + "…"
+}

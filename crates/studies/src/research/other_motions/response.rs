@@ -1,0 +1,105 @@
+//! Peak displacements with pounding over those without, under every motion in both directions.
+
+use std::ops::Range;
+
+use super::world::{MotionCase, Row};
+use super::{Beyond, Group, short};
+use crate::paper::figures::capital;
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+
+/// Tables of the layouts with the names of their contact laws.
+const TABLES: [(&str, &str); 2] = [("6", "stereomechanical"), ("7", "viscoelastic")];
+
+/// The layouts, a column each.
+const LAYOUTS: [&str; 3] = ["A", "B", "C"];
+const COLUMNS: usize = LAYOUTS.len();
+
+/// Motions for which there is room at least: less would be too little for the words beside the panels.
+const LEAST: usize = 8;
+
+/// How far from the line of its motion a direction stands, and from the line of that a kind of structure, in lines.
+const APART: [f64; 2] = [0.2, 0.09];
+
+/// Colours and marks of structures by their names, as recorded and reversed.
+const LOOKS: [(Shade, [Mark; 2]); 3] = [
+    (Shade::Blue, [Mark::Disc, Mark::Ring]),
+    (Shade::Vermilion, [Mark::Square, Mark::HollowSquare]),
+    (Shade::Ink, [Mark::Triangle, Mark::HollowTriangle]),
+];
+
+/// A panel per layout, behaviour and contact law.
+pub(super) fn figure(beyond: &Beyond, group: &Group, motions: Range<usize>) -> Figure {
+    let worlds = &group.worlds[motions.clone()];
+    let names: Vec<String> = beyond.motions[motions]
+        .iter()
+        .map(|motion| short(&motion.name))
+        .collect();
+    let mut panels = Vec::new();
+    for behaviour in ["elastic", "nonlinear"] {
+        for (table, law) in TABLES {
+            for layout in LAYOUTS {
+                let scene = format!("layout {layout} {behaviour}");
+                let of_scene = |row: &&Row| row.table == table && row.scene == scene;
+                let first = |text: String, is_first: bool| {
+                    if is_first { text } else { String::new() }
+                };
+                panels.push(Panel {
+                    title: first(format!("Layout {layout}"), panels.len() < COLUMNS),
+                    y: Axis {
+                        label: first(format!("{}, {law}", capital(behaviour)), layout == "A"),
+                        ..Axis::names(names.clone())
+                    },
+                    curves: curves(worlds, of_scene),
+                    markers: vec![1.0],
+                    legend: Legend::Shared,
+                    ..Panel::default()
+                });
+            }
+        }
+    }
+    Figure {
+        height_in: 2.1 + 0.52 * names.len().max(LEAST) as f64,
+        columns: COLUMNS,
+        x: Axis::auto("Displacement over alone"),
+        panels,
+    }
+}
+
+/// Of every kind of structure the one that pounding drives furthest beyond what it does alone.
+fn curves(worlds: &[[MotionCase; 2]], of_scene: impl Fn(&&Row) -> bool) -> Vec<Curve> {
+    let mut kinds: Vec<&str> = Vec::new();
+    for row in worlds
+        .iter()
+        .take(1)
+        .flat_map(|[world, _]| world.rows.iter().filter(&of_scene))
+    {
+        if !kinds.contains(&&*row.structure) {
+            kinds.push(&row.structure);
+        }
+    }
+    kinds.sort_by(|one, other| other.cmp(one));
+    let mut curves = Vec::new();
+    for (rank, (kind, (shade, marks))) in kinds.into_iter().zip(LOOKS).enumerate() {
+        for (direction, mark) in marks.into_iter().enumerate() {
+            let point = |(line, both): (usize, &[MotionCase; 2])| {
+                let rows = both[direction].rows.iter().filter(&of_scene);
+                let own = rows.filter(|row| row.structure == kind);
+                let largest = own
+                    .filter_map(|row| row.numbers.amplification())
+                    .max_by(f64::total_cmp)?;
+                let aside = |index: usize, apart: f64| if index == 0 { -apart } else { apart };
+                let [of_direction, of_kind] = APART;
+                let line = line as f64 + aside(direction, of_direction) + aside(rank, of_kind);
+                Some((largest, line))
+            };
+            let points = worlds.iter().enumerate().filter_map(point).collect();
+            let name = ["as recorded", "reversed"][direction];
+            curves.push(
+                Curve::new(Kind::Points, shade, points)
+                    .marked(mark)
+                    .named(format!("{}, {name}", capital(kind))),
+            );
+        }
+    }
+    curves
+}

@@ -1,0 +1,270 @@
+//! What is run: the paper's scenes, and the ground motions of a list or of a folder.
+
+use crate::StudyError;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use super::shaking::{Shaking, Target};
+use super::world::MotionCase;
+use super::{Beyond, Case, Change, Group};
+use crate::StudyFile;
+use crate::study::other_motions::{BeyondSettings, ListedMotion};
+use crate::{paper::converged::OF_CLAIMS, paper::converged::STUDIES, paper::converged::Scenes};
+use pounding_scene::Motion;
+use pounding_scene::{Method, Scene, Simulation, Structure};
+
+/// The paper's scenes and the ground motions that are to shake them.
+#[derive(Debug)]
+pub struct BeyondStudy {
+    /// The study, or the folder of records.
+    path: PathBuf,
+    scenes: Scenes,
+    motions: Vec<Shaking>,
+    changes: Vec<Change>,
+    /// The paper's case, where it is one of them.
+    papers: Option<Case>,
+    /// Motions that shake nothing, with the reason; nothing where every motion has to.
+    left_out: Option<Vec<(String, String)>>,
+}
+
+impl BeyondStudy {
+    /// The motions that a study lists, and the scenes of the others; nothing where no study lists motions.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a study that is missing, and for a motion that is not allowed or cannot be read.
+    pub fn listed(files: &[&StudyFile]) -> Result<Option<Self>, StudyError> {
+        let lists =
+            |file: &&StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
+        let Some((path, settings)) = files.iter().find_map(lists) else {
+            return Ok(None);
+        };
+        let (mut study, target) = Self::first(files, (path, &settings))?;
+        let others = others(&settings, &study.path, target)?;
+        study.motions.extend(others);
+        Ok(Some(study))
+    }
+
+    /// The scenes of a folder of studies under the records of another folder, instead of those that a study lists.
+    ///
+    /// `scaled` says whether they are scaled as that study does. Records that cannot be read, vertical components, and motions
+    /// under which a run fails are [left out](Beyond::left_out).
+    ///
+    /// # Errors
+    /// [`StudyError`] for studies that cannot be read, for a folder that cannot be, and where no motion is left.
+    pub fn of_records(studies: &Path, records: &Path, scaled: bool) -> Result<Self, StudyError> {
+        let files = StudyFile::read_all(studies)?;
+        let lists =
+            |file: &StudyFile| Some((file.path.clone(), file.study.output.beyond()?.clone()));
+        let Some((path, settings)) = files.iter().find_map(lists) else {
+            return Err(StudyError::MissingScene {
+                study: "beyond".into(),
+                scene: "any".into(),
+            });
+        };
+        let files: Vec<&StudyFile> = files.iter().collect();
+        let (study, target) = Self::first(&files, (path, &settings))?;
+        let target = target.filter(|_| scaled);
+        let like = papers_scene(&study.scenes)?;
+        let (mut motions, mut left_out) = (Vec::new(), Vec::new());
+        for motion in Motion::in_folder(records)? {
+            match Shaking::of_folder(&motion, like, &settings, target) {
+                Ok(shaking) => motions.push(shaking),
+                Err(error) => left_out.push((motion.name(), error.to_string())),
+            }
+        }
+        Self {
+            path: records.to_path_buf(),
+            motions,
+            papers: None,
+            left_out: Some(left_out),
+            ..study
+        }
+        .any_left()
+    }
+
+    /// A list cut down to its first motion, and the strength of that, to which others are scaled.
+    fn first(
+        files: &[&StudyFile],
+        (path, settings): (PathBuf, &BeyondSettings),
+    ) -> Result<(Self, Option<Target>), StudyError> {
+        let (motions, target) = first(settings, &path)?;
+        let studies: Vec<&str> = STUDIES.into_iter().chain([OF_CLAIMS]).collect();
+        let scenes = Scenes::of(files, &studies, |_| Method::EXACT)?;
+        let study = Self {
+            papers: papers(settings, &scenes),
+            path,
+            scenes,
+            motions,
+            changes: settings.changes.clone(),
+            left_out: None,
+        };
+        Ok((study, target))
+    }
+
+    /// Refuses where no motion is left.
+    fn any_left(self) -> Result<Self, StudyError> {
+        if !self.motions.is_empty() {
+            return Ok(self);
+        }
+        let first = self.left_out.iter().flatten().next();
+        let reason = first.map(|(name, reason)| format!("; the first, {name}: {reason}"));
+        Err(StudyError::Study {
+            path: self.path,
+            place: "records",
+            found: format!("none that shakes the scenes{}", reason.unwrap_or_default()),
+            allowed: "one or more horizontal ground accelerations",
+        })
+    }
+
+    /// Without the changes of the scenes that take long.
+    #[must_use]
+    pub fn usual(mut self) -> Self {
+        self.changes.retain(|change| !change.is_long());
+        self
+    }
+
+    /// Number of times that [`Self::run`] calls `done`.
+    pub fn n_cases(&self) -> usize {
+        2 * self.motions.len() * (1 + self.changes.len())
+    }
+
+    /// Runs every scene, also changed, under every motion in both directions; `done` is called after each case.
+    ///
+    /// # Errors
+    /// The first [`StudyError`] in the order of the cases; of a folder of records only where no motion is left.
+    pub fn run(mut self, done: &(dyn Fn() + Sync)) -> Result<Beyond, StudyError> {
+        let motions = std::mem::take(&mut self.motions);
+        let changes = self.changes.iter().copied().map(Some);
+        let changes: Vec<_> = std::iter::once(None).chain(changes).collect();
+        let of_motion = |motion: Shaking| {
+            let worlds = changes.par_iter().map(|change| {
+                let world = |reversed| {
+                    let world = MotionCase::new(&self.scenes, (&motion, reversed), *change);
+                    done();
+                    world
+                };
+                let (recorded, reversed) = rayon::join(|| world(false), || world(true));
+                recorded.and_then(|recorded| Ok([recorded, reversed?]))
+            });
+            let worlds: Vec<_> = worlds.collect();
+            (motion, worlds.into_iter().collect::<Result<Vec<_>, _>>())
+        };
+        let ran: Vec<_> = motions.into_par_iter().map(of_motion).collect();
+        let group = |change: &Option<Change>| Group {
+            change: *change,
+            worlds: Vec::new(),
+        };
+        let mut groups: Vec<_> = changes.iter().map(group).collect();
+        // Collected first: of several errors, the first in order is reported, not the first in time.
+        for (motion, worlds) in ran {
+            match (worlds, &mut self.left_out) {
+                (Ok(worlds), _) => {
+                    self.motions.push(motion);
+                    for (group, both) in groups.iter_mut().zip(worlds) {
+                        group.worlds.push(both);
+                    }
+                }
+                (Err(error), Some(left_out)) => left_out.push((motion.name, error.to_string())),
+                (Err(error), None) => return Err(error),
+            }
+        }
+        let left = self.any_left()?;
+        Ok(Beyond {
+            periods: periods(&left.scenes),
+            path: left.path,
+            motions: left.motions,
+            groups,
+            papers: left.papers,
+            left_out: left.left_out.unwrap_or_default(),
+        })
+    }
+}
+
+/// The motions of a list, all as strong as the first where it scales them.
+///
+/// # Errors
+/// [`StudyError`] for a motion that is not allowed or cannot be read.
+pub(crate) fn motions_of(
+    settings: &BeyondSettings,
+    path: &Path,
+) -> Result<Vec<Shaking>, StudyError> {
+    let (mut motions, target) = first(settings, path)?;
+    motions.extend(others(settings, path, target)?);
+    Ok(motions)
+}
+
+/// The first motion of a list, and its strength, to which others are scaled.
+fn first(
+    settings: &BeyondSettings,
+    path: &Path,
+) -> Result<(Vec<Shaking>, Option<Target>), StudyError> {
+    let refused = |(place, found, allowed)| StudyError::Study {
+        path: path.to_path_buf(),
+        place,
+        found,
+        allowed,
+    };
+    if let Some(fault) = settings.fault() {
+        return Err(refused(fault));
+    }
+    let base = path.parent().unwrap_or_else(|| Path::new(""));
+    let first = settings.motions.first().map(|motion| {
+        // To scale the first to itself would cost its last digits.
+        Shaking::listed(motion, base, settings, None).map_err(|error| error.in_file(path))
+    });
+    let motions: Vec<Shaking> = first.into_iter().collect::<Result<_, _>>()?;
+    let mut target = None;
+    if let Some(first) = motions.first() {
+        target = Target::of(settings, first).map_err(|error| {
+            let allowed = "a period and damping of which the first motion has a spectrum";
+            refused(("output.beyond.scaled_by", error.to_string(), allowed))
+        })?;
+    }
+    Ok((motions, target))
+}
+
+/// The other motions of a list.
+fn others(
+    settings: &BeyondSettings,
+    path: &Path,
+    target: Option<Target>,
+) -> Result<Vec<Shaking>, StudyError> {
+    let base = path.parent().unwrap_or_else(|| Path::new(""));
+    let read = |motion| Shaking::listed(motion, base, settings, target);
+    let others: Result<Vec<_>, _> = settings.motions.iter().skip(1).map(read).collect();
+    others.map_err(|error| error.in_file(path))
+}
+
+/// A scene of the paper, under its record.
+fn papers_scene(scenes: &Scenes) -> Result<&Scene, StudyError> {
+    let first = scenes.prepared().next().map(Simulation::scene);
+    first.ok_or_else(|| StudyError::MissingScene {
+        study: STUDIES[0].into(),
+        scene: "any".into(),
+    })
+}
+
+/// The listed motion and the direction that are those of the paper's scenes.
+fn papers(settings: &BeyondSettings, scenes: &Scenes) -> Option<Case> {
+    let record = &papers_scene(scenes).ok()?.record;
+    let mut as_recorded = record.clone();
+    as_recorded.reversed = false;
+    let same = |motion: &ListedMotion| motion.record == as_recorded;
+    Some(Case {
+        motion: settings.motions.iter().position(same)?,
+        reversed: record.reversed,
+    })
+}
+
+/// Natural periods of the structures, the shortest first \[s\].
+fn periods(scenes: &Scenes) -> Vec<f64> {
+    let structures = scenes
+        .prepared()
+        .flat_map(|scene| &scene.scene().structures);
+    let mut periods: Vec<f64> = structures.filter_map(Structure::period).collect();
+    periods.sort_by(f64::total_cmp);
+    // Two that the table would print alike are one.
+    periods.dedup_by(|one, other| (*one - *other).abs() < 0.005);
+    periods
+}

@@ -1,0 +1,177 @@
+//! What the scenes do under one ground motion in one direction.
+
+use crate::StudyError;
+use pounding_motion::Record;
+
+use super::Change;
+use super::shaking::Shaking;
+use crate::Completed;
+use crate::{paper::claims::Claim, paper::claims::Run, paper::claims::verdicts};
+use crate::{paper::converged::OF_CLAIMS, paper::converged::Scenes};
+use pounding_scene::{Scene, Simulation, Structure};
+
+/// Numbers and verdicts of one motion in one direction.
+#[derive(Debug)]
+pub(super) struct MotionCase {
+    /// A row per structure of every scene.
+    pub(super) rows: Vec<Row>,
+    /// Those of the paper's claims that exact runs can be asked, in their order.
+    pub(super) claims: Vec<Claim>,
+}
+
+/// What one structure of one scene does.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Row {
+    /// Number of the paper's table.
+    pub(super) table: String,
+    pub(super) scene: String,
+    /// Number from the left, from 1.
+    pub(super) number: usize,
+    pub(super) structure: String,
+    pub(super) numbers: Numbers,
+}
+
+/// The numbers of one structure.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Numbers {
+    /// Transferred momentum \[N·s\].
+    pub(super) momentum: f64,
+    /// Peak displacement with its sign, of a building that of its roof \[m\].
+    pub(super) displacement: f64,
+    /// Peak displacement of the structure standing alone, without sign \[m\].
+    pub(super) alone: f64,
+    /// Peak shear force with its sign, of a building that of its first storey \[N\].
+    pub(super) shear: f64,
+    /// Displacement that stays at the end, with its sign \[m\]; nothing for one that cannot yield.
+    pub(super) residual: Option<f64>,
+    /// How often it collides.
+    pub(super) collisions: usize,
+    /// Start \[s\] and impulse \[N·s\] of its first collision.
+    pub(super) first: Option<(f64, f64)>,
+}
+
+impl Numbers {
+    /// Peak displacement over that without pounding; nothing for what does not move alone.
+    pub(super) fn amplification(&self) -> Option<f64> {
+        (self.alone > 0.0).then(|| self.displacement.abs() / self.alone)
+    }
+}
+
+/// The scene that runs in place of a scene of the paper: the one place where the row, or what it is built of, may become
+/// another one. Its name stays: by it the claims find their scenes.
+fn turned(scene: &Scene, shaking: &Shaking, change: Option<Change>) -> Scene {
+    let scene = Scene {
+        duration_s: Some(shaking.duration),
+        ..scene.clone()
+    };
+    match change {
+        None => scene,
+        Some(change) => change.of_scene(scene),
+    }
+}
+
+impl MotionCase {
+    /// Runs every scene, as the paper has it or changed.
+    ///
+    /// # Errors
+    /// The first [`StudyError`] in the order of the scenes.
+    pub(super) fn new(
+        scenes: &Scenes,
+        (shaking, reversed): (&Shaking, bool),
+        change: Option<Change>,
+    ) -> Result<Self, StudyError> {
+        let record = shaking.directed(reversed);
+        let record = match change {
+            None => record,
+            Some(change) => change.of_record(record),
+        };
+        let runs = scenes
+            .shaken(&record, |scene| turned(scene, shaking, change))?
+            .run(None)?;
+        let mut alone = Alone {
+            record: &record,
+            known: Vec::new(),
+        };
+        let mut rows = Vec::new();
+        // The scenes of the claims' own study are those of Tables 6 and 7 once more.
+        for study in runs.iter().filter(|study| study.file.id != OF_CLAIMS) {
+            for (index, prepared) in study.prepared.iter().enumerate() {
+                rows.extend(of_scene((study, index), prepared, &mut alone)?);
+            }
+        }
+        Ok(Self {
+            rows,
+            claims: verdicts(&runs)?.into_iter().flatten().collect(),
+        })
+    }
+}
+
+fn of_scene(
+    (study, index): (&Completed, usize),
+    prepared: &Simulation,
+    alone: &mut Alone<'_>,
+) -> Result<Vec<Row>, StudyError> {
+    let (scene, run) = (&study.file.study.scenes[index], Run::of(study, index));
+    let id = &study.file.id;
+    let row = |(place, structure): (usize, &Structure)| {
+        Ok(Row {
+            table: id.strip_prefix("table-").unwrap_or(id).into(),
+            scene: scene.name.clone(),
+            number: place + 1,
+            structure: structure.name().into(),
+            numbers: Numbers {
+                alone: alone.displacement(prepared, structure)?,
+                ..numbers(run, place, structure)
+            },
+        })
+    };
+    scene.structures.iter().enumerate().map(row).collect()
+}
+
+/// All but the displacement alone.
+fn numbers(run: Run<'_>, place: usize, structure: &Structure) -> Numbers {
+    let (collisions, first) = run.collisions(place);
+    let yields = structure.yield_forces().iter().any(Option::is_some);
+    Numbers {
+        momentum: run.momentum(place),
+        displacement: run.peak_displacement(place),
+        alone: 0.0,
+        shear: run.peak_shear(place),
+        residual: run.residual(place).filter(|_| yields),
+        collisions,
+        first,
+    }
+}
+
+/// Structures standing alone, each run once.
+struct Alone<'a> {
+    record: &'a Record,
+    known: Vec<(Structure, f64)>,
+}
+
+impl Alone<'_> {
+    /// Peak displacement of a structure of a scene without neighbours, without sign \[m\].
+    fn displacement(
+        &mut self,
+        prepared: &Simulation,
+        structure: &Structure,
+    ) -> Result<f64, StudyError> {
+        let known = self.known.iter().find(|(known, _)| known == structure);
+        if let Some((_, displacement)) = known {
+            return Ok(*displacement);
+        }
+        let scene = Scene {
+            structures: vec![structure.clone()],
+            contacts: None,
+            arrivals_s: None,
+            ..prepared.scene().clone()
+        };
+        let alone = prepared.variant(&scene, self.record.clone())?;
+        let outcome = alone.run(None)?;
+        // Its roof; a wall has the only place of its own.
+        let roof = alone.floors().all().len() - 1;
+        let displacement = outcome.peaks.of(roof).displacement.value.abs();
+        self.known.push((structure.clone(), displacement));
+        Ok(displacement)
+    }
+}

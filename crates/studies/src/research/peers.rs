@@ -1,0 +1,110 @@
+//! Error over CPU time: programs that solve the same scenes.
+
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_png};
+
+/// Errors below this are rounding.
+const ROUNDING: f64 = 1e-14;
+/// Errors above this are worth nothing.
+const WORTHLESS: f64 = 1e1;
+
+/// Who solves the scenes: methods of one of them share a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Competitor {
+    /// This project.
+    Ours,
+    /// A loop of a few lines, compiled.
+    Loop,
+    /// `SciPy`.
+    Scipy,
+    /// `SUNDIALS`.
+    Sundials,
+    /// `OpenSees`.
+    OpenSees,
+}
+
+/// What a method needs for its error, over its settings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorkPrecision {
+    /// Whose method it is.
+    pub competitor: Competitor,
+    /// Its name in the legend, after that of its competitor.
+    pub label: String,
+    /// CPU time in some unit and relative error of each setting, both > 0.
+    pub points: Vec<(f64, f64)>,
+}
+
+impl Competitor {
+    fn shade(self) -> Shade {
+        match self {
+            Self::Ours => Shade::Blue,
+            Self::Loop => Shade::Green,
+            Self::Scipy => Shade::Amber,
+            Self::Sundials => Shade::Vermilion,
+            Self::OpenSees => Shade::Ink,
+        }
+    }
+
+    /// Marks of its methods, in their order.
+    fn marks(self) -> [Mark; 4] {
+        match self {
+            Self::Ours => [Mark::Disc, Mark::Square, Mark::Diamond, Mark::Inverted],
+            Self::Loop | Self::Scipy | Self::Sundials | Self::OpenSees => [
+                Mark::Ring,
+                Mark::HollowSquare,
+                Mark::HollowTriangle,
+                Mark::HollowDiamond,
+            ],
+        }
+    }
+}
+
+/// Panels over one axis of CPU time, each with its title and its methods, as a PNG.
+///
+/// Methods of the same competitor are told apart by their place among its names, the same in all panels. `unit` says what has the CPU
+/// time 1.
+///
+/// # Errors
+/// [`PlotError`] for numbers that cannot be drawn.
+pub fn work_precision_figure(
+    panels: &[(&str, Vec<WorkPrecision>)],
+    unit: &str,
+) -> Result<Vec<u8>, PlotError> {
+    let mut names: Vec<(Competitor, &str)> = Vec::new();
+    for one in panels.iter().flat_map(|(_, methods)| methods) {
+        let name = (one.competitor, one.label.as_str());
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let panel = |(index, (title, methods)): (usize, &(&str, Vec<WorkPrecision>))| Panel {
+        title: (*title).into(),
+        y: Axis::over(
+            if index == 0 { "Relative error" } else { "" },
+            ROUNDING,
+            WORTHLESS,
+        )
+        .log(),
+        curves: methods.iter().map(|one| curve(one, &names)).collect(),
+        legend: Legend::Shared,
+        ..Panel::default()
+    };
+    render_png(&Figure {
+        height_in: 4.6,
+        columns: panels.len(),
+        x: Axis::auto(format!("CPU time ({unit} = 1)")).log(),
+        panels: panels.iter().enumerate().map(panel).collect(),
+    })
+}
+
+fn curve(one: &WorkPrecision, names: &[(Competitor, &str)]) -> Curve {
+    let own = names.iter().filter(|(whose, _)| *whose == one.competitor);
+    let place = own
+        .map(|(_, label)| *label)
+        .position(|label| label == one.label);
+    let marks = one.competitor.marks();
+    let mark = marks[place.unwrap_or(0) % marks.len()];
+    let visible = one.points.iter().filter(|(_, error)| *error < WORTHLESS);
+    let points = visible.map(|(time, error)| (*time, error.max(ROUNDING)));
+    let curve = Curve::new(Kind::Line, one.competitor.shade(), points.collect());
+    curve.marked(mark).named(one.label.clone())
+}

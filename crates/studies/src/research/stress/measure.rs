@@ -1,0 +1,291 @@
+//! The runs of one scene at the edge: every method, the exact one, and the second route.
+
+use pounding_solver::Collision;
+
+use super::class::{ACCURATE, Class};
+use crate::study::axis::Pushed;
+use crate::{research::work_precision::Quantities, research::work_precision::Quantity};
+use pounding_reference::Fineness;
+use pounding_scene::AT_ONCE;
+use pounding_scene::Audited;
+use pounding_scene::StepMethod;
+use pounding_scene::{Method, Number, RunResult, Simulation, Warning};
+
+/// Longest row that the second route, which steps all structures together, is asked for.
+const MOST_OF_SECOND_ROUTE: usize = 10;
+
+/// What becomes of a scene.
+#[derive(Debug)]
+pub(super) struct Measured {
+    /// The exact method by the second route, then every stepping method by the exact one.
+    pub(super) runs: Vec<Run>,
+}
+
+/// What becomes of a scene under one method.
+#[derive(Debug)]
+pub(super) struct Run {
+    /// Name of the method.
+    pub(super) method: &'static str,
+    /// Time step \[s\]; nothing for the exact method.
+    pub(super) time_step: Option<f64>,
+    /// Of every quantity.
+    pub(super) numbers: [Judged; Quantity::ALL.len()],
+    /// Largest part of the energy that the balance of the run leaves unexplained \[–\].
+    pub(super) residual: Option<f64>,
+    /// Why it was refused or caught.
+    pub(super) reason: String,
+}
+
+/// What becomes of one number of a run.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Judged {
+    pub(super) class: Class,
+    /// Relative error \[–\]; of a refused run, that of the same run forced.
+    pub(super) error: Option<f64>,
+    /// Whether the program warns of it, as it does by default.
+    pub(super) warned: bool,
+    /// Class had the program not measured the errors (`--no-error`).
+    pub(super) unmeasured: Class,
+    /// Whether it then warns.
+    pub(super) warned_unmeasured: bool,
+}
+
+impl Judged {
+    /// A warning of a number that is within 1 %.
+    pub(super) fn is_false_alarm(&self) -> bool {
+        self.warned && self.is_good() && self.is_printed()
+    }
+
+    /// The same without measured errors.
+    pub(super) fn is_false_alarm_unmeasured(&self) -> bool {
+        self.warned_unmeasured && self.is_good() && self.is_printed()
+    }
+
+    /// A refusal of a run that would have been within 1 %.
+    pub(super) fn is_wrong_refusal(&self) -> bool {
+        matches!(self.class, Class::Refused | Class::Caught) && self.is_good()
+    }
+
+    /// A refusal of a run that ends early when forced, so that nobody knows.
+    pub(super) fn is_unchecked_refusal(&self) -> bool {
+        matches!(self.class, Class::Refused | Class::Caught) && self.error.is_none()
+    }
+
+    /// A number that is printed, and compared.
+    pub(super) fn is_compared(&self) -> bool {
+        self.error.is_some() && self.is_printed()
+    }
+
+    fn is_good(&self) -> bool {
+        self.error.is_some_and(|error| error <= ACCURATE)
+    }
+
+    fn is_printed(&self) -> bool {
+        !matches!(
+            self.class,
+            Class::Refused | Class::Caught | Class::NoReference | Class::NotVerified
+        )
+    }
+}
+
+/// Runs every method on a scene; `base` lends what does not change.
+pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
+    let exact = match base.variant(&pushed.scene, pushed.record.clone()) {
+        Ok(prepared) => prepared,
+        // The scene is refused whatever the method.
+        Err(error) => {
+            let reason = error.to_string();
+            let run = |method| Run::all(method, None, Class::Refused, reason.clone());
+            let impulsive = is_impulsive(base);
+            let methods = StepMethod::differing(impulsive).map(|method| run(method.name()));
+            return Measured {
+                runs: std::iter::once(run("exact")).chain(methods).collect(),
+            };
+        }
+    };
+    let (reference, residual) = match exact.audited(None) {
+        Ok(Audited {
+            outcome,
+            broken: None,
+            balance,
+        }) => (Ok(outcome), Some(balance.residual)),
+        Ok(Audited {
+            broken: Some(broken),
+            ..
+        }) => (Err(broken), None),
+        Err(error) => (Err(error), None),
+    };
+    let by_second_route = Run {
+        residual,
+        ..of_exact(&exact, reference.as_ref().ok())
+    };
+    let methods = StepMethod::differing(is_impulsive(&exact)).map(|method| {
+        let scheme = method.at(pushed.time_step);
+        of_method(&exact, (method.name(), scheme), reference.as_ref().ok())
+    });
+    Measured {
+        runs: std::iter::once(match &reference {
+            Ok(_) => by_second_route,
+            Err(error) => Run::all("exact", None, Class::Caught, error.to_string()),
+        })
+        .chain(methods)
+        .collect(),
+    }
+}
+
+fn is_impulsive(prepared: &Simulation) -> bool {
+    prepared.pairs().iter().any(|pair| !pair.law.is_compliant())
+}
+
+/// The exact run by the second route.
+fn of_exact(exact: &Simulation, reference: Option<&RunResult>) -> Run {
+    let n = exact.scene().structures.len();
+    if n > MOST_OF_SECOND_ROUTE {
+        let reason = format!("the second route is asked for rows of up to {MOST_OF_SECOND_ROUTE}");
+        return Run::all("exact", None, Class::NotVerified, reason);
+    }
+    if reference.is_some_and(hits_at_once) {
+        let reason =
+            "several pairs hit at one instant, which rounding of the second route takes apart";
+        return Run::all("exact", None, Class::NotVerified, reason.into());
+    }
+    let known = reference.map(|reference| {
+        let own = Quantities::of_outcome(reference, n);
+        let second = crate::second_route(exact, Fineness::FINE);
+        second.map(|second| (own, Quantities::of_second_route(&second)))
+    });
+    match known {
+        Some(Ok((own, second))) => Run {
+            numbers: Quantity::ALL.map(|quantity| {
+                let error = own.distance(&second, quantity);
+                let class = Class::of(error, false);
+                Judged {
+                    class,
+                    error,
+                    warned: false,
+                    unmeasured: class,
+                    warned_unmeasured: false,
+                }
+            }),
+            ..Run::all("exact", None, Class::Nothing, String::new())
+        },
+        Some(Err(error)) => Run::all("exact", None, Class::NotVerified, error.to_string()),
+        None => Run::all("exact", None, Class::NotVerified, String::new()),
+    }
+}
+
+/// Whether impacts of different pairs are apart by rounding alone: together and one by one they end otherwise.
+fn hits_at_once(outcome: &RunResult) -> bool {
+    let all = outcome.collisions.all();
+    let impulsive = |one: &&Collision| one.peak_force.is_none();
+    let hits: Vec<_> = all.iter().filter(impulsive).collect();
+    hits.windows(2)
+        .any(|two| two[0].pair != two[1].pair && (two[1].start - two[0].start).abs() < AT_ONCE)
+}
+
+/// A stepping method by the exact run.
+fn of_method(
+    exact: &Simulation,
+    (name, method): (&'static str, Method),
+    reference: Option<&RunResult>,
+) -> Run {
+    let time_step = method.time_step();
+    let stopped = |class, reason| Run::all(name, time_step, class, reason);
+    let prepared = match exact.with_any_method(method) {
+        Ok(prepared) => prepared,
+        Err(error) => return stopped(Class::Refused, error.to_string()),
+    };
+    let refusal = prepared.refusal();
+    let Audited {
+        outcome,
+        broken,
+        balance,
+    } = match prepared.audited(None) {
+        Ok(run) => run,
+        Err(error) => {
+            let class = if refusal.is_some() {
+                Class::Refused
+            } else {
+                Class::Caught
+            };
+            return stopped(class, refusal.unwrap_or(error.to_string()));
+        }
+    };
+    let wrong = match (&refusal, &broken) {
+        (Some(_), _) => Some(Class::Refused),
+        (None, Some(_)) => Some(Class::Caught),
+        (None, None) => None,
+    };
+    let reason = refusal.or(broken.map(|error| error.to_string()));
+    Run {
+        numbers: judge(&prepared, (&outcome, reference), wrong),
+        residual: Some(balance.residual),
+        ..stopped(Class::Nothing, reason.unwrap_or_default())
+    }
+}
+
+/// What becomes of every number of a run that ends; `wrong` where none of them is printed.
+fn judge(
+    prepared: &Simulation,
+    (outcome, reference): (&RunResult, Option<&RunResult>),
+    wrong: Option<Class>,
+) -> [Judged; Quantity::ALL.len()] {
+    let before = prepared.warnings_before(outcome);
+    let warnings = match reference {
+        Some(reference) => prepared.warnings(outcome, reference).1,
+        None => vec![Warning::ErrorUnknown],
+    };
+    let quantities = |of: &RunResult| Quantities::of_outcome(of, prepared.scene().structures.len());
+    let (found, truth) = (quantities(outcome), reference.map(quantities));
+    Quantity::ALL.map(|quantity| {
+        let asked = number(quantity, !is_impulsive(prepared));
+        let concerns = |all: &[Warning]| all.iter().any(|warning| warning.concerns(asked));
+        let (warned, warned_unmeasured) = (concerns(&warnings), concerns(&before));
+        let error = truth.as_ref().map(|truth| found.distance(truth, quantity));
+        let class = |warned| match (wrong, error) {
+            (Some(wrong), _) => wrong,
+            (None, None) => Class::NoReference,
+            (None, Some(error)) => Class::of(error, warned),
+        };
+        Judged {
+            class: class(warned),
+            error: error.flatten(),
+            warned,
+            unmeasured: class(warned_unmeasured),
+            warned_unmeasured,
+        }
+    })
+}
+
+/// The printed number that a quantity is.
+fn number(quantity: Quantity, compliant: bool) -> Number {
+    match quantity {
+        Quantity::FirstTime => Number::FirstTouch,
+        Quantity::FirstImpulse => Number::FirstImpulse,
+        Quantity::Momentum => Number::Momentum,
+        Quantity::ContactPeak if compliant => Number::PoundingForce,
+        Quantity::ContactPeak => Number::LargestImpulse,
+        Quantity::Displacement => Number::Displacement,
+        Quantity::Shear => Number::ShearForce,
+    }
+}
+
+impl Run {
+    /// A run without numbers of its own.
+    fn all(method: &'static str, time_step: Option<f64>, class: Class, reason: String) -> Self {
+        let judged = Judged {
+            class,
+            error: None,
+            warned: false,
+            unmeasured: class,
+            warned_unmeasured: false,
+        };
+        Self {
+            method,
+            time_step,
+            numbers: [judged; Quantity::ALL.len()],
+            residual: None,
+            reason,
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Maps over two logarithmic axes: panels of coloured cells, a row of panels for each quantity with its scale beside it.
+
+use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape};
+use pounding_text::digits;
+
+/// Width of the paper \[mm\]: two columns of a journal.
+const WIDTH: f64 = 177.8;
+/// Room left of the panels, between them, above each, and below the last row \[mm\].
+const MARGIN: (f64, f64, f64, f64) = (13.0, 4.0, 5.4, 9.0);
+/// Room for the scale beside the panels \[mm\].
+const SCALE: f64 = 27.0;
+/// Width and height of a step of the scale \[mm\].
+const STEP: (f64, f64) = (4.2, 4.6);
+/// Radius of the dot that marks a class in grey, too \[mm\].
+const DOT: f64 = 0.3;
+/// Sizes of letters in points.
+const TEXT: f64 = 8.0;
+const SMALL: f64 = 7.0;
+
+/// A map of all quantities.
+pub(super) struct Heat {
+    /// Values along both axes, rising, at equal ratios.
+    pub(super) axis: Vec<f64>,
+    pub(super) x: String,
+    pub(super) y: String,
+    /// Titles of the columns of panels.
+    pub(super) titles: Vec<String>,
+    pub(super) rows: Vec<HeatRow>,
+    /// Values with a number at the axes.
+    pub(super) ticks: Vec<f64>,
+}
+
+/// One quantity.
+pub(super) struct HeatRow {
+    pub(super) label: String,
+    pub(super) classes: Classes,
+    /// For every panel the cells, row by row from below; nothing stays white.
+    pub(super) panels: Vec<Vec<Option<f64>>>,
+}
+
+/// How values are coloured.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Classes {
+    /// Darker is more; the bounds rise.
+    Rising([f64; 5]),
+    /// Blue is less than one, with a dot, and orange is more; the bounds rise, three on either side.
+    About([f64; 6]),
+}
+
+impl Classes {
+    fn bounds(&self) -> &[f64] {
+        match self {
+            Self::Rising(bounds) => bounds,
+            Self::About(bounds) => bounds,
+        }
+    }
+
+    /// Colour of a class, counted from the lowest, and whether it has a dot.
+    fn look(self, class: usize) -> (Fill, bool) {
+        let fill = |shade, opacity| Fill { shade, opacity };
+        match self {
+            Self::Rising(_) => {
+                let opacities = [0.06, 0.2, 0.38, 0.58, 0.8, 1.0];
+                (fill(Shade::Blue, opacities[class]), false)
+            }
+            Self::About(_) => match class {
+                0..=2 => (fill(Shade::Blue, [0.95, 0.6, 0.28][class]), true),
+                3 => (fill(Shade::Mist, 0.5), false),
+                more => (fill(Shade::Vermilion, [0.3, 0.62, 1.0][more - 4]), false),
+            },
+        }
+    }
+
+    fn class(&self, value: f64) -> usize {
+        self.bounds()
+            .iter()
+            .filter(|bound| value >= **bound)
+            .count()
+    }
+
+    /// Words of a class.
+    fn words(&self, class: usize) -> String {
+        let bounds = self.bounds();
+        match class {
+            0 => format!("< {}", digits(bounds[0])),
+            last if last == bounds.len() => format!("≥ {}", digits(bounds[last - 1])),
+            middle => format!("{}–{}", digits(bounds[middle - 1]), digits(bounds[middle])),
+        }
+    }
+}
+
+impl Heat {
+    /// The map on paper.
+    pub(super) fn drawing(&self) -> Drawing {
+        let n_columns = self.titles.len() as f64;
+        let (left, between, above, below) = MARGIN;
+        let side = (WIDTH - left - SCALE - (n_columns - 1.0) * between) / n_columns;
+        let height = self.rows.len() as f64 * (side + above) + below + 2.0;
+        let mut shapes = Vec::new();
+        for (row, of_row) in self.rows.iter().enumerate() {
+            let bottom = height - 2.0 - (row + 1) as f64 * (side + above);
+            for (column, cells) in of_row.panels.iter().enumerate() {
+                let corner = (left + column as f64 * (side + between), bottom);
+                self.panel((corner, side), cells, of_row.classes, &mut shapes);
+                if row == 0 {
+                    let at = (corner.0 + 0.5 * side, bottom + side + 2.6);
+                    shapes.push(Shape::text(at, &*self.titles[column], TEXT, Align::Middle));
+                }
+                self.numbers(
+                    (corner, side),
+                    (column == 0, row + 1 == self.rows.len()),
+                    &mut shapes,
+                );
+            }
+            let at = (3.2, bottom + 0.5 * side);
+            shapes.push(upright(at, &self.y));
+            scale((WIDTH - SCALE + 3.0, bottom + side), of_row, &mut shapes);
+        }
+        let middle = left + 0.5 * (WIDTH - left - SCALE);
+        shapes.push(Shape::text((middle, 2.6), &*self.x, TEXT, Align::Middle));
+        Drawing {
+            width: WIDTH,
+            height,
+            shapes,
+        }
+    }
+
+    fn panel(
+        &self,
+        (corner, side): ((f64, f64), f64),
+        cells: &[Option<f64>],
+        classes: Classes,
+        shapes: &mut Vec<Shape>,
+    ) {
+        let n = self.axis.len();
+        let cell = side / n as f64;
+        for (index, value) in cells.iter().enumerate() {
+            let Some(value) = value else {
+                continue;
+            };
+            let (fill, dot) = classes.look(classes.class(*value));
+            let at = (
+                corner.0 + (index % n) as f64 * cell,
+                corner.1 + (index / n) as f64 * cell,
+            );
+            shapes.push(Shape::filled(at, (cell, cell), fill));
+            if dot {
+                shapes.push(spot((at.0 + 0.5 * cell, at.1 + 0.5 * cell)));
+            }
+        }
+        shapes.push(Shape::Rectangle {
+            corner,
+            size: (side, side),
+            fill: None,
+            outline: Some(Pen::solid(Shade::Ink, 0.6)),
+        });
+    }
+
+    /// Ticks, with numbers on the left and below where asked for.
+    fn numbers(
+        &self,
+        (corner, side): ((f64, f64), f64),
+        (beside, under): (bool, bool),
+        shapes: &mut Vec<Shape>,
+    ) {
+        let n = self.axis.len();
+        let (from, to) = (self.axis[0], self.axis[n - 1]);
+        let cell = side / n as f64;
+        let pen = Pen::solid(Shade::Ink, 0.6);
+        for &tick in &self.ticks {
+            let part = libm::log(tick / from) / libm::log(to / from);
+            let along = (0.5 + part * (n - 1) as f64) * cell;
+            let (x, y) = (corner.0 + along, corner.1 + along);
+            shapes.push(Shape::line((x, corner.1 - 0.9), (x, corner.1), pen));
+            shapes.push(Shape::line((corner.0 - 0.9, y), (corner.0, y), pen));
+            if under {
+                let at = (x, corner.1 - 2.9);
+                shapes.push(Shape::text(at, digits(tick), SMALL, Align::Middle));
+            }
+            if beside {
+                let at = (corner.0 - 1.5, y);
+                shapes.push(Shape::text(at, digits(tick), SMALL, Align::End));
+            }
+        }
+    }
+}
+
+/// The classes of a quantity from above to below, under its name.
+fn scale((x, top): (f64, f64), row: &HeatRow, shapes: &mut Vec<Shape>) {
+    let lines: Vec<&str> = row.label.lines().collect();
+    for (index, line) in lines.iter().enumerate() {
+        let at = (x, top - 1.6 - 3.3 * index as f64);
+        shapes.push(Shape::text(at, *line, SMALL, Align::Start));
+    }
+    let top = top - 2.4 - 3.3 * lines.len() as f64;
+    let n_classes = row.classes.bounds().len() + 1;
+    for class in 0..n_classes {
+        let (fill, dot) = row.classes.look(class);
+        let corner = (x, top - (n_classes - class) as f64 * STEP.1);
+        shapes.push(Shape::Rectangle {
+            corner,
+            size: STEP,
+            fill: Some(fill),
+            outline: Some(Pen::solid(Shade::Grey, 0.4)),
+        });
+        if dot {
+            shapes.push(spot((corner.0 + 0.5 * STEP.0, corner.1 + 0.5 * STEP.1)));
+        }
+        let at = (x + STEP.0 + 1.4, corner.1 + 0.5 * STEP.1);
+        shapes.push(Shape::text(
+            at,
+            row.classes.words(class),
+            SMALL,
+            Align::Start,
+        ));
+    }
+}
+
+fn spot(centre: (f64, f64)) -> Shape {
+    Shape::Circle {
+        centre,
+        radius: DOT,
+        fill: Some(Fill::solid(Shade::White)),
+        outline: None,
+    }
+}
+
+fn upright(at: (f64, f64), text: &str) -> Shape {
+    Shape::Text {
+        at,
+        text: text.into(),
+        points: TEXT,
+        align: Align::Middle,
+        upright: true,
+        shade: Shade::Ink,
+    }
+}

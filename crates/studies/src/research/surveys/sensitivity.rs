@@ -1,0 +1,360 @@
+//! Which inputs matter: shares of the variance of impulse and drifts that each input has, alone and with all others.
+//!
+//! Indices of Sobol' by two matrices of samples and one more for each input, in which that input comes from the other matrix
+//! (A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259): first order by their Table 2 (b), total by M. J. W. Jansen
+//! (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; what they leave open is found by bootstrap over rows.
+
+use crate::StudyError;
+use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+use sobol::Sobol;
+use sobol::params::JoeKuoD6;
+
+use super::cases::{Case, each, rows, sdof, with_gap};
+use super::statistics::{quantile, sorted};
+use super::{Files, csv, drawn};
+use crate::StudyFile;
+use crate::paper::figures::capital;
+use crate::study::surveys::Sensitivity;
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_scene::{Damping, Scene};
+use pounding_text::digits;
+
+/// The inputs, in the order of the coordinates of a sample.
+const INPUTS: [&str; 7] = [
+    "gap",
+    "restitution e",
+    "impact stiffness",
+    "damping ratio",
+    "direction",
+    "intensity",
+    "motion",
+];
+const N_INPUTS: usize = INPUTS.len();
+/// What is asked of a run.
+const OUTPUTS: [&str; 4] = [
+    "total impulse",
+    "peak force",
+    "drift of the first",
+    "drift of the second",
+];
+const N_OUTPUTS: usize = OUTPUTS.len();
+
+type Sample = [f64; N_INPUTS];
+type Output = [f64; N_OUTPUTS];
+
+/// Runs of a row of the matrices: of both of them, and of the first with each input from the second.
+#[derive(Debug, Clone)]
+struct Row {
+    a: Output,
+    b: Output,
+    mixed: [Output; N_INPUTS],
+}
+
+/// An index with its 95 % bounds.
+#[derive(Debug, Clone, Copy)]
+struct Index {
+    value: f64,
+    bounds: (f64, f64),
+}
+
+pub(super) fn files(
+    settings: &Sensitivity,
+    file: &StudyFile,
+    cases: &[Case],
+) -> Result<Files, StudyError> {
+    let template = &rows(file, 2)?[0];
+    // A motion and its reversal stand together.
+    let n_motions = if settings.vary_motion {
+        cases.len() / 2
+    } else {
+        1
+    };
+    let asked = Asked {
+        settings,
+        template,
+        cases: &cases[..2 * n_motions],
+    };
+    let rows = each(&samples(settings.samples), |(a, b)| asked.row(a, b))?;
+    let inputs: Vec<usize> = (0..N_INPUTS)
+        .filter(|input| settings.vary_motion || INPUTS[*input] != "motion")
+        .collect();
+    let found: Vec<Vec<[Index; 2]>> = (0..N_OUTPUTS)
+        .map(|output| {
+            let of = |input: &usize| indices(&rows, *input, output, settings.bootstrap);
+            inputs.iter().map(of).collect()
+        })
+        .collect();
+    Ok(Files::from([
+        ("indices.csv".into(), table(&rows, &inputs, &found)),
+        ("indices.png".into(), drawn(&figure(&inputs, &found), file)?),
+    ]))
+}
+
+/// Rows of both matrices: one point of a sequence each, halved. Its first point is the corner 0, which is no sample.
+fn samples(count: usize) -> Vec<(Sample, Sample)> {
+    let sequence = Sobol::<f64>::new(2 * N_INPUTS, &JoeKuoD6::minimal());
+    let half = |point: &[f64]| std::array::from_fn(|input| point[input]);
+    let both = |point: Vec<f64>| (half(&point[..N_INPUTS]), half(&point[N_INPUTS..]));
+    sequence.skip(1).take(count).map(both).collect()
+}
+
+struct Asked<'a> {
+    settings: &'a Sensitivity,
+    template: &'a Scene,
+    cases: &'a [Case],
+}
+
+impl Asked<'_> {
+    fn row(&self, a: &Sample, b: &Sample) -> Result<Row, StudyError> {
+        let mut mixed = [[0.0; N_OUTPUTS]; N_INPUTS];
+        let of_a = self.run(a)?;
+        for (input, output) in mixed.iter_mut().enumerate() {
+            let mut sample = *a;
+            sample[input] = b[input];
+            *output = if self.is_same(a, &sample) {
+                of_a
+            } else {
+                self.run(&sample)?
+            };
+        }
+        Ok(Row {
+            a: of_a,
+            b: self.run(b)?,
+            mixed,
+        })
+    }
+
+    /// Whether both samples are one scene under one motion, whatever is not asked.
+    fn is_same(&self, one: &Sample, other: &Sample) -> bool {
+        let continuous = 0..4;
+        let alike = |input: usize| one[input].total_cmp(&other[input]).is_eq();
+        continuous.chain(5..6).all(alike) && self.case(one) == self.case(other)
+    }
+
+    /// Which motion and direction.
+    fn case(&self, sample: &Sample) -> usize {
+        let n_motions = self.cases.len() / 2;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "0 to the number of motions"
+        )]
+        let motion = ((sample[6] * n_motions as f64) as usize).min(n_motions - 1);
+        2 * motion + usize::from(sample[4] >= 0.5)
+    }
+
+    fn run(&self, sample: &Sample) -> Result<Output, StudyError> {
+        let [gap, restitution, stiffness, damping, _, intensity, _] = *sample;
+        let settings = self.settings;
+        let law = NonlinearViscoelastic::calibrated(
+            settings.impact_stiffness_n_per_m1_5.log_uniform(stiffness),
+            settings.restitution.uniform(restitution),
+            Calibration::Exact,
+        );
+        let law = law.expect("the study gives stiffnesses and restitutions in range");
+        let mut scene = with_gap(self.template, settings.gap_m.uniform(gap));
+        for contact in scene.contacts.iter_mut().flatten() {
+            contact.law = ContactLaw::NonlinearViscoelastic(law);
+        }
+        for index in 0..2 {
+            let ratio = settings.damping_ratio.uniform(damping);
+            sdof(&mut scene, index).damping = Damping::Ratio(ratio);
+        }
+        let case = self.cases[self.case(sample)].scaled(settings.intensity.uniform(intensity))?;
+        let response = case.run(&scene)?;
+        Ok([
+            response.impulse,
+            response.force,
+            response.peaks[0],
+            response.peaks[1],
+        ])
+    }
+}
+
+fn square(value: f64) -> f64 {
+    value * value
+}
+
+/// First-order and total index of an input for an output, from some rows.
+fn estimate(rows: &[&Row], input: usize, output: usize) -> [f64; 2] {
+    let n = rows.len() as f64;
+    let both = rows.iter().flat_map(|row| [row.a[output], row.b[output]]);
+    let mean = both.clone().sum::<f64>() / (2.0 * n);
+    let variance = both.map(|value| square(value - mean)).sum::<f64>() / (2.0 * n);
+    let mut sums = [0.0, 0.0];
+    for row in rows {
+        let (a, b, mixed) = (row.a[output], row.b[output], row.mixed[input][output]);
+        // Without the mean, of which the first sum knows nothing, it has less noise.
+        sums[0] += (b - mean) * (mixed - a);
+        sums[1] += 0.5 * square(a - mixed);
+    }
+    sums.map(|sum| {
+        if variance > 0.0 {
+            sum / n / variance
+        } else {
+            0.0
+        }
+    })
+}
+
+/// Both indices with the bounds of the bootstrap.
+fn indices(rows: &[Row], input: usize, output: usize, repetitions: usize) -> [Index; 2] {
+    let all: Vec<&Row> = rows.iter().collect();
+    let values = estimate(&all, input, output);
+    let mut random = Pcg64::new(1, 2);
+    let mut repeated: [Vec<f64>; 2] = Default::default();
+    for _ in 0..repetitions {
+        let draw = |_| {
+            let n = rows.len() as u64;
+            &rows[usize::try_from(random.next_u64() % n).expect("less than a usize")]
+        };
+        let drawn: Vec<&Row> = (0..rows.len()).map(draw).collect();
+        let again = estimate(&drawn, input, output);
+        for (all, one) in repeated.iter_mut().zip(again) {
+            all.push(one);
+        }
+    }
+    let bound = |all: &[f64], part| quantile(all, part).unwrap_or(f64::NAN);
+    let repeated = repeated.map(|all| sorted(all.into_iter()));
+    [0, 1].map(|order| Index {
+        value: values[order],
+        bounds: (
+            bound(&repeated[order], 0.025),
+            bound(&repeated[order], 0.975),
+        ),
+    })
+}
+
+/// A row per output and input.
+fn table(rows: &[Row], inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Vec<u8> {
+    let header = [
+        "output",
+        "input",
+        "samples",
+        "mean",
+        "standard_deviation",
+        "first_order",
+        "first_order_from",
+        "first_order_to",
+        "total",
+        "total_from",
+        "total_to",
+    ];
+    let mut lines = Vec::new();
+    for (output, of_output) in found.iter().enumerate() {
+        let values: Vec<f64> = rows
+            .iter()
+            .flat_map(|row| [row.a[output], row.b[output]])
+            .collect();
+        let n = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / n;
+        let variance = values.iter().map(|value| square(value - mean)).sum::<f64>() / n;
+        for (input, [first, total]) in inputs.iter().zip(of_output) {
+            let mut line = vec![
+                OUTPUTS[output].to_string(),
+                INPUTS[*input].to_string(),
+                rows.len().to_string(),
+            ];
+            let numbers = [mean, variance.sqrt()].into_iter();
+            let numbers = numbers.chain([first.value, first.bounds.0, first.bounds.1]);
+            line.extend(
+                numbers
+                    .chain([total.value, total.bounds.0, total.bounds.1])
+                    .map(digits),
+            );
+            lines.push(line);
+        }
+    }
+    csv(&header, &lines)
+}
+
+/// A panel per output: of every input a bar to its first-order index and a mark at its total one, with bounds.
+fn figure(inputs: &[usize], found: &[Vec<[Index; 2]>]) -> Figure {
+    let names: Vec<String> = inputs.iter().map(|input| INPUTS[*input].into()).collect();
+    let panel = |(output, of_output): (usize, &Vec<[Index; 2]>)| {
+        let mut curves = Vec::new();
+        let looks = [
+            ("alone (first order)", Shade::Blue, Mark::Disc, -0.16),
+            (
+                "with all others (total)",
+                Shade::Vermilion,
+                Mark::Square,
+                0.16,
+            ),
+        ];
+        for (order, (name, shade, mark, aside)) in looks.into_iter().enumerate() {
+            let mut points = Vec::new();
+            for (line, both) in of_output.iter().enumerate() {
+                let (Index { value, bounds }, y) = (both[order], line as f64 + aside);
+                let span = [bounds.0, bounds.1].map(|bound| (bound.clamp(0.0, 1.0), y));
+                curves.push(Curve::new(Kind::Line, shade, span.into()));
+                points.push((value.clamp(0.0, 1.0), y));
+            }
+            curves.push(
+                Curve::new(Kind::Points, shade, points)
+                    .marked(mark)
+                    .named(name),
+            );
+        }
+        Panel {
+            title: capital(OUTPUTS[output]),
+            y: Axis::names(names.clone()),
+            curves,
+            legend: Legend::Shared,
+            ..Panel::default()
+        }
+    };
+    Figure {
+        height_in: 5.2,
+        columns: 2,
+        x: Axis::over("Share of the variance (–)", 0.0, 1.0),
+        panels: found.iter().enumerate().map(panel).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Indices of y = x₁ + 2 x₂ + x₁ x₃ against their closed form: with x uniform on 0 to 1 the variance is
+    /// V₁ = 1.5²/12, V₂ = 4/12, V₃ = 0.5²/12, and V₁₃ = 1/144.
+    #[test]
+    fn reference_indices_of_a_polynomial() {
+        let of = |sample: &Sample| {
+            let mut output = [0.0; N_OUTPUTS];
+            output[0] = sample[0] + 2.0 * sample[1] + sample[0] * sample[2];
+            output
+        };
+        let row = |(a, b): &(Sample, Sample)| {
+            let mixed = std::array::from_fn(|input| {
+                let mut sample = *a;
+                sample[input] = b[input];
+                of(&sample)
+            });
+            Row {
+                a: of(a),
+                b: of(b),
+                mixed,
+            }
+        };
+        let rows: Vec<Row> = samples(4096).iter().map(row).collect();
+        let rows: Vec<&Row> = rows.iter().collect();
+        let parts = [2.25 / 12.0, 4.0 / 12.0, 0.25 / 12.0, 0.0];
+        let both = [1.0 / 144.0, 0.0, 1.0 / 144.0, 0.0];
+        let whole: f64 = parts.iter().sum::<f64>() + 1.0 / 144.0;
+        for input in 0..parts.len() {
+            let [first, total] = estimate(&rows, input, 0);
+            let wanted = [parts[input] / whole, (parts[input] + both[input]) / whole];
+            assert!(
+                (first - wanted[0]).abs() < 5e-3,
+                "{input}: {first} {wanted:?}"
+            );
+            assert!(
+                (total - wanted[1]).abs() < 5e-3,
+                "{input}: {total} {wanted:?}"
+            );
+        }
+    }
+}

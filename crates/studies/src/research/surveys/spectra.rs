@@ -1,0 +1,288 @@
+//! Spectra of pounding: what two elastic structures do to each other, over both periods.
+
+use crate::StudyError;
+use pounding_solver::SimultaneousImpacts;
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+use super::cases::{Case, Response, each, rows, sdof, set_period, with_gap};
+use super::heat::{Classes, Heat, HeatRow};
+use super::statistics::{quantile, sorted};
+use super::{Files, csv, drawn};
+use crate::StudyFile;
+use crate::study::surveys::PoundingSpectra;
+use pounding_scene::{Method, STANDARD_GRAVITY, Scene};
+use pounding_text::digits;
+
+/// A pair of structures with a gap.
+#[derive(Debug, Clone, Copy)]
+struct Cell {
+    /// Which periods.
+    left: usize,
+    right: usize,
+    gap: f64,
+    mass_ratio: f64,
+}
+
+/// What is shown of a run.
+#[derive(Debug, Clone, Copy)]
+struct Numbers([f64; 4]);
+
+/// Their names.
+const KEYS: [&str; 4] = [
+    "force_over_weight",
+    "impulse_over_reduced_mass_m_per_s",
+    "left_over_alone",
+    "right_over_alone",
+];
+/// Colours of forces, impulses and amplifications.
+const FORCE: Classes = Classes::Rising([0.25, 0.5, 1.0, 2.0, 4.0]);
+const IMPULSE: Classes = Classes::Rising([0.5, 1.0, 2.0, 4.0, 8.0]);
+const AMPLIFICATION: Classes = Classes::About([0.5, 0.75, 0.95, 1.05, 1.5, 2.5]);
+/// Periods with a number at the axes \[s\].
+const TICKS: [f64; 6] = [0.1, 0.2, 0.5, 1.0, 2.0, 4.0];
+
+/// The pairs under the motions.
+struct Spectra<'a> {
+    settings: &'a PoundingSpectra,
+    template: &'a Scene,
+    cases: Vec<&'a Case>,
+    /// Peak displacement alone of every period, for every case \[m\].
+    alone: Vec<Vec<f64>>,
+}
+
+pub(super) fn files(
+    settings: &PoundingSpectra,
+    file: &StudyFile,
+    cases: &[Case],
+) -> Result<Files, StudyError> {
+    let template = &rows(file, 2)?[0];
+    let wanted = |case: &&Case| settings.motions.contains(&case.name);
+    let cases: Vec<&Case> = cases.iter().filter(wanted).collect();
+    let alone = each(&cases, |case| {
+        let of_period = |period: &f64| {
+            let mut scene = Scene {
+                structures: template.structures[..1].to_vec(),
+                contacts: None,
+                ..template.clone()
+            };
+            set_period(sdof(&mut scene, 0), *period);
+            Ok(case.run(&scene)?.peaks[0])
+        };
+        settings.periods_s.iter().map(of_period).collect()
+    })?;
+    let spectra = Spectra {
+        settings,
+        template,
+        cases,
+        alone,
+    };
+    let cells = spectra.cells();
+    let found = each(&cells, |cell| spectra.numbers(*cell))?;
+    let mut files = Files::from([
+        ("spectra.csv".into(), spectra.table(&cells, &found)),
+        ("digits.csv".into(), spectra.check(&cells, &found)?),
+    ]);
+    for &mass_ratio in &settings.mass_ratios {
+        let heat = spectra.heat(&cells, &found, mass_ratio);
+        let name = format!("mass-ratio-{}.png", digits(mass_ratio));
+        files.insert(name, drawn(&heat.drawing(), file)?);
+    }
+    Ok(files)
+}
+
+impl Spectra<'_> {
+    fn cells(&self) -> Vec<Cell> {
+        let n = self.settings.periods_s.len();
+        let mut cells = Vec::new();
+        for &mass_ratio in &self.settings.mass_ratios {
+            for &gap in &self.settings.gaps_over_srss {
+                let pair = |index| Cell {
+                    left: index % n,
+                    right: index / n,
+                    gap,
+                    mass_ratio,
+                };
+                cells.extend((0..n * n).map(pair));
+            }
+        }
+        cells
+    }
+
+    fn scene(&self, cell: Cell, case: usize) -> Scene {
+        let alone = &self.alone[case];
+        let gap = cell.gap * libm::hypot(alone[cell.left], alone[cell.right]);
+        let mut scene = with_gap(self.template, gap);
+        sdof(&mut scene, 1).mass_kg = cell.mass_ratio * sdof(&mut scene, 0).mass_kg;
+        for (index, period) in [cell.left, cell.right].into_iter().enumerate() {
+            set_period(sdof(&mut scene, index), self.settings.periods_s[period]);
+        }
+        scene
+    }
+
+    /// What happens under every motion.
+    fn numbers(&self, cell: Cell) -> Result<Vec<Numbers>, StudyError> {
+        let of = |(index, case): (usize, &&Case)| {
+            let mut scene = self.scene(cell, index);
+            let response = case.run(&scene)?;
+            Ok(self.of_response(&mut scene, cell, index, &response))
+        };
+        self.cases.iter().enumerate().map(of).collect()
+    }
+
+    fn of_response(
+        &self,
+        scene: &mut Scene,
+        cell: Cell,
+        case: usize,
+        response: &Response,
+    ) -> Numbers {
+        let masses = [0, 1].map(|index| sdof(scene, index).mass_kg);
+        let weight = STANDARD_GRAVITY * masses[0].min(masses[1]);
+        let alone = &self.alone[case];
+        Numbers([
+            response.force / weight,
+            response.impulse * (1.0 / masses[0] + 1.0 / masses[1]),
+            response.peaks[0] / alone[cell.left],
+            response.peaks[1] / alone[cell.right],
+        ])
+    }
+
+    /// A row per pair, gap and ratio of masses.
+    fn table(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Vec<u8> {
+        let mut header: Vec<String> = [
+            "mass_ratio",
+            "gap_over_srss",
+            "left_period_s",
+            "right_period_s",
+            "cases",
+            "touching_cases",
+        ]
+        .map(String::from)
+        .to_vec();
+        for key in KEYS {
+            header.extend([format!("{key}_median"), format!("{key}_largest")]);
+        }
+        let row = |(cell, numbers): (&Cell, &Vec<Numbers>)| {
+            let touching = numbers.iter().filter(|numbers| numbers.touch()).count();
+            let periods = [cell.left, cell.right].map(|index| self.settings.periods_s[index]);
+            let mut row: Vec<String> = [cell.mass_ratio, cell.gap, periods[0], periods[1]]
+                .map(digits)
+                .into();
+            row.extend([numbers.len(), touching].map(|count| count.to_string()));
+            for quantity in 0..KEYS.len() {
+                let values = of_quantity(numbers, quantity);
+                let known = [0.5, 1.0].map(|part| quantile(&values, part).unwrap_or(0.0));
+                row.extend(known.map(digits));
+            }
+            row
+        };
+        let rows: Vec<_> = cells.iter().zip(found).map(row).collect();
+        crate::paper::tables::to_csv(&header, &rows).into_bytes()
+    }
+
+    fn heat(&self, cells: &[Cell], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {
+        let labels = [
+            ("Peak force /\nweight of the\nlighter (–)", FORCE),
+            ("Total impulse /\nreduced mass\n(m/s)", IMPULSE),
+            ("Left: peak /\nalone (–)", AMPLIFICATION),
+            ("Right: peak /\nalone (–)", AMPLIFICATION),
+        ];
+        let panel = |gap: f64, quantity: usize| {
+            let own = cells.iter().zip(found).filter(|(cell, _)| {
+                cell.gap.total_cmp(&gap).is_eq() && cell.mass_ratio.total_cmp(&mass_ratio).is_eq()
+            });
+            let value = |(_, numbers): (&Cell, &Vec<Numbers>)| {
+                let touching = numbers.iter().filter(|numbers| numbers.touch()).count();
+                let value = quantile(&of_quantity(numbers, quantity), 0.5)?;
+                (2 * touching >= numbers.len()).then_some(value)
+            };
+            own.map(value).collect()
+        };
+        let gaps = &self.settings.gaps_over_srss;
+        // Equal masses: the right one is the left one with both periods exchanged.
+        let n_rows = if mass_ratio.total_cmp(&1.0).is_eq() {
+            3
+        } else {
+            4
+        };
+        let row = |(quantity, (label, classes)): (usize, (&str, Classes))| HeatRow {
+            label: label.into(),
+            classes,
+            panels: gaps.iter().map(|gap| panel(*gap, quantity)).collect(),
+        };
+        Heat {
+            axis: self.settings.periods_s.clone(),
+            x: "Period of the left structure (s)".into(),
+            y: "Period of the right structure (s)".into(),
+            titles: gaps
+                .iter()
+                .map(|gap| format!("Gap {} of SRSS", digits(*gap)))
+                .collect(),
+            rows: labels
+                .into_iter()
+                .enumerate()
+                .take(n_rows)
+                .map(row)
+                .collect(),
+            ticks: TICKS.into(),
+        }
+    }
+
+    /// Some runs once more, with a tolerance ten thousand times as large and a record larger by 10⁻¹²: how far the numbers
+    /// move, relative to themselves.
+    fn check(&self, cells: &[Cell], found: &[Vec<Numbers>]) -> Result<Vec<u8>, StudyError> {
+        const TOLERANCE: f64 = 1e-12;
+        const SLIGHT: f64 = 1e-12;
+        let mut random = Pcg64::new(1, 1);
+        let mut below = |n: usize| {
+            usize::try_from(random.next_u64() % n.max(1) as u64).expect("less than a usize")
+        };
+        let chosen: Vec<(usize, usize)> = (0..self.settings.checked)
+            .map(|_| (below(cells.len()), below(self.cases.len())))
+            .collect();
+        let moved = each(&chosen, |&(index, case)| {
+            let cell = cells[index];
+            let mut scene = self.scene(cell, case);
+            let prepared = self.cases[case].scaled(1.0 + SLIGHT)?.prepared(&scene)?;
+            let method = Method::Exact {
+                tolerance: TOLERANCE,
+                simultaneous_impacts: SimultaneousImpacts::Together,
+            };
+            let response = Response::of(&prepared.with_method(method)?.run(None)?, 2);
+            let again = self.of_response(&mut scene, cell, case, &response);
+            let pairs = again.0.into_iter().zip(found[index][case].0);
+            Ok(pairs
+                .map(|(again, before)| {
+                    if before == 0.0 {
+                        again
+                    } else {
+                        (again / before - 1.0).abs()
+                    }
+                })
+                .collect::<Vec<f64>>())
+        })?;
+        let header = ["quantity", "runs", "median", "quantile_95", "largest"];
+        let row = |(quantity, key): (usize, &str)| {
+            let moves = sorted(moved.iter().map(|moves| moves[quantity]));
+            let mut row = vec![key.to_string(), moves.len().to_string()];
+            let known = [0.5, 0.95, 1.0].map(|part| quantile(&moves, part));
+            // Two digits: the last ones are rounding, which other machines may not share.
+            row.extend(known.map(|part| format!("{:.0e}", part.unwrap_or(0.0))));
+            row
+        };
+        let rows: Vec<_> = KEYS.into_iter().enumerate().map(row).collect();
+        Ok(csv(&header, &rows))
+    }
+}
+
+impl Numbers {
+    fn touch(&self) -> bool {
+        self.0[1] > 0.0
+    }
+}
+
+/// A quantity of all cases in rising order.
+fn of_quantity(numbers: &[Numbers], quantity: usize) -> Vec<f64> {
+    sorted(numbers.iter().map(|numbers| numbers.0[quantity]))
+}

@@ -1,0 +1,107 @@
+//! What lies between the neighbours of a random row: gaps, laws, levels.
+
+use pounding_contact::{
+    Calibration, ContactLaw, FreePair, LawName, Stereomechanical, reduced_mass,
+};
+
+use super::random::Random;
+use pounding_scene::{Contact, Structure};
+
+/// Approach speed at which a restitution is calibrated, of laws that need one \[m/s\].
+const SPEED: f64 = 0.3;
+
+/// What the laws of a row have in common.
+#[derive(Debug, Clone, Copy)]
+enum Style {
+    Impulsive,
+    Compliant,
+    Mixed,
+}
+
+/// A contact for each structure and its right neighbour.
+pub(super) fn all(random: &mut Random, structures: &[Structure]) -> Vec<Contact> {
+    use Style::{Compliant, Impulsive, Mixed};
+    let style = random.one_of(&[Impulsive, Impulsive, Impulsive, Compliant, Compliant, Mixed]);
+    let alike = random.chance(0.3);
+    let some_levels = random.chance(0.2);
+    let mut contacts: Vec<Contact> = Vec::new();
+    for two in structures.windows(2) {
+        let (gap_m, law) = (gap(random), law(random, style, two));
+        let levels = some_levels.then(|| levels(random, two)).flatten();
+        contacts.push(match contacts.first() {
+            Some(first) if alike => Contact {
+                levels,
+                ..first.clone()
+            },
+            _ => Contact { gap_m, law, levels },
+        });
+    }
+    contacts
+}
+
+fn gap(random: &mut Random) -> f64 {
+    match random.below(7) {
+        0 => 0.0,
+        1 => random.log_within(1e-6, 1e-3),
+        2 => random.one_of(&[0.01, 0.02, 0.03, 0.05]),
+        _ => random.log_within(1e-3, 0.1),
+    }
+}
+
+/// Levels at which a pair can touch: the highest that both have, or some of them; nothing where all can.
+fn levels(random: &mut Random, two: &[Structure]) -> Option<Vec<usize>> {
+    let storeys = two.iter().filter_map(|one| match one {
+        Structure::Sdof(_) => Some(1),
+        Structure::Building(building) => Some(building.storeys.len()),
+        Structure::Wall => None,
+    });
+    let common = storeys.min()?;
+    let some: Vec<usize> = (1..common).filter(|_| random.chance(0.3)).collect();
+    Some(some.into_iter().chain([common]).collect())
+}
+
+fn law(random: &mut Random, style: Style, two: &[Structure]) -> ContactLaw {
+    let impulsive = match style {
+        Style::Impulsive => true,
+        Style::Compliant => false,
+        Style::Mixed => random.chance(0.5),
+    };
+    if impulsive {
+        let restitution = match random.below(8) {
+            0 => 0.0,
+            1 if random.chance(0.5) => 1.0,
+            2 => 0.65,
+            _ => random.within(0.0, 1.0),
+        };
+        return ContactLaw::Stereomechanical(Stereomechanical { restitution });
+    }
+    // The first of all is the impulsive one.
+    let name = random.one_of(&LawName::ALL[1..]);
+    let linear = name.stiffness_unit() == Some("N/m");
+    let stiffness = if linear {
+        random.log_within(1e7, 2e9)
+    } else {
+        random.log_within(1e8, 1e10)
+    };
+    let pair = FreePair {
+        reduced_mass: reduced_mass(inverse_mass(&two[0]), inverse_mass(&two[1])),
+        approach_speed: SPEED,
+    };
+    let restitution = random.within(0.1, 1.0);
+    let calibrated = |e: f64| name.calibrated(stiffness, (e, Calibration::Exact), &pair);
+    // Springs without damping take 1 alone.
+    calibrated(restitution)
+        .or_else(|_| calibrated(1.0))
+        .expect("stiffness and restitution are in range")
+}
+
+/// Of the highest floor, 0 of a wall \[1/kg\].
+fn inverse_mass(structure: &Structure) -> f64 {
+    match structure {
+        Structure::Sdof(sdof) => 1.0 / sdof.mass_kg,
+        Structure::Building(building) => {
+            building.storeys.last().map_or(0.0, |top| 1.0 / top.mass_kg)
+        }
+        Structure::Wall => 0.0,
+    }
+}

@@ -1,0 +1,263 @@
+//! Random plausible scenes: rows of buildings and walls as they stand in cities, and everything that a scene can say of them.
+//!
+//! Nothing is left out because a route fails on it.
+
+use std::f64::consts::PI;
+
+use serde_json::Value;
+
+use super::random::Random;
+use super::{contacts, motions};
+use pounding_scene::{
+    BoucWen, Building, Columns, Contact, Damping, Method, RunBudget, Scene, Sdof, Storey, Structure,
+};
+
+/// Most storeys of a building.
+const MOST_STOREYS: f64 = 12.0;
+
+/// Scene number `index` of the campaign with a seed, with numbers of at most five digits.
+pub(super) fn scene(seed: u64, index: usize) -> Scene {
+    let mut random = Random::new(seed, index);
+    let mut structures = structures(&mut random);
+    let contacts = contacts::all(&mut random, &structures);
+    if random.chance(0.08) {
+        push(&mut random, &mut structures, &contacts);
+    }
+    let n = structures.len();
+    let scene = Scene {
+        name: format!("seed {seed}, scene {index}"),
+        record: motions::one(&mut random),
+        duration_s: Some(random.within(5.0, 20.0)),
+        arrivals_s: arrivals(&mut random, n),
+        structures,
+        contacts: Some(contacts),
+        method: Method::EXACT,
+        budget: RunBudget::default(),
+    };
+    in_few_digits(&scene)
+}
+
+/// The scene with all numbers rounded to five digits: a file of it is easy to read, and is the same scene.
+fn in_few_digits(scene: &Scene) -> Scene {
+    let mut value = serde_json::to_value(scene).expect("a scene is written without errors");
+    round(&mut value);
+    serde_json::from_value(value).expect("a rounded scene is a scene")
+}
+
+fn round(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let digits = format!("{:.4e}", number.as_f64().unwrap_or(0.0));
+            *value = digits.parse::<f64>().map_or(Value::Null, Value::from);
+        }
+        Value::Array(all) => all.iter_mut().for_each(round),
+        Value::Object(fields) => fields.values_mut().for_each(round),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+    }
+}
+
+/// Two to five buildings, or one beside a wall; walls at either end or at both.
+fn structures(random: &mut Random) -> Vec<Structure> {
+    let walls = if random.chance(0.4) {
+        random.one_of(&[(true, false), (false, true), (true, true)])
+    } else {
+        (false, false)
+    };
+    let alone = (walls.0 || walls.1) && random.chance(0.2);
+    let n = if alone { 1 } else { 2 + random.below(4) };
+    let low = random.chance(0.35);
+    let twins = random.chance(0.1);
+    let mut row: Vec<Structure> = Vec::new();
+    for number in 1..=n {
+        let name = format!("building {number}");
+        let next = match row.first() {
+            Some(first) if twins => named(first, name),
+            _ => building(random, name, low),
+        };
+        row.push(next);
+    }
+    if walls.0 {
+        row.insert(0, Structure::Wall);
+    }
+    if walls.1 {
+        row.push(Structure::Wall);
+    }
+    row
+}
+
+/// The same structure under another name.
+fn named(structure: &Structure, name: String) -> Structure {
+    match structure {
+        Structure::Sdof(sdof) => Structure::Sdof(Sdof {
+            name,
+            ..sdof.clone()
+        }),
+        Structure::Building(building) => Structure::Building(Building {
+            name,
+            ..building.clone()
+        }),
+        Structure::Wall => Structure::Wall,
+    }
+}
+
+/// Moves a structure at the start, and one of one storey out of its place by no more than the gaps leave.
+fn push(random: &mut Random, structures: &mut [Structure], contacts: &[Contact]) {
+    let gaps = contacts.iter().map(|contact| contact.gap_m);
+    let room = gaps.fold(0.02, f64::min);
+    let moving = random.below(structures.len());
+    let (displacement, velocity) = (random.within(-room, room), random.within(-0.5, 0.5));
+    match &mut structures[moving] {
+        Structure::Sdof(sdof) => {
+            sdof.initial_displacement_m = 0.9 * displacement;
+            sdof.initial_velocity_m_per_s = velocity;
+        }
+        Structure::Building(building) => {
+            for storey in &mut building.storeys {
+                storey.initial_velocity_m_per_s = velocity;
+            }
+        }
+        Structure::Wall => {}
+    }
+}
+
+fn building(random: &mut Random, name: String, low: bool) -> Structure {
+    let storeys = if low {
+        1.0
+    } else {
+        random.log_within(1.0, MOST_STOREYS + 1.0).floor()
+    };
+    if storeys <= 1.0 && random.chance(0.8) {
+        return Structure::Sdof(sdof(random, name));
+    }
+    let mass = random.log_within(3e4, 5e5);
+    let period = storeys * random.within(0.07, 0.16);
+    // Of a uniform shear building: ω₁ = 2 √(k/m) sin(π/(4n + 2)).
+    let rate = PI / (period * libm::sin(PI / (4.0 * storeys + 2.0)));
+    let taper = random.within(0.4, 1.0);
+    let roof = random.within(0.5, 1.0);
+    let mut kind = Kind::one(random);
+    let changing = random.chance(0.1);
+    let mut all = Vec::new();
+    let mut below = 0.0;
+    while below < storeys {
+        let part = 1.0 - (1.0 - taper) * below / storeys;
+        if changing {
+            kind = Kind::one(random);
+        }
+        below += 1.0;
+        all.push(Storey {
+            mass_kg: if below < storeys { mass } else { roof * mass },
+            height_m: None,
+            columns: kind.columns(random, mass * rate * rate * part),
+            initial_displacement_m: 0.0,
+            initial_velocity_m_per_s: 0.0,
+        });
+    }
+    Structure::Building(Building {
+        name,
+        damping: damping(random),
+        storeys: all,
+    })
+}
+
+fn sdof(random: &mut Random, name: String) -> Sdof {
+    let mass = random.log_within(3e4, 3e6);
+    let omega = 2.0 * PI / random.log_within(0.15, 2.0);
+    let kind = Kind::one(random);
+    let columns = kind.columns(random, mass * omega * omega);
+    Sdof {
+        name,
+        mass_kg: mass,
+        stiffness_n_per_m: columns.stiffness_n_per_m,
+        damping: damping(random),
+        yield_force_n: columns.yield_force_n,
+        hardening_ratio: columns.hardening_ratio,
+        bouc_wen: columns.bouc_wen,
+        height_m: None,
+        initial_displacement_m: 0.0,
+        initial_velocity_m_per_s: 0.0,
+    }
+}
+
+fn damping(random: &mut Random) -> Damping {
+    match random.below(7) {
+        0 => Damping::Ratio(0.0),
+        1 => Damping::Rayleigh {
+            alpha_per_s: random.within(0.0, 1.0),
+            beta_s: random.within(0.0, 3e-3),
+        },
+        2 => Damping::Ratio(random.within(0.0, 0.2)),
+        _ => Damping::Ratio(random.one_of(&[0.02, 0.03, 0.05])),
+    }
+}
+
+/// How the columns of a building behave.
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Elastic,
+    PerfectlyPlastic,
+    Bilinear,
+    BoucWen { exponent: u32, beta: f64 },
+}
+
+impl Kind {
+    fn one(random: &mut Random) -> Self {
+        match random.below(4) {
+            0 => Self::Elastic,
+            1 => Self::PerfectlyPlastic,
+            2 => Self::Bilinear,
+            _ => Self::BoucWen {
+                exponent: random.one_of(&[1, 1, 2, 2, 3, 5, 10, 20]),
+                beta: if random.chance(0.4) {
+                    0.5
+                } else {
+                    random.within(0.0, 1.0)
+                },
+            },
+        }
+    }
+
+    fn columns(self, random: &mut Random, stiffness: f64) -> Columns {
+        let drift = random.log_within(2e-3, 5e-2);
+        let hardening = random.within(0.0, 0.3);
+        let hardens = random.chance(0.5);
+        let elastic = Columns::elastic(stiffness);
+        let plastic = Columns {
+            yield_force_n: Some(stiffness * drift),
+            ..elastic
+        };
+        match self {
+            Self::Elastic => elastic,
+            Self::PerfectlyPlastic => plastic,
+            Self::Bilinear => Columns {
+                hardening_ratio: Some(hardening),
+                ..plastic
+            },
+            Self::BoucWen { exponent, beta } => Columns {
+                hardening_ratio: hardens.then_some(hardening),
+                bouc_wen: Some(BoucWen { exponent, beta }),
+                ..plastic
+            },
+        }
+    }
+}
+
+/// Arrivals of a wave that runs along the row, or nothing.
+fn arrivals(random: &mut Random, n: usize) -> Option<Vec<f64>> {
+    if !random.chance(0.3) {
+        return None;
+    }
+    let delay = random.within(10.0, 40.0) / random.log_within(100.0, 2000.0);
+    // Some delays are a whole number of samples, at which the ground's rate jumps under all of them at once.
+    let delay = if random.chance(0.3) {
+        0.01 * (100.0 * delay).ceil()
+    } else {
+        delay
+    };
+    let first_to_last = (0..n).map(|index| delay * index as f64);
+    let mut arrivals: Vec<f64> = first_to_last.collect();
+    if random.chance(0.5) {
+        arrivals.reverse();
+    }
+    Some(arrivals)
+}

@@ -1,0 +1,245 @@
+//! What both routes say of a scene, number by number, and how far apart they are.
+
+use pounding_solver::Pair;
+
+use super::compared::{Compared, Place, Two};
+use super::meeting::{Largest, Meeting, are_at_once, as_one, matched, parts};
+use pounding_reference::Response;
+use pounding_scene::{RunResult, Simulation};
+use pounding_scene::{ZERO, relative_to};
+
+/// What a run says of a floor.
+#[derive(Debug, Clone, Copy, Default)]
+struct OfFloor {
+    displacement: f64,
+    drift: f64,
+    restoring_force: f64,
+    last_displacement: f64,
+    momentum: f64,
+}
+
+/// Everything that is compared of a run.
+#[derive(Debug, Clone)]
+pub(super) struct Numbers {
+    floors: Vec<OfFloor>,
+    /// Floors that are hit from both sides at once, some time: what of that is one net impulse, and what one after the other, is a
+    /// matter of where a route stops to tell them apart, and the transferred momentum with it.
+    pinched: Vec<bool>,
+    /// The touches of every pair in their order.
+    pairs: Vec<Vec<Meeting>>,
+}
+
+impl Numbers {
+    pub(super) fn of_exact(prepared: &Simulation, outcome: &RunResult) -> Self {
+        let floor = |index| {
+            let peaks = outcome.peaks.of(index);
+            OfFloor {
+                displacement: peaks.displacement.value.abs(),
+                drift: peaks.drift().value.abs(),
+                restoring_force: peaks.restoring_force.value.abs(),
+                last_displacement: outcome.last.of(index),
+                momentum: outcome.momentum.of(index),
+            }
+        };
+        let touches = |(index, pair): (usize, &Pair)| {
+            let all = outcome.collisions_of(index).map(|one| Meeting {
+                start: one.start,
+                end: parts(&pair.law).then_some(one.end),
+                impulse: one.impulse,
+                lasts: one.end - one.start,
+                peak_force: one.peak_force,
+                uncertainty: one.uncertainty,
+            });
+            all.collect()
+        };
+        let pairs = prepared.pairs().iter().enumerate();
+        let floors = (0..prepared.floors().all().len()).map(floor);
+        Self::new(prepared, floors.collect(), pairs.map(touches).collect())
+    }
+
+    pub(super) fn of_second_route(prepared: &Simulation, response: &Response) -> Self {
+        let floors = response.structures.iter().map(|one| OfFloor {
+            displacement: one.displacement.value.abs(),
+            drift: one.drift.value.abs(),
+            restoring_force: one.restoring_force.value.abs(),
+            last_displacement: one.end_displacement,
+            momentum: one.transferred_momentum,
+        });
+        let pairs = prepared.pairs().iter().zip(&response.collisions);
+        let touches = pairs.map(|(pair, all)| {
+            let all = all.iter().map(|one| Meeting {
+                start: one.start,
+                end: parts(&pair.law).then_some(one.end),
+                impulse: one.impulse,
+                lasts: one.end - one.start,
+                peak_force: one.peak_force,
+                uncertainty: None,
+            });
+            all.collect()
+        });
+        Self::new(prepared, floors.collect(), touches.collect())
+    }
+
+    fn new(prepared: &Simulation, floors: Vec<OfFloor>, mut pairs: Vec<Vec<Meeting>>) -> Self {
+        for touches in &mut pairs {
+            touches.sort_by(|one, other| one.start.total_cmp(&other.start));
+        }
+        let pinched = |floor| {
+            let all = || prepared.pairs().iter().zip(&pairs);
+            let left = all().find(|(pair, _)| pair.right == floor);
+            let right = all().find(|(pair, _)| pair.left == floor);
+            left.zip(right)
+                .is_some_and(|((_, left), (_, right))| are_at_once(left, right))
+        };
+        let pinched = (0..floors.len()).map(pinched).collect();
+        let pairs = pairs.into_iter().map(as_one).collect();
+        Self {
+            floors,
+            pinched,
+            pairs,
+        }
+    }
+
+    /// Magnitude of the largest displacement \[m\].
+    pub(super) fn largest_displacement(&self) -> f64 {
+        let displacements = self.floors.iter().map(|floor| floor.displacement);
+        displacements.fold(0.0, f64::max)
+    }
+
+    /// Every number of this run beside that of another one of the same scene.
+    pub(super) fn beside(&self, other: &Self) -> Vec<Two> {
+        let mut all = Vec::new();
+        let momenta = self.floors.iter().map(|floor| floor.momentum);
+        let largest = momenta.fold(0.0, f64::max);
+        for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
+            let mut numbers = first.beside(second, (Place::Floor(index), largest));
+            if self.pinched[index] || other.pinched[index] {
+                let [.., momentum] = &mut numbers;
+                momentum.distance = 0.0;
+            }
+            all.extend(numbers);
+        }
+        for (pair, (first, second)) in self.pairs.iter().zip(&other.pairs).enumerate() {
+            let largest = Largest::of(first);
+            for (touch, (one, same)) in first.iter().zip(matched(first, second)).enumerate() {
+                // Later touches may be bounces that come to rest, differences of far larger velocities.
+                let scale = if touch == 0 {
+                    Largest::of(&first[..1])
+                } else {
+                    largest
+                };
+                let place = Place::Touch { pair, touch };
+                all.extend(one.beside(same.map(|same| &second[same]), (place, scale)));
+            }
+            let (n_first, n_second) = (first.len() as f64, second.len() as f64);
+            all.push(Two {
+                what: Compared::Touches,
+                place: Place::Pair(pair),
+                first: n_first,
+                second: n_second,
+                distance: if first.len() == second.len() {
+                    0.0
+                } else {
+                    f64::INFINITY
+                },
+            });
+        }
+        all
+    }
+
+    /// Of the touches given by pair and number, and of those that only the other run has, the one that begins first: its pair and
+    /// instant \[s\].
+    pub(super) fn first_of(
+        &self,
+        wrong: impl Iterator<Item = (usize, usize)>,
+        other: &Self,
+    ) -> Option<(usize, f64)> {
+        let own = wrong.map(|(pair, touch)| (pair, self.pairs[pair][touch].start));
+        let pairs = self.pairs.iter().zip(&other.pairs).enumerate();
+        let lone = pairs.flat_map(|(pair, (first, second))| {
+            let same = matched(second, first).into_iter();
+            let lone = second.iter().zip(same).filter(|(_, same)| same.is_none());
+            lone.map(move |(one, _)| (pair, one.start))
+        });
+        own.chain(lone)
+            .min_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The touches of a pair from the last before an instant to the third after it, in words.
+    pub(super) fn near(&self, (pair, time): (usize, f64)) -> Vec<String> {
+        let touches = &self.pairs[pair];
+        let from = touches.iter().rposition(|one| one.start < time);
+        let near = touches
+            .iter()
+            .enumerate()
+            .skip(from.unwrap_or(0).saturating_sub(1))
+            .take(7);
+        let words = near.map(|(number, one)| {
+            let Meeting {
+                start,
+                lasts,
+                impulse,
+                peak_force,
+                ..
+            } = one;
+            let force = peak_force.map_or("an impact".into(), |force| format!("{force:e} N"));
+            format!("{number}: {start:.15} s for {lasts:e} s, {impulse:e} N·s, {force}")
+        });
+        words.collect()
+    }
+
+    /// Takes the touches away that another run does not have, and that are within rounding; how many there were.
+    pub(super) fn without_grazes(&mut self, other: &mut Self) -> usize {
+        let mut grazes = 0;
+        for (first, second) in self.pairs.iter_mut().zip(&mut other.pairs) {
+            let [one, other] = [&*first, &*second].map(|touches| Largest::of(touches).impulse);
+            let largest = one.max(other);
+            let (of_first, of_second) = (matched(first, second), matched(second, first));
+            for (touches, same) in [(first, of_first), (second, of_second)] {
+                let before = touches.len();
+                let mut same = same.into_iter();
+                touches.retain(|one| same.next().flatten().is_some() || !one.is_graze(largest));
+                grazes += before - touches.len();
+            }
+        }
+        grazes
+    }
+}
+
+impl OfFloor {
+    fn beside(&self, other: &Self, (place, largest): (Place, f64)) -> [Two; 5] {
+        let two = |what, first: f64, second: f64, scale: f64| Two {
+            what,
+            place,
+            first,
+            second,
+            distance: relative_to(second, first, scale),
+        };
+        let own = |what, first: f64, second: f64| two(what, first, second, first);
+        [
+            own(
+                Compared::Displacement,
+                self.displacement,
+                other.displacement,
+            ),
+            own(Compared::Drift, self.drift, other.drift),
+            own(
+                Compared::RestoringForce,
+                self.restoring_force,
+                other.restoring_force,
+            ),
+            two(
+                Compared::LastDisplacement,
+                self.last_displacement,
+                other.last_displacement,
+                self.displacement,
+            ),
+            two(
+                Compared::Momentum,
+                self.momentum,
+                other.momentum,
+                self.momentum.max(ZERO * largest),
+            ),
+        ]
+    }
+}

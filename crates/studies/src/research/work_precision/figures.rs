@@ -1,0 +1,105 @@
+//! Error against work: a line for each method.
+
+use crate::StudyError;
+use crate::lines::line_of;
+use std::path::Path;
+
+use super::measure::{Entrant, Race, Rung};
+use super::quantities::Quantity;
+use crate::paper::figures::capital;
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, render_png};
+
+/// Scenes with a figure of their own; all others share two.
+const OWN: &str = "two structures, ";
+/// Scenes of three structures.
+const LAYOUTS: &str = "layout ";
+/// Panels in a row.
+const COLUMNS: usize = 2;
+/// Errors below this are rounding.
+const ROUNDING: f64 = 1e-16;
+/// Errors above this are worth nothing.
+const WORTHLESS: f64 = 3e1;
+
+/// Every figure with its name.
+pub(super) fn all(races: &[Race], path: &Path) -> Result<Vec<(String, Vec<u8>)>, StudyError> {
+    let mut figures = Vec::new();
+    let (mut layouts, mut others) = (Vec::new(), Vec::new());
+    for race in races {
+        if race.scene.starts_with(OWN) {
+            let panels = Quantity::ALL.map(|quantity| {
+                let title = quantity.words(race.compliant);
+                panel(race, quantity, [title, "Relative error"])
+            });
+            figures.push((file_name(&race.scene), figure(panels.into())));
+        } else if race.scene.starts_with(LAYOUTS) {
+            let words = [&capital(&race.scene), "Error of momentum"];
+            layouts.push(panel(race, Quantity::Momentum, words));
+        } else {
+            let words = [&capital(&race.scene), "Error of peak displacement"];
+            others.push(panel(race, Quantity::Displacement, words));
+        }
+    }
+    figures.push(("layouts-transferred-momentum.png".into(), figure(layouts)));
+    figures.push(("free-impact-and-uncoupled.png".into(), figure(others)));
+    let drawn = figures
+        .into_iter()
+        .filter(|(_, figure)| !figure.panels.is_empty());
+    drawn
+        .map(|(name, figure)| {
+            let png = render_png(&figure).map_err(|source| StudyError::Plot {
+                path: path.to_path_buf(),
+                source,
+            })?;
+            Ok((name, png))
+        })
+        .collect()
+}
+
+fn file_name(scene: &str) -> String {
+    format!("{}.png", scene.replace(", ", "-").replace(' ', "-"))
+}
+
+/// Panels side by side with one y axis.
+fn figure(mut panels: Vec<Panel>) -> Figure {
+    let rows = panels.len().div_ceil(COLUMNS);
+    for (index, panel) in panels.iter_mut().enumerate() {
+        if index % COLUMNS > 0 {
+            panel.y.label.clear();
+        }
+    }
+    Figure {
+        height_in: 1.1 + 1.9 * rows as f64,
+        columns: COLUMNS,
+        x: Axis::auto("Work (evaluations + pieces)").log(),
+        panels,
+    }
+}
+
+fn panel(race: &Race, quantity: Quantity, [title, error]: [&str; 2]) -> Panel {
+    let mut curves: Vec<_> = race
+        .entrants
+        .iter()
+        .filter_map(|entrant| curve(entrant, quantity))
+        .collect();
+    // Hollow marks over solid ones, so that both are seen.
+    curves.sort_by_key(|curve| curve.kind == Kind::Dashed);
+    Panel {
+        title: title.into(),
+        y: Axis::over(error, ROUNDING, WORTHLESS).log(),
+        curves,
+        legend: Legend::Shared,
+        ..Panel::default()
+    }
+}
+
+fn curve(entrant: &Entrant, quantity: Quantity) -> Option<Curve> {
+    let (shade, kind, mark) = line_of(entrant.contender.key)?;
+    let point = |rung: &Rung| {
+        let measured = rung.outcome.as_ref().ok()?;
+        let error = measured.error(quantity)?;
+        (error < WORTHLESS).then_some((measured.cost() as f64, error.max(ROUNDING)))
+    };
+    let points = entrant.rungs.iter().filter_map(point).collect();
+    let curve = Curve::new(kind, shade, points).marked(mark);
+    Some(curve.named(entrant.contender.label))
+}

@@ -1,0 +1,266 @@
+//! The runs.
+
+use crate::StudyError;
+use pounding_solver::{Ledger, Work};
+use rayon::prelude::*;
+
+use super::condition::Knowledge;
+use super::quantities::{Quantities, Quantity};
+use super::run::{Ended, Run};
+use crate::Completed;
+use pounding_reference::Fineness;
+use pounding_scene::Scene;
+use pounding_scene::{ComparedMethod, REFERENCE, is_compliant};
+use pounding_scene::{Ladder, cost, entries};
+
+/// All runs of one scene.
+#[derive(Debug)]
+pub(crate) struct Race {
+    /// Name of the scene.
+    pub(crate) scene: String,
+    /// Names of the neighbours of every pair.
+    pub(super) pairs: Vec<String>,
+    /// Whether its contacts have forces over time.
+    pub(crate) compliant: bool,
+    /// What the exact method gives at its finest.
+    pub(crate) truth: Quantities,
+    /// How well that is known.
+    pub(super) knowledge: Knowledge,
+    /// The methods in the order of the list.
+    pub(crate) entrants: Vec<Entrant>,
+}
+
+/// All runs of one method on one scene.
+#[derive(Debug)]
+pub(crate) struct Entrant {
+    pub(crate) contender: &'static ComparedMethod,
+    /// From the largest setting down.
+    pub(crate) rungs: Vec<Rung>,
+}
+
+/// One run.
+#[derive(Debug)]
+pub(crate) struct Rung {
+    /// Time step \[s\] or tolerance \[–\].
+    pub(crate) setting: f64,
+    /// What came out, or why nothing did.
+    pub(crate) outcome: Result<Measured, String>,
+}
+
+/// What came out of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Measured {
+    pub(crate) work: Work,
+    pub(crate) n_collisions: usize,
+    /// Whether it has as many collisions as the truth.
+    pub(crate) same_count: bool,
+    /// Relative error of each quantity; nothing where there is nothing to compare.
+    errors: [Option<f64>; Quantity::ALL.len()],
+    pub(crate) energy: Energy,
+}
+
+/// What the ledger of a run says.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Energy {
+    /// The method's own balance \[–\].
+    pub(crate) identity: f64,
+    /// The physical balance \[–\].
+    pub(crate) residual: f64,
+    /// Distance from the ledger of the truth \[–\].
+    pub(crate) error: f64,
+    /// The law of mechanics that the run broke, if any.
+    pub(crate) broken: Option<String>,
+}
+
+impl Measured {
+    /// Relative error of a quantity \[–\]; nothing where neither the run nor the truth has a collision.
+    pub(crate) fn error(&self, quantity: Quantity) -> Option<f64> {
+        self.errors[quantity as usize]
+    }
+
+    /// The largest relative error of some quantities \[–\].
+    pub(crate) fn worst(&self, quantities: &[Quantity]) -> f64 {
+        let errors = quantities
+            .iter()
+            .filter_map(|quantity| self.error(*quantity));
+        errors.fold(0.0, f64::max)
+    }
+
+    /// The work that methods are compared by.
+    pub(crate) fn cost(&self) -> u64 {
+        cost(self.work)
+    }
+}
+
+impl Race {
+    /// Distance of the two routes to the truth \[–\]; nothing where there is nothing to compare.
+    pub(crate) fn distance(&self, quantity: Quantity) -> Option<f64> {
+        self.knowledge.of(quantity).map(|known| known.distance)
+    }
+
+    /// Digits on which the two routes agree, 0 to 16.
+    pub(crate) fn digits(&self, quantity: Quantity) -> Option<u32> {
+        self.distance(quantity).map(digits)
+    }
+
+    /// The fewest digits on which the two routes agree, of all quantities.
+    pub(crate) fn fewest_digits(&self) -> Option<u32> {
+        let digits = Quantity::ALL
+            .into_iter()
+            .filter_map(|quantity| self.digits(quantity));
+        digits.min()
+    }
+
+    /// Whether the two routes count the same collisions, in the words of the column of agreed digits.
+    pub(crate) fn agreed_count(&self) -> &'static str {
+        if self.knowledge.same_count {
+            "all"
+        } else {
+            "0"
+        }
+    }
+
+    /// The runs of a method; nothing where it does not differ from another one.
+    pub(crate) fn of(&self, key: &str) -> Option<&Entrant> {
+        self.entrants
+            .iter()
+            .find(|entrant| entrant.contender.key == key)
+    }
+}
+
+/// Digits of two numbers at a relative distance.
+fn digits(distance: f64) -> u32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped, and a part of a digit does not count"
+    )]
+    let digits = (-libm::log10(distance)).clamp(0.0, 16.0) as u32;
+    digits
+}
+
+/// Runs every method on every scene.
+pub(super) fn races(
+    completed: &Completed,
+    ladder: &Ladder,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<Race>, StudyError> {
+    let scenes = &completed.file.study.scenes;
+    let runs: Vec<_> = scenes
+        .iter()
+        .zip(&completed.prepared)
+        .flat_map(|(scene, prepared)| {
+            entries(scene, ladder).map(move |(contender, setting)| Run {
+                scene,
+                prepared,
+                contender,
+                setting,
+            })
+        })
+        .collect();
+    let finest = ladder.tolerances[ladder.tolerances.len() - 1];
+    let is_reference = |run: &&Run<'_>| run.contender.key == REFERENCE && run.setting <= finest;
+    let (known, outcomes): (Vec<_>, Vec<_>) = rayon::join(
+        || {
+            runs.par_iter()
+                .filter(is_reference)
+                .map(knowledge)
+                .collect()
+        },
+        || {
+            let outcomes = runs.par_iter().map(Run::outcome);
+            outcomes.inspect(|_| done()).collect()
+        },
+    );
+    let mut outcomes = outcomes.into_iter();
+    scenes
+        .iter()
+        .zip(known)
+        .map(|(scene, knowledge)| {
+            let rungs = entries(scene, ladder).zip(outcomes.by_ref()).collect();
+            let race = knowledge.and_then(|knowledge| Race::new(scene, rungs, knowledge));
+            race.map_err(|found| {
+                let found = format!("\"{}\": {found}", scene.name);
+                completed.refuse("scenes", found, "scenes that the exact method can run")
+            })
+        })
+        .collect()
+}
+
+/// How well the results of the reference are known; fails with the reason where it fails.
+fn knowledge(reference: &Run<'_>) -> Result<Knowledge, String> {
+    let second = crate::second_route(reference.prepared, Fineness::FINE);
+    Knowledge::measure(reference, second.ok().as_ref())
+}
+
+impl Race {
+    /// Measures the runs of a scene; fails with the reason where the reference failed.
+    fn new(
+        scene: &Scene,
+        rungs: Vec<((&'static ComparedMethod, f64), Ended<'_>)>,
+        knowledge: Knowledge,
+    ) -> Result<Self, String> {
+        let reference = rungs
+            .iter()
+            .rfind(|((contender, _), _)| contender.key == REFERENCE);
+        let truth = match reference {
+            Some((_, Ok((truth, ledger, _)))) => {
+                ledger.verdict().map_err(|broken| broken.to_string())?;
+                (truth.clone(), ledger.clone())
+            }
+            Some((_, Err(reason))) => return Err(reason.clone()),
+            None => unreachable!("the reference is among the contenders"),
+        };
+        let distances = Quantity::ALL.map(|quantity| Some(knowledge.of(quantity)?.distance));
+        let mut entrants: Vec<Entrant> = Vec::new();
+        for ((contender, setting), outcome) in rungs {
+            let outcome = outcome.map(|found| Measured::new(&found, &truth, &distances));
+            let rung = Rung { setting, outcome };
+            match entrants.last_mut() {
+                Some(last) if last.contender.key == contender.key => last.rungs.push(rung),
+                _ => entrants.push(Entrant {
+                    contender,
+                    rungs: vec![rung],
+                }),
+            }
+        }
+        Ok(Self {
+            scene: scene.name.clone(),
+            pairs: scene
+                .structures
+                .windows(2)
+                .map(|pair| format!("{} – {}", pair[0].name(), pair[1].name()))
+                .collect(),
+            compliant: is_compliant(scene),
+            truth: truth.0,
+            knowledge,
+            entrants,
+        })
+    }
+}
+
+impl Measured {
+    fn new(
+        (found, ledger, work): &(Quantities, Ledger<'_>, Work),
+        (truth, true_ledger): &(Quantities, Ledger<'_>),
+        distances: &[Option<f64>; Quantity::ALL.len()],
+    ) -> Self {
+        let error = |quantity: Quantity| {
+            let error = found.distance(truth, quantity)?;
+            // The truth is not known better than that.
+            Some(error.max(distances[quantity as usize].unwrap_or(0.0)))
+        };
+        Self {
+            work: *work,
+            n_collisions: found.n_collisions,
+            same_count: found.n_collisions == truth.n_collisions,
+            errors: Quantity::ALL.map(error),
+            energy: Energy {
+                identity: ledger.identity(),
+                residual: ledger.residual(),
+                error: ledger.error(true_ledger),
+                broken: ledger.verdict().err().map(|broken| broken.to_string()),
+            },
+        }
+    }
+}

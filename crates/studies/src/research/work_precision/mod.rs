@@ -1,0 +1,123 @@
+//! What accuracy costs: every method on every scene over a ladder of time steps or tolerances.
+//!
+//! The truth is the exact method at its smallest tolerance. It is believed to the digits on which a second route agrees
+//! with it, one that shares nothing but the scene; no error is given smaller than the distance of the two.
+//! Work is counted as evaluations of restoring forces plus pieces of structures carried by power series.
+
+mod condition;
+mod figures;
+mod measure;
+mod pareto;
+mod quantities;
+mod run;
+mod table;
+mod timing;
+mod verdict;
+
+use crate::StudyError;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::Completed;
+use pounding_scene::{Ladder, entries};
+
+pub(crate) use condition::{Known, under};
+use measure::Race;
+pub(crate) use quantities::{Quantities, Quantity};
+pub use timing::Timed;
+
+/// The runs of a trade study and what they are measured by.
+#[derive(Debug)]
+pub struct Trade {
+    races: Vec<Race>,
+    path: PathBuf,
+}
+
+impl Trade {
+    /// Runs every method on every scene of a study; `done` is called after each run.
+    ///
+    /// The methods that the scenes name play no part. A run that fails is kept with its reason.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a ladder that does not fit the scenes, and where there is no reference.
+    pub fn measure(
+        completed: &Completed,
+        ladder: &Ladder,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Self, StudyError> {
+        check(completed, ladder)?;
+        let races = measure::races(completed, ladder, done)?;
+        Ok(Self {
+            races,
+            path: completed.file.path.clone(),
+        })
+    }
+
+    /// Number of times that [`Self::measure`] calls `done`.
+    pub(crate) fn n_runs(scenes: &[pounding_scene::Scene], ladder: &Ladder) -> usize {
+        scenes
+            .iter()
+            .map(|scene| entries(scene, ladder).count())
+            .sum()
+    }
+
+    /// Tables and figures by their path in the results folder.
+    ///
+    /// # Errors
+    /// [`StudyError::Plot`] for a figure that cannot be drawn.
+    pub fn files(&self) -> Result<BTreeMap<PathBuf, Vec<u8>>, StudyError> {
+        let folder = Path::new("trade");
+        let mut files = BTreeMap::new();
+        for (name, text) in [
+            ("reference.csv", table::references(&self.races)),
+            ("collisions.csv", table::collisions(&self.races)),
+            ("trade.csv", table::runs(&self.races)),
+            ("pareto.csv", pareto::table(&self.races)),
+            ("exact-or-stepping.csv", verdict::table(&self.races)),
+        ] {
+            files.insert(folder.join(name), text.into_bytes());
+        }
+        for (name, png) in figures::all(&self.races, &self.path)? {
+            files.insert(folder.join(name), png);
+        }
+        Ok(files)
+    }
+}
+
+/// Refuses a ladder that does not fit the scenes.
+fn check(completed: &Completed, ladder: &Ladder) -> Result<(), StudyError> {
+    let falls = |values: &[f64]| {
+        let positive = values.iter().all(|value| value.is_finite() && *value > 0.0);
+        positive && !values.is_empty() && values.windows(2).all(|pair| pair[0] > pair[1])
+    };
+    let words = |values: &[f64]| format!("{values:?}");
+    if !falls(&ladder.tolerances)
+        || ladder
+            .tolerances
+            .iter()
+            .any(|value| !(1e-16..=1e-3).contains(value))
+    {
+        return Err(completed.refuse(
+            "output.trade.tolerances",
+            words(&ladder.tolerances),
+            "one or more falling numbers of 1e-3 to 1e-16",
+        ));
+    }
+    let fits = |scene: &pounding_scene::Scene, time_step: f64| {
+        let steps = scene.duration() / time_step;
+        (steps - steps.round()).abs() <= 1e-6 && steps < 1e9
+    };
+    let scenes = &completed.file.study.scenes;
+    let fit = ladder
+        .time_steps_s
+        .iter()
+        .all(|dt| scenes.iter().all(|scene| fits(scene, *dt)));
+    if !falls(&ladder.time_steps_s) || !fit {
+        return Err(completed.refuse(
+            "output.trade.time_steps_s",
+            words(&ladder.time_steps_s),
+            "one or more falling numbers > 0, each a whole part of every scene's duration",
+        ));
+    }
+    Ok(())
+}

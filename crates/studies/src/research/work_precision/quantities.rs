@@ -1,0 +1,199 @@
+//! What is compared: six quantities and a count.
+
+use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
+
+use pounding_reference::Response;
+use pounding_scene::Recorders;
+use pounding_scene::RunResult;
+use pounding_scene::{AT_ONCE, ZERO, relative_to};
+
+/// A quantity in which methods are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    FirstTime,
+    FirstImpulse,
+    Momentum,
+    ContactPeak,
+    Displacement,
+    Shear,
+}
+
+impl Quantity {
+    pub(crate) const ALL: [Self; 6] = [
+        Self::FirstTime,
+        Self::FirstImpulse,
+        Self::Momentum,
+        Self::ContactPeak,
+        Self::Displacement,
+        Self::Shear,
+    ];
+
+    /// Name in tables.
+    pub(crate) fn key(self) -> &'static str {
+        match self {
+            Self::FirstTime => "time_of_first_collision",
+            Self::FirstImpulse => "impulse_of_first_collision",
+            Self::Momentum => "transferred_momentum",
+            Self::ContactPeak => "peak_pounding_force_or_impulse",
+            Self::Displacement => "peak_displacement",
+            Self::Shear => "peak_shear_force",
+        }
+    }
+
+    /// Name in figures; a compliant contact has a peak force, an impulsive one a peak impulse.
+    pub(crate) fn words(self, compliant: bool) -> &'static str {
+        match self {
+            Self::FirstTime => "Time of first collision",
+            Self::FirstImpulse => "Impulse of first collision",
+            Self::Momentum => "Transferred momentum",
+            Self::ContactPeak if compliant => "Peak pounding force",
+            Self::ContactPeak => "Peak impulse",
+            Self::Displacement => "Peak displacement",
+            Self::Shear => "Peak shear force",
+        }
+    }
+
+    /// SI unit.
+    pub(crate) fn unit(self, compliant: bool) -> &'static str {
+        match self {
+            Self::FirstTime => "s",
+            Self::ContactPeak if compliant => "N",
+            Self::FirstImpulse | Self::Momentum | Self::ContactPeak => "N·s",
+            Self::Displacement => "m",
+            Self::Shear => "N",
+        }
+    }
+}
+
+/// The quantities of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Quantities {
+    /// For each quantity a value, or one for each structure; none where nothing collides.
+    values: [Vec<f64>; Quantity::ALL.len()],
+    /// Number of collisions of all pairs; of an impulsive law, of impacts.
+    pub(crate) n_collisions: usize,
+}
+
+/// What a collision gives.
+struct Met {
+    start: f64,
+    impulse: f64,
+    /// Peak force, or the impulse of an impact.
+    peak: f64,
+}
+
+/// What a structure gives.
+struct Moved {
+    momentum: f64,
+    displacement: f64,
+    shear: f64,
+}
+
+impl Quantities {
+    /// The quantities of a run of so many structures.
+    pub(crate) fn of<L>(
+        (peaks, collisions, momentum, _): &Recorders<L>,
+        n_structures: usize,
+    ) -> Self {
+        Self::of_parts((peaks, collisions, momentum), n_structures)
+    }
+
+    /// The quantities of an outcome.
+    pub(crate) fn of_outcome(outcome: &RunResult, n_structures: usize) -> Self {
+        let RunResult {
+            peaks,
+            collisions,
+            momentum,
+            ..
+        } = outcome;
+        Self::of_parts((peaks, collisions, momentum), n_structures)
+    }
+
+    fn of_parts(
+        (peaks, collisions, momentum): (&Peaks, &Collisions, &TransferredMomentum),
+        n_structures: usize,
+    ) -> Self {
+        let met = |collision: &Collision| Met {
+            start: collision.start,
+            impulse: collision.impulse,
+            peak: collision.peak_force.unwrap_or(collision.impulse),
+        };
+        let moved = |index| {
+            let peaks = peaks.of(index);
+            Moved {
+                momentum: momentum.of(index),
+                displacement: peaks.displacement.value.abs(),
+                shear: peaks.restoring_force.value.abs(),
+            }
+        };
+        let met: Vec<_> = collisions.all().iter().map(met).collect();
+        Self::new(&met, &(0..n_structures).map(moved).collect::<Vec<_>>())
+    }
+
+    /// The quantities of the second route.
+    pub(crate) fn of_second_route(response: &Response) -> Self {
+        let met = response.collisions.iter().flatten().map(|collision| Met {
+            start: collision.start,
+            impulse: collision.impulse,
+            peak: collision.peak_force.unwrap_or(collision.impulse),
+        });
+        let moved = response.structures.iter().map(|structure| Moved {
+            momentum: structure.transferred_momentum,
+            displacement: structure.displacement.value.abs(),
+            shear: structure.restoring_force.value.abs(),
+        });
+        Self::new(&met.collect::<Vec<_>>(), &moved.collect::<Vec<_>>())
+    }
+
+    fn new(met: &[Met], moved: &[Moved]) -> Self {
+        let first = met
+            .iter()
+            .min_by(|one, other| one.start.total_cmp(&other.start));
+        let one = |value: Option<f64>| value.into_iter().collect();
+        let hit: &[Moved] = if met.is_empty() { &[] } else { moved };
+        let values = Quantity::ALL.map(|quantity| match quantity {
+            Quantity::FirstTime => one(first.map(|first| first.start)),
+            Quantity::FirstImpulse => one(first.map(|first| first.impulse)),
+            Quantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
+            Quantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
+            Quantity::Displacement => moved
+                .iter()
+                .map(|structure| structure.displacement)
+                .collect(),
+            Quantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
+        });
+        Self {
+            values,
+            n_collisions: met.len(),
+        }
+    }
+
+    /// Values of a quantity: one, or one for each structure from the left; none where nothing collides.
+    pub(crate) fn values(&self, quantity: Quantity) -> &[f64] {
+        &self.values[quantity as usize]
+    }
+
+    /// Relative distance from other quantities, of the structure where it is largest \[–\].
+    ///
+    /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one of both; nothing where neither
+    /// has one.
+    pub(crate) fn distance(&self, truth: &Self, quantity: Quantity) -> Option<f64> {
+        let (found, wanted) = (self.values(quantity), truth.values(quantity));
+        if found.len() != wanted.len() {
+            return Some(f64::INFINITY);
+        }
+        let largest = wanted.iter().copied().fold(0.0, f64::max);
+        let scale = |wanted: f64| match quantity {
+            Quantity::FirstTime if wanted < AT_ONCE => 1.0,
+            Quantity::Momentum => wanted.max(ZERO * largest),
+            Quantity::FirstTime
+            | Quantity::FirstImpulse
+            | Quantity::ContactPeak
+            | Quantity::Displacement
+            | Quantity::Shear => wanted.abs(),
+        };
+        let pairs = found.iter().zip(wanted);
+        let distances = pairs.map(|(found, wanted)| relative_to(*found, *wanted, scale(*wanted)));
+        distances.reduce(f64::max)
+    }
+}

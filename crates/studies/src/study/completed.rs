@@ -1,0 +1,125 @@
+//! A study whose scenes have run.
+
+use crate::StudyError;
+use crate::StudyFile;
+use crate::program::Program;
+use pounding_scene::{RunResult, Scene, Simulation};
+
+/// A study whose scenes have run, in the order of the study; there is at least one, but of [`Output::Beyond`](crate::Output::Beyond).
+#[derive(Debug)]
+pub struct Completed {
+    /// The study.
+    pub file: StudyFile,
+    /// Its scenes, prepared.
+    pub prepared: Vec<Simulation>,
+    /// What each scene left behind.
+    pub outcomes: Vec<RunResult>,
+}
+
+impl Completed {
+    /// Runs every scene of a study; `done` is called after each.
+    ///
+    /// # Errors
+    /// [`StudyError`] of the first scene that cannot be prepared or run.
+    pub fn run(mut file: StudyFile, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
+        let stepless = |scene: &&Scene| scene.method.time_step().is_none();
+        if let Some(scene) = file.study.scenes.iter().find(stepless)
+            && file.study.output.shows_steps()
+        {
+            return Err(StudyError::Study {
+                path: file.path.clone(),
+                place: "scenes.method",
+                found: format!("\"{}\" without a time step", scene.name),
+                allowed: "methods with a time step, of which this output shows something",
+            });
+        }
+        let prepared = file
+            .study
+            .scenes
+            .iter()
+            .map(|scene| {
+                Simulation::new(scene, file.base()).map_err(|error| error.in_file(&file.path))
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        let program = file.study.program.as_ref();
+        let refusal = program.and_then(|program| program.refusal(&file.study.scenes, &prepared));
+        if let Some((found, allowed)) = refusal {
+            return Err(StudyError::Study {
+                path: file.path.clone(),
+                place: "program",
+                found,
+                allowed,
+            });
+        }
+        // Where a scene asks for an accuracy, tables and figures show the method found for it.
+        for (scene, prepared) in file.study.scenes.iter_mut().zip(&prepared) {
+            scene.method = prepared.method();
+            scene.duration_s = prepared.scene().duration_s;
+        }
+        Self::of_prepared(file, prepared, |program| program, done)
+    }
+
+    /// The same study with another program wherever one runs a scene.
+    ///
+    /// # Errors
+    /// [`StudyError`] of the first scene that cannot be run.
+    pub(crate) fn by_program(
+        &self,
+        change: impl Fn(Program) -> Program + Sync,
+    ) -> Result<Self, StudyError> {
+        Self::of_prepared(self.file.clone(), self.prepared.clone(), change, &|| ())
+    }
+
+    fn of_prepared(
+        file: StudyFile,
+        prepared: Vec<Simulation>,
+        change: impl Fn(Program) -> Program + Sync,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Self, StudyError> {
+        use rayon::prelude::*;
+        let keeps_histories = file.study.output.needs_histories();
+        let outcomes = prepared
+            .par_iter()
+            .zip(&file.study.scenes)
+            .map(|(prepared, scene)| {
+                let interval = keeps_histories.then(|| {
+                    let of_record = prepared.record().time_step();
+                    scene.method.time_step().unwrap_or(of_record)
+                });
+                let outcome = match file.study.program_of(scene) {
+                    Some(program) => change(program).run(prepared, interval),
+                    None => prepared.run(interval),
+                };
+                done();
+                outcome.map_err(|error| error.in_file(&file.path))
+            })
+            .collect::<Vec<_>>();
+        // Collected first: of several errors, the first in order is reported, not the first in time.
+        let outcomes = outcomes.into_iter().collect::<Result<Vec<_>, _>>()?;
+        Ok(Self {
+            file,
+            prepared,
+            outcomes,
+        })
+    }
+
+    /// Scenes with what they left behind.
+    pub fn runs(&self) -> impl Iterator<Item = (&Scene, &RunResult)> {
+        self.file.study.scenes.iter().zip(&self.outcomes)
+    }
+
+    /// The run of the scene with this name.
+    pub fn of(&self, scene: &str) -> Option<(&Scene, &RunResult)> {
+        self.runs().find(|(candidate, _)| candidate.name == scene)
+    }
+
+    /// An error about this study's file.
+    pub(crate) fn refuse(
+        &self,
+        place: &'static str,
+        found: String,
+        allowed: &'static str,
+    ) -> StudyError {
+        self.file.refuse(place, found, allowed)
+    }
+}

@@ -1,0 +1,81 @@
+//! What the atlas asks of the laws.
+
+use pounding_contact::{Calibration, LawName};
+use serde::{Deserialize, Serialize};
+
+use pounding_scene::{Certificate, CertificateError, CertificateRequest, FreeCollision};
+
+/// What the atlas of contact laws asks of each of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AtlasSettings {
+    /// Masses of the free pair \[kg\], > 0.
+    pub masses_kg: [f64; 2],
+    /// Its approach speed \[m/s\], > 0.
+    pub approach_speed_m_per_s: f64,
+    /// Impact stiffness of the laws with a linear spring \[N/m\], > 0.
+    pub linear_stiffness_n_per_m: f64,
+    /// Impact stiffness of the laws with a Hertz spring \[N/m^1.5\], > 0.
+    pub hertz_stiffness_n_per_m1_5: f64,
+    /// e \[–\] that all laws deliver where they are compared, 0 to 1; springs without damping deliver 1.
+    pub restitution: f64,
+    /// e \[–\] asked of each law, against those delivered.
+    pub restitutions: Vec<f64>,
+    /// Approach speeds \[m/s\] at which a law calibrated at the one above is asked again.
+    pub approach_speeds_m_per_s: Vec<f64>,
+    /// Time steps of the stepping methods, in steps per contact \[–\].
+    pub steps_per_contact: Vec<f64>,
+}
+
+impl AtlasSettings {
+    /// The free pair.
+    pub(crate) fn collision(&self) -> FreeCollision {
+        FreeCollision {
+            masses: self.masses_kg,
+            speed: self.approach_speed_m_per_s,
+        }
+    }
+
+    /// Impact stiffness of a law, in its own unit.
+    pub(crate) fn stiffness(&self, law: LawName) -> f64 {
+        if is_linear(law) {
+            self.linear_stiffness_n_per_m
+        } else {
+            self.hertz_stiffness_n_per_m1_5
+        }
+    }
+
+    /// e at which a law is compared with others.
+    pub(crate) fn restitution(&self, law: LawName) -> f64 {
+        if is_spring(law) {
+            1.0
+        } else {
+            self.restitution
+        }
+    }
+
+    /// The certificate of a law calibrated exactly.
+    pub(crate) fn certificate(
+        &self,
+        law: LawName,
+        restitution: f64,
+    ) -> Result<Certificate, CertificateError> {
+        let wanted = CertificateRequest {
+            law,
+            stiffness: self.stiffness(law),
+            restitution,
+            calibration: Calibration::Exact,
+        };
+        Certificate::new(&wanted, &self.collision())
+    }
+}
+
+/// Whether the law has a linear spring.
+pub(crate) fn is_linear(law: LawName) -> bool {
+    law.stiffness_unit() == Some("N/m")
+}
+
+/// Whether the law is a spring without damping, whose e is 1.
+pub(crate) fn is_spring(law: LawName) -> bool {
+    matches!(law, LawName::LinearSpring | LawName::Hertz)
+}

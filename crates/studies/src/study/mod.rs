@@ -1,0 +1,143 @@
+//! A study: scenes, and what to print of them. One JSON file per table or figure.
+
+pub(crate) mod axis;
+pub(crate) mod change;
+pub(crate) mod completed;
+pub(crate) mod laws;
+pub(crate) mod other_motions;
+pub(crate) mod output;
+pub(crate) mod stress;
+pub(crate) mod surveys;
+pub(crate) mod twin;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use pounding_scene::{Scene, read_file};
+
+use crate::StudyError;
+use crate::program::{PapersProgram, Program};
+pub use output::Output;
+
+/// Scenes and what to print of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// What the table or figure shows.
+    pub title: String,
+    /// Choices the paper does not state, and where they come from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notes: Option<String>,
+    /// The paper's program, which then runs the scenes that name the central difference method.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub program: Option<PapersProgram>,
+    /// The scenes, in the order of the table or figure; none for [`Output::Beyond`], which takes those of other studies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub scenes: Vec<Scene>,
+    /// What to print.
+    pub output: Output,
+}
+
+impl Study {
+    /// The program that runs a scene of it instead of the scene's method, where there is one.
+    pub(crate) fn program_of(&self, scene: &Scene) -> Option<Program> {
+        self.program.as_ref()?.of(scene)
+    }
+}
+
+/// A study with the file it came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyFile {
+    /// Name of the file without ending, for example `table-2`.
+    pub id: String,
+    /// The file.
+    pub path: PathBuf,
+    /// What it holds.
+    pub study: Study,
+}
+
+impl StudyFile {
+    /// Reads one study.
+    ///
+    /// # Errors
+    /// [`StudyError`] naming the file and the field.
+    pub fn read(path: &Path) -> Result<Self, StudyError> {
+        let study: Study = read_file(path)?;
+        let refuse = |found: String, allowed| StudyError::Study {
+            path: path.to_path_buf(),
+            place: "scenes",
+            found,
+            allowed,
+        };
+        match (study.output.beyond(), study.scenes.len()) {
+            (None, 0) => return Err(refuse("none".into(), "one or more scenes")),
+            (Some(_), 1..) => {
+                let allowed = "none: those of the paper's tables are run";
+                return Err(refuse(study.scenes.len().to_string(), allowed));
+            }
+            (None, _) | (Some(_), 0) => {}
+        }
+        let mut names = BTreeSet::new();
+        if let Some(twice) = study.scenes.iter().find(|scene| !names.insert(&scene.name)) {
+            return Err(refuse(
+                format!("\"{}\" twice", twice.name),
+                "names that differ",
+            ));
+        }
+        let id = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        Ok(Self {
+            id,
+            path: path.to_path_buf(),
+            study,
+        })
+    }
+
+    /// Reads every `*.json` of a folder, in the order of their names.
+    ///
+    /// # Errors
+    /// [`StudyError`] for the first file that cannot be read.
+    pub fn read_all(folder: &Path) -> Result<Vec<Self>, StudyError> {
+        let unreadable = |source| pounding_scene::Error::Unreadable {
+            path: folder.to_path_buf(),
+            source,
+        };
+        let mut paths = Vec::new();
+        for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+            let path = entry.map_err(unreadable)?.path();
+            if path
+                .extension()
+                .is_some_and(|extension| extension == "json")
+            {
+                paths.push(path);
+            }
+        }
+        paths.sort();
+        paths.iter().map(|path| Self::read(path)).collect()
+    }
+
+    /// An error about it.
+    pub(crate) fn refuse(
+        &self,
+        place: &'static str,
+        found: String,
+        allowed: &'static str,
+    ) -> StudyError {
+        StudyError::Study {
+            path: self.path.clone(),
+            place,
+            found,
+            allowed,
+        }
+    }
+
+    /// Folder that the files named in its scenes are relative to.
+    pub fn base(&self) -> &Path {
+        self.path.parent().unwrap_or_else(|| Path::new(""))
+    }
+}

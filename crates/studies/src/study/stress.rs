@@ -1,0 +1,159 @@
+//! Which scenes are pushed where.
+
+use crate::StudyError;
+use serde::{Deserialize, Serialize};
+
+use super::StudyFile;
+use super::axis::{Axis, Pushed};
+use pounding_scene::{Scene, Simulation};
+
+/// What is pushed to the edge.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Edges {
+    /// Time step of the methods where no axis changes it \[s\].
+    pub time_step_s: f64,
+    /// Two changes at once.
+    pub maps: Vec<Map>,
+    /// One change.
+    pub lines: Vec<Line>,
+}
+
+/// Two changes of one scene at once.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Map {
+    /// Name of its figure.
+    pub name: String,
+    /// Name of the scene.
+    pub scene: String,
+    /// Along the figure.
+    pub x: Values,
+    /// Up the figure.
+    pub y: Values,
+}
+
+/// One change of some scenes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Line {
+    /// Names of the scenes.
+    pub scenes: Vec<String>,
+    /// The change.
+    pub change: Values,
+}
+
+/// A change, and by how much.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Values {
+    /// The change.
+    pub axis: Axis,
+    /// The numbers, in the order of the figure.
+    pub values: Vec<f64>,
+}
+
+/// How much of the grid is run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Extent {
+    /// Every fourth value of every axis, from the first on.
+    #[default]
+    Part,
+    /// All of it.
+    Whole,
+}
+
+/// One scene at the edge.
+#[derive(Debug, Clone)]
+pub(crate) struct Cell {
+    /// Name of the map, or "line".
+    pub(crate) place: String,
+    /// Index and name of the scene.
+    pub(crate) scene: (usize, String),
+    /// The changes.
+    pub(crate) changes: Vec<(Axis, f64)>,
+    /// Whether the usual part of the grid holds it.
+    pub(crate) in_part: bool,
+}
+
+/// A value of an axis, and whether the usual part of the grid holds it.
+type Taken = (f64, bool);
+
+impl Edges {
+    /// Number of scenes at the edge.
+    pub(crate) fn n_cells(&self, extent: Extent) -> usize {
+        let n = |values: &Values| values.taken(extent).count();
+        let maps = self.maps.iter().map(|map| n(&map.x) * n(&map.y));
+        let lines = self.lines.iter();
+        let lines = lines.map(|line| line.scenes.len() * n(&line.change));
+        maps.chain(lines).sum()
+    }
+
+    /// Every scene at the edge, maps before lines.
+    pub(crate) fn cells(&self, file: &StudyFile, extent: Extent) -> Result<Vec<Cell>, StudyError> {
+        let scene = |name: &String| {
+            let scenes = file.study.scenes.iter();
+            let found = scenes
+                .map(|scene| &scene.name)
+                .position(|other| other == name);
+            found.map(|index| (index, name.clone())).ok_or_else(|| {
+                let allowed = "names of scenes of the study";
+                file.refuse("output.extremes", format!("\"{name}\""), allowed)
+            })
+        };
+        let mut cells = Vec::new();
+        for map in &self.maps {
+            let scene = scene(&map.scene)?;
+            for (y, in_part) in map.y.taken(extent) {
+                cells.extend(map.x.taken(extent).map(|(x, also)| Cell {
+                    place: map.name.clone(),
+                    scene: scene.clone(),
+                    changes: vec![(map.x.axis, x), (map.y.axis, y)],
+                    in_part: in_part && also,
+                }));
+            }
+        }
+        for line in &self.lines {
+            for name in &line.scenes {
+                let scene = scene(name)?;
+                cells.extend(line.change.taken(extent).map(|(value, in_part)| Cell {
+                    place: "line".into(),
+                    scene: scene.clone(),
+                    changes: vec![(line.change.axis, value)],
+                    in_part,
+                }));
+            }
+        }
+        Ok(cells)
+    }
+}
+
+impl Values {
+    fn taken(&self, extent: Extent) -> impl Iterator<Item = Taken> {
+        let values = self.values.iter().enumerate();
+        values
+            .map(|(index, value)| (*value, index % 4 == 0))
+            .filter(move |(_, in_part)| *in_part || extent == Extent::Whole)
+    }
+}
+
+impl Cell {
+    /// The scene with its changes; the time step comes last, since it follows from the structures.
+    pub(crate) fn pushed(
+        &self,
+        base: &Simulation,
+        scene: &Scene,
+        time_step: f64,
+    ) -> Result<Pushed, String> {
+        let mut pushed = Pushed::new(scene, base.record(), time_step);
+        let (last, first): (Vec<_>, Vec<_>) = self
+            .changes
+            .iter()
+            .copied()
+            .partition(|(axis, _)| *axis == Axis::TimeStep);
+        for (axis, value) in first.into_iter().chain(last) {
+            axis.push(&mut pushed, value)?;
+        }
+        Ok(pushed.rounded())
+    }
+}

@@ -1,0 +1,410 @@
+//! The method of a sweep from the error that is asked for, and the errors that it then has.
+//!
+//! Nothing is assumed of the errors of a method: a sample of the runs chooses it, by exact runs of the same scenes, and another
+//! sample measures it. Both are drawn by the same numbers in every shard. A method is tried only where the whole sweep by it, with
+//! what choosing and measuring it takes, would cost less than by the exact method, which needs neither (`prices`).
+
+use pounding_solver::SimultaneousImpacts;
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::Sweep;
+use super::permutation::Permutation;
+use super::prices::{ALONE, Counts, HALVED, LONGEST, Prices, STEPPING, mean};
+use super::sampling::Point;
+use pounding_scene::Method;
+use pounding_text::to_csv;
+
+/// Runs that choose the method, and others that measure it.
+const CHOOSING: usize = 64;
+const MEASURING: usize = 128;
+/// The first of those that choose, which tell what methods cost and whether any step can be short enough.
+const FEW: usize = 8;
+/// Tolerance of the exact method side by side, as a part of the error that is asked for.
+const PART: f64 = 0.1;
+
+/// The method that was chosen for a sweep, and what it makes of the numbers that are asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepAccuracy {
+    /// The error that was asked for \[–\].
+    pub asked: f64,
+    /// The method of all runs.
+    pub method: Method,
+    /// Errors of the numbers of a row, column by column.
+    pub columns: Vec<ColumnErrors>,
+    /// Largest error in a row.
+    pub rows: ColumnErrors,
+    /// Part of the measured runs whose numbers are all within what was asked for \[–\].
+    pub within: f64,
+}
+
+/// Errors of measured runs, |a − b| / max(|a|, |b|) of a number and the exact one \[–\], of peaks of their magnitudes: 1 where only
+/// one of both runs touches. Residual displacements and least openings count as [`LEAST_PART`](pounding_scene::LEAST_PART) of the peak
+/// displacement at least.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnErrors {
+    /// Name of the column.
+    pub name: String,
+    /// Runs that were measured.
+    pub runs: usize,
+    /// Errors that 50, 90, 95 and 99 % of the runs do not exceed.
+    pub quantiles: [f64; 4],
+    /// The largest.
+    pub largest: f64,
+}
+
+/// Parts of the runs of [`ColumnErrors::quantiles`].
+const PARTS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
+
+impl ColumnErrors {
+    fn of(name: String, mut errors: Vec<f64>) -> Self {
+        errors.sort_by(f64::total_cmp);
+        Self {
+            name,
+            runs: errors.len(),
+            quantiles: PARTS.map(|part| at_most(&errors, part)),
+            largest: errors.last().copied().unwrap_or(0.0),
+        }
+    }
+}
+
+impl SweepAccuracy {
+    /// Part of the runs that a method has to bring within the error that is asked for, in the sample that chooses it.
+    pub const SHARE: f64 = 0.95;
+
+    /// Errors of all columns, and of rows, as CSV.
+    pub fn csv(&self) -> String {
+        let header = ["column", "runs", "median", "p90", "p95", "p99", "largest"];
+        let row = |errors: &ColumnErrors| {
+            let numbers = errors.quantiles.iter().chain([&errors.largest]);
+            let numbers = numbers.map(|error| format!("{error:.3e}"));
+            let names = [errors.name.clone(), errors.runs.to_string()].into_iter();
+            names.chain(numbers).collect()
+        };
+        let rows: Vec<_> = self.columns.iter().chain([&self.rows]).map(row).collect();
+        to_csv(&header.map(String::from), &rows)
+    }
+}
+
+/// What a part of sorted errors does not exceed.
+fn at_most(sorted: &[f64], part: f64) -> f64 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number from 0 to the number of errors"
+    )]
+    let place = (part * sorted.len() as f64).ceil() as usize;
+    sorted.get(place.max(1) - 1).copied().unwrap_or(0.0)
+}
+
+/// Distance of two numbers of a table, as a part of the larger one or of what they count as at least.
+fn distance(a: f64, b: f64, least: f64) -> f64 {
+    match (a.is_nan(), b.is_nan()) {
+        (true, true) => 0.0,
+        // The smallest number stands for zeros of both.
+        (false, false) => (a - b).abs() / a.abs().max(b.abs()).max(least).max(f64::MIN_POSITIVE),
+        (true, false) | (false, true) => 1.0,
+    }
+}
+
+/// The accuracy that a scene asks for in place of a method.
+pub(super) fn asked(scene: &Value) -> Option<f64> {
+    scene.get("method")?.get("accuracy")?.as_f64()
+}
+
+impl Sweep {
+    /// The method that was chosen, where the scene asks for an accuracy.
+    pub fn accuracy(&self) -> Option<&SweepAccuracy> {
+        self.accuracy.as_ref()
+    }
+
+    pub(super) fn set_method(&mut self, method: &Method) {
+        self.scene["method"] = serde_json::to_value(method).expect("a method has JSON");
+    }
+
+    /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
+    pub(super) fn choose(&mut self, asked: f64) {
+        let sampled = self.sampled();
+        let method = sampled.as_ref().map_or(Method::EXACT, |sampled| {
+            self.cheapest((&sampled.chooses, &sampled.measures), asked)
+        });
+        let errors = match sampled {
+            Some(Sample { measures, .. }) if method != Method::EXACT => {
+                self.set_method(&Method::EXACT);
+                let truth = self.numbers(&measures).numbers;
+                self.set_method(&method);
+                errors(&truth, &self.numbers(&measures).numbers)
+            }
+            _ => Vec::new(),
+        };
+        self.set_method(&method);
+        let names = self.columns();
+        let names = &names[names.len() - 1 - self.n_columns()..names.len() - 1];
+        let column = |(index, name): (usize, &String)| {
+            let of_runs = errors.iter().map(|row| row[index]).collect();
+            ColumnErrors::of(name.clone(), of_runs)
+        };
+        let rows = rows(&errors);
+        let within = rows.iter().filter(|error| **error <= asked).count();
+        self.accuracy = Some(SweepAccuracy {
+            asked,
+            method,
+            columns: names.iter().enumerate().map(column).collect(),
+            within: if rows.is_empty() {
+                1.0
+            } else {
+                within as f64 / rows.len() as f64
+            },
+            rows: ColumnErrors::of("largest in a row".into(), rows),
+        });
+    }
+
+    /// The cheapest method, by some runs that choose it; as many as measure it are part of its price.
+    fn cheapest(&mut self, (chooses, measures): (&[u64], &[u64]), asked: f64) -> Method {
+        self.set_method(&Method::EXACT);
+        let few = &chooses[..chooses.len().min(FEW)];
+        let truth = self.numbers(few);
+        let flown = exact(asked * PART);
+        self.set_method(&flown);
+        let by_flights = self.numbers(few);
+        let counts = Counts {
+            all: self.n_runs() as f64,
+            choosing: chooses.len() as f64,
+            measuring: measures.len() as f64,
+        };
+        let prices = Prices {
+            counts,
+            exact: truth.price,
+            steps: self.prices_of_steps(few),
+            flights: (by_flights.beside > 0.0).then(|| side_by_side(truth.price, &by_flights)),
+        };
+        let flies = prices
+            .flights
+            .filter(|price| prices.is_worth(*price, *price));
+        // No step costs more than what is taken else.
+        let otherwise = flies.unwrap_or(f64::INFINITY);
+        let halved = prices.halved(otherwise);
+        let steps = halved.filter(|halved| self.may_hold((few, &truth.numbers), asked, *halved));
+        if flies.is_none() && steps.is_none() {
+            return Method::EXACT;
+        }
+        self.set_method(&Method::EXACT);
+        let truth = self.numbers(chooses).numbers;
+        let mut otherwise = Method::EXACT;
+        let mut halved = steps;
+        if flies.is_some() {
+            self.set_method(&flown);
+            if holds_for(&truth, &self.numbers(chooses).numbers, asked) {
+                otherwise = flown;
+            } else {
+                let of = (few, &truth[..few.len()]);
+                let finer = prices.halved(f64::INFINITY);
+                halved = finer.filter(|halved| self.may_hold(of, asked, *halved));
+            }
+        }
+        let method = halved.and_then(|halved| self.stepping((chooses, &truth), asked, halved));
+        method.unwrap_or(otherwise)
+    }
+
+    /// Whether the finest steps that are worth it may be within the error asked for: in half of a few runs, by some method.
+    fn may_hold(&mut self, of: (&[u64], &[Told]), asked: f64, halved: i32) -> bool {
+        let (runs, truth) = of;
+        STEPPING.into_iter().any(|method| {
+            self.set_method(&method(LONGEST / f64::from(1 << halved)));
+            let found = self.numbers(runs).numbers;
+            at_most(&sorted(rows(&errors(truth, &found))), 0.5) <= asked
+        })
+    }
+
+    /// What each of the methods that step costs with steps of a second, as a mean of some runs.
+    fn prices_of_steps(&mut self, runs: &[u64]) -> [f64; STEPPING.len()] {
+        STEPPING.map(|method| {
+            self.set_method(&method(LONGEST / f64::from(1 << (HALVED / 2))));
+            let beside = self.numbers(&runs[..1]).beside > 0.0;
+            // Which no step refuses.
+            self.set_method(&Method::EXACT);
+            let mut scene = self.scene.clone();
+            let price = |run: &u64| {
+                let (mut point, mut settings) = (Point::default(), Vec::new());
+                self.plan.settings(*run, &mut point, &mut settings);
+                let motion = self.plan.motion(*run).0;
+                let prepared = self.prepared(motion, &settings, &mut scene).ok()?;
+                Some(prepared.price_of_steps(&method(1.0), beside))
+            };
+            mean(runs.iter().filter_map(price))
+        })
+    }
+
+    /// The stepping method with the longest step that is within the error asked for in most runs, of two with the same step the
+    /// cheaper one.
+    fn stepping(
+        &mut self,
+        (runs, truth): (&[u64], &[Told]),
+        asked: f64,
+        halved: i32,
+    ) -> Option<Method> {
+        let mut held = [false; STEPPING.len()];
+        let mut longer = None;
+        // A step finer confirms the finest.
+        for step in (0..=halved + 1).map(|n| LONGEST / f64::from(1 << n)) {
+            for (method, held) in STEPPING.into_iter().zip(&mut held) {
+                self.set_method(&method(step));
+                let before = *held;
+                *held = holds_for(truth, &self.numbers(runs).numbers, asked);
+                // One step may be lucky; the next finer one has to confirm it.
+                if before && *held {
+                    return longer.map(method);
+                }
+            }
+            longer = Some(step);
+        }
+        None
+    }
+
+    /// Runs that choose and others that measure; nothing where there are not as many: exact runs of all then cost least.
+    fn sampled(&self) -> Option<Sample> {
+        let n_runs = self.n_runs();
+        let order = Permutation::new(n_runs, &mut Pcg64::new(17, 23));
+        let all: Vec<_> = (0..n_runs)
+            .take(CHOOSING + MEASURING)
+            .map(|index| order.at(index))
+            .collect();
+        let (chooses, measures) = all.split_at_checked(CHOOSING)?;
+        (measures.len() == MEASURING).then(|| Sample {
+            chooses: chooses.to_vec(),
+            measures: measures.to_vec(),
+        })
+    }
+
+    /// Some runs: their numbers, of peaks the magnitudes, and what they cost.
+    ///
+    /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
+    /// number with its sign, and none of what the row went through.
+    fn numbers(&self, runs: &[u64]) -> Sampled {
+        let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
+        let of_floors = of_floor.cycle();
+        let of_floors = of_floors.take(self.outputs.structures.len() * self.row.floors.len());
+        let are_peaks: Vec<_> = of_floors.collect();
+        let one = |run: &u64| {
+            let batch = self.batch(*run..*run + 1);
+            let number = |(column, values): (usize, &Vec<f64>)| {
+                let is_peak = are_peaks.get(column).is_some_and(|is_peak| *is_peak);
+                if is_peak { values[0].abs() } else { values[0] }
+            };
+            let values = batch.columns.iter().enumerate().map(number).collect();
+            let numbers = Numbers {
+                values,
+                least: batch.least,
+            };
+            let told = batch.failed[0].is_none().then_some(numbers);
+            (told, (batch.beside as f64, batch.price))
+        };
+        let (numbers, costs): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
+        Sampled {
+            beside: mean(costs.iter().map(|(beside, _)| *beside)),
+            price: mean(costs.iter().map(|(_, price)| *price)),
+            numbers,
+        }
+    }
+}
+
+/// Runs by their numbers.
+struct Sample {
+    chooses: Vec<u64>,
+    measures: Vec<u64>,
+}
+
+/// The numbers of a run, and what each counts as at least; nothing where it failed.
+type Told = Option<Numbers>;
+
+/// The numbers of a run.
+#[derive(Debug, Clone)]
+struct Numbers {
+    values: Vec<f64>,
+    /// What each counts as at least where its error is relative to it; empty of a run side by side, none of whose numbers does.
+    least: Vec<f64>,
+}
+
+/// What came out of some runs, and what they cost.
+struct Sampled {
+    /// Of every run.
+    numbers: Vec<Told>,
+    /// Part of them that went side by side \[–\].
+    beside: f64,
+    /// What a run costs, those side by side left out.
+    price: f64,
+}
+
+/// What a run costs by the exact method, of which these went side by side.
+fn side_by_side(exact: f64, flown: &Sampled) -> f64 {
+    flown.price + flown.beside * exact / ALONE
+}
+
+/// The exact method at the tolerance nearest to this one that scenes side by side can have.
+fn exact(tolerance: f64) -> Method {
+    Method::Exact {
+        tolerance: tolerance.clamp(1e-12, 1e-3),
+        simultaneous_impacts: SimultaneousImpacts::Together,
+    }
+}
+
+/// Whether most runs are within an error.
+fn holds_for(truth: &[Told], found: &[Told], asked: f64) -> bool {
+    at_most(&sorted(rows(&errors(truth, found))), SweepAccuracy::SHARE) <= asked
+}
+
+/// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite.
+fn errors(truth: &[Told], found: &[Told]) -> Vec<Vec<f64>> {
+    let pairs = truth.iter().zip(found);
+    let row = |(truth, found): (&Told, &Told)| {
+        let Numbers { values, least } = truth.as_ref()?;
+        let least = least.iter().copied().chain(std::iter::repeat(0.0));
+        Some(match found {
+            None => vec![f64::INFINITY; values.len()],
+            Some(found) => {
+                let pairs = values.iter().zip(&found.values).zip(least);
+                pairs
+                    .map(|((a, b), least)| distance(*a, *b, least))
+                    .collect()
+            }
+        })
+    };
+    pairs.filter_map(row).collect()
+}
+
+/// The largest error of every run.
+fn rows(errors: &[Vec<f64>]) -> Vec<f64> {
+    let largest = |row: &Vec<f64>| row.iter().copied().fold(0.0, f64::max);
+    errors.iter().map(largest).collect()
+}
+
+fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_quantiles_and_distances() {
+        let errors: Vec<_> = (1..=100).map(f64::from).collect();
+        let of = ColumnErrors::of("x".into(), errors);
+        let bits = |numbers: [f64; 4]| numbers.map(f64::to_bits);
+        assert_eq!(bits(of.quantiles), bits([50.0, 90.0, 95.0, 99.0]));
+        for (a, b, least, wanted) in [
+            (0.0, 0.0, 0.0, 0.0),
+            (1.0, 0.0, 0.0, 1.0),
+            (f64::NAN, 2.0, 0.0, 1.0),
+            (f64::NAN, f64::NAN, 0.0, 0.0),
+            (2.0, 1.5, 0.0, 0.25),
+            (-2.0, 2.0, 0.0, 2.0),
+            (0.5, 0.25, 1.0, 0.25),
+        ] {
+            let found = distance(a, b, least);
+            assert_eq!(found.to_bits(), f64::to_bits(wanted), "{a} {b} {least}");
+        }
+    }
+}

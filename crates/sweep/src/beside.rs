@@ -1,0 +1,72 @@
+//! Runs of a sweep side by side, where its method, motion and outputs let them.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use pounding_solver::SceneSums;
+
+use super::Sweep;
+use super::motions::Differs;
+use super::quantity::{PairQuantity, StructureQuantity};
+use pounding_scene::Simulation;
+use pounding_scene::side_by_side;
+
+impl Sweep {
+    /// What happened in scenes that are ready, where they could run side by side.
+    pub(super) fn beside(&self, ready: &[(usize, Box<Simulation>)]) -> Option<SceneSums> {
+        if !self.asks_for_tallies() {
+            return None;
+        }
+        let scenes: Vec<_> = ready.iter().map(|(_, prepared)| &**prepared).collect();
+        catch_unwind(AssertUnwindSafe(|| side_by_side(&scenes)))
+            .ok()
+            .flatten()
+    }
+
+    /// Whether runs side by side know all that is asked for: no verdict, no more than peaks and sums, and one motion.
+    pub(super) fn asks_for_tallies(&self) -> bool {
+        let structures = &self.outputs.structures;
+        let of_structures = structures
+            .iter()
+            .all(|one| *one == StructureQuantity::PeakDisplacementM);
+        let of_pairs = self.outputs.pairs.iter().all(|one| {
+            matches!(
+                one,
+                PairQuantity::Collisions | PairQuantity::PeakForceN | PairQuantity::TotalImpulseNS
+            )
+        });
+        !self.verdict && self.motions.differs == Differs::Nothing && of_structures && of_pairs
+    }
+
+    /// The numbers of one of these scenes in the order of the columns; false where they are none, and a run alone says why.
+    pub(super) fn tell(
+        &self,
+        prepared: &Simulation,
+        (tallies, scene): (&SceneSums, usize),
+        numbers: &mut Vec<f64>,
+    ) -> bool {
+        let none = f64::NAN;
+        if !tallies.is_told(scene) {
+            return false;
+        }
+        for (floor, made) in prepared.floors().all().iter().enumerate() {
+            let displacement = tallies.displacement(scene, floor);
+            let displacement = if made.is_wall() { none } else { displacement };
+            numbers.extend(self.outputs.structures.iter().map(|_| displacement));
+        }
+        for (index, pair) in prepared.pairs().iter().enumerate() {
+            let tally = tallies.pair(scene, index);
+            let has_force = tally.collisions > 0.0 && pair.law.is_compliant();
+            numbers.extend(self.outputs.pairs.iter().map(|asked| match asked {
+                PairQuantity::Collisions => tally.collisions,
+                PairQuantity::TotalImpulseNS => tally.impulse,
+                PairQuantity::PeakForceN if has_force => tally.peak_force,
+                PairQuantity::PeakForceN
+                | PairQuantity::FirstStartS
+                | PairQuantity::FirstImpulseNS
+                | PairQuantity::LargestImpulseNS
+                | PairQuantity::LeastOpeningM => none,
+            }));
+        }
+        true
+    }
+}

@@ -1,0 +1,172 @@
+//! Normal distributions, of a number or of its logarithm, perhaps cut off.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::quantile::{probability, quantile};
+use super::range::{FINITE, POSITIVE, RangeError, bounds, require};
+
+/// A normal distribution, perhaps cut off.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "NormalFile")]
+#[schemars(with = "NormalFile")]
+pub struct Normal {
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation, > 0.
+    pub standard_deviation: f64,
+    /// No value is below.
+    pub from: Option<f64>,
+    /// No value is above.
+    pub to: Option<f64>,
+}
+
+/// A normal distribution in the words of a file.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(inline)]
+struct NormalFile {
+    /// Mean.
+    mean: f64,
+    /// Standard deviation, > 0.
+    standard_deviation: f64,
+    /// Values below are left out, and all others as much more likely.
+    from: Option<f64>,
+    /// Values above are left out, and all others as much more likely.
+    to: Option<f64>,
+}
+
+/// A distribution whose logarithm is normal, perhaps cut off.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "LogNormalFile")]
+#[schemars(with = "LogNormalFile")]
+pub struct LogNormal {
+    /// Median, > 0.
+    pub median: f64,
+    /// Standard deviation of the natural logarithm \[–\], > 0.
+    pub log_standard_deviation: f64,
+    /// No value is below; > 0.
+    pub from: Option<f64>,
+    /// No value is above.
+    pub to: Option<f64>,
+}
+
+/// A distribution whose logarithm is normal, in the words of a file.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(inline)]
+struct LogNormalFile {
+    /// Median, > 0.
+    median: f64,
+    /// Standard deviation of the natural logarithm, > 0.
+    log_standard_deviation: f64,
+    /// Values below are left out, and all others as much more likely; > 0.
+    from: Option<f64>,
+    /// Values above are left out, and all others as much more likely.
+    to: Option<f64>,
+}
+
+impl TryFrom<NormalFile> for Normal {
+    type Error = RangeError;
+
+    fn try_from(words: NormalFile) -> Result<Self, RangeError> {
+        let deviation = words.standard_deviation;
+        require(true, "mean", words.mean, FINITE)?;
+        require(deviation > 0.0, "standard_deviation", deviation, POSITIVE)?;
+        bounds(words.from, words.to)?;
+        let normal = Self {
+            mean: words.mean,
+            standard_deviation: deviation,
+            from: words.from,
+            to: words.to,
+        };
+        normal.standard().check(words.from, words.to)?;
+        Ok(normal)
+    }
+}
+
+impl TryFrom<LogNormalFile> for LogNormal {
+    type Error = RangeError;
+
+    fn try_from(words: LogNormalFile) -> Result<Self, RangeError> {
+        let deviation = words.log_standard_deviation;
+        require(words.median > 0.0, "median", words.median, POSITIVE)?;
+        require(
+            deviation > 0.0,
+            "log_standard_deviation",
+            deviation,
+            POSITIVE,
+        )?;
+        if let Some(from) = words.from {
+            require(from > 0.0, "from", from, POSITIVE)?;
+        }
+        if let Some(to) = words.to {
+            require(to > 0.0, "to", to, POSITIVE)?;
+        }
+        bounds(words.from, words.to)?;
+        let log_normal = Self {
+            median: words.median,
+            log_standard_deviation: deviation,
+            from: words.from,
+            to: words.to,
+        };
+        log_normal.standard().check(words.from, words.to)?;
+        Ok(log_normal)
+    }
+}
+
+/// The part of a standard normal distribution that is kept, as probabilities.
+#[derive(Debug, Clone, Copy)]
+struct KeptPart {
+    from: f64,
+    to: f64,
+}
+
+impl KeptPart {
+    /// Between two numbers, as far as they are given.
+    fn between(from: Option<f64>, to: Option<f64>) -> Self {
+        Self {
+            from: from.map_or(0.0, probability),
+            to: to.map_or(1.0, probability),
+        }
+    }
+
+    /// Refuses bounds between which next to nothing is left: quantiles there would be rounding.
+    fn check(self, from: Option<f64>, to: Option<f64>) -> Result<(), RangeError> {
+        let allowed = "bounds with more than a millionth of the distribution between them";
+        let valid = self.to - self.from > 1e-6;
+        let given = from.map(|from| ("from", from)).or(to.map(|to| ("to", to)));
+        given.map_or(Ok(()), |(field, found)| {
+            require(valid, field, found, allowed)
+        })
+    }
+
+    fn quantile(self, part: f64) -> f64 {
+        quantile(self.from + part * (self.to - self.from))
+    }
+}
+
+impl Normal {
+    /// The number that this part of all values does not exceed, but for rounding.
+    pub(super) fn sample(&self, part: f64) -> f64 {
+        self.mean + self.standard_deviation * self.standard().quantile(part)
+    }
+
+    fn standard(&self) -> KeptPart {
+        let standard = |bound: f64| (bound - self.mean) / self.standard_deviation;
+        KeptPart::between(self.from.map(standard), self.to.map(standard))
+    }
+}
+
+impl LogNormal {
+    /// The number that this part of all values does not exceed, but for rounding.
+    pub(super) fn sample(&self, part: f64) -> f64 {
+        let standard = self.standard().quantile(part);
+        self.median * libm::exp(self.log_standard_deviation * standard)
+    }
+
+    fn standard(&self) -> KeptPart {
+        let standard = |bound: f64| libm::log(bound / self.median) / self.log_standard_deviation;
+        KeptPart::between(self.from.map(standard), self.to.map(standard))
+    }
+}

@@ -1,0 +1,327 @@
+//! Sweeps: one scene, run again and again with other values of its fields.
+//!
+//! [`SweepFile`] is what a user writes. [`Sweep`] knows every run by its number alone, so that a shard is a range of numbers,
+//! and runs any range of them as a [`Batch`], of which the rest is rows of a table. [`Parts`] puts rows into files of a fixed
+//! number of runs, so that a sweep that was stopped runs only what is missing, and joins them.
+//!
+//! Left out: a scheduler. Shards are given to machines by those that have one.
+
+mod accuracy;
+mod batch;
+mod beside;
+mod distribution;
+mod error;
+mod file;
+mod join;
+mod motions;
+mod parts;
+mod permutation;
+mod place;
+mod plan;
+mod prices;
+mod quantile;
+mod quantity;
+mod range;
+mod renumbered;
+mod rows;
+mod sampling;
+mod shard;
+mod spread;
+mod trial;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+pub use accuracy::{ColumnErrors, SweepAccuracy};
+pub use batch::Batch;
+pub use distribution::{LogNormal, Normal};
+pub use error::{RefusedScene, SweepError};
+pub use file::{
+    Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema,
+};
+pub use join::{Joined, compresses, merge};
+use motions::Motions;
+pub use parts::Parts;
+use place::Place;
+pub use place::PlaceError;
+use plan::Plan;
+pub use quantity::{PairQuantity, StructureQuantity};
+pub use shard::Shard;
+pub use spread::{Between, Grid, Spacing, Spread};
+use trial::Row;
+
+use pounding_scene::{Error, Method, Scene};
+
+/// A sweep whose file, scene and records were read, and whose values were tried.
+#[derive(Debug)]
+pub struct Sweep {
+    plan: Plan,
+    motions: Motions,
+    /// The scene that is varied.
+    scene: Value,
+    /// Names of what it is a row of.
+    row: Row,
+    outputs: Outputs,
+    verdict: bool,
+    /// Whether least openings are asked for.
+    closings: bool,
+    /// What chose the method, where the scene asks for an accuracy.
+    accuracy: Option<SweepAccuracy>,
+    /// SHA-256 of everything that the rows depend on.
+    sha256: String,
+}
+
+/// The scene of a sweep as it was read.
+struct Read {
+    scene: Value,
+    /// Its file; that of the sweep where it stands in it.
+    path: PathBuf,
+    bytes: Vec<u8>,
+}
+
+impl Sweep {
+    /// Reads a sweep, its scene and its records, and tries the values of its grids and lists, each with the first values of
+    /// all others.
+    ///
+    /// # Errors
+    /// [`SweepError`] names the line of the field.
+    pub fn read(path: &Path) -> Result<Self, SweepError> {
+        let unreadable = |source| Error::Unreadable {
+            path: path.to_path_buf(),
+            source,
+        };
+        let bytes = pounding_scene::bytes(path).map_err(unreadable)?;
+        let file = SweepFile::parse(&bytes, path)?;
+        Self::of((file, &bytes), path).map_err(|error| error.in_file(path))
+    }
+
+    /// The same of a file that was read as these bytes, by which its parts are known again.
+    ///
+    /// # Errors
+    /// Those of [`Self::read`], without the name of the file.
+    ///
+    /// # Panics
+    /// Never: a budget is numbers and their names, which JSON holds.
+    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path) -> Result<Self, SweepError> {
+        let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
+        let mut read = Read::of(&file.scene, path)?;
+        if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
+            scene.insert("budget".into(), serde_json::json!(budget));
+        }
+        let vary = placed(&file, &read.scene)?;
+        let asked = accuracy::asked(&read.scene);
+        if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
+            return Err(SweepError::Accuracy);
+        }
+        // Motions are read as the first run uses them; their number does not change what that is.
+        let first = Plan::new(vary.clone(), file.samples, 1)?;
+        let scene = trial::first_scene(&first, &read.scene)?;
+        let folders = (&*folder(path), &*folder(&read.path));
+        let motions = Motions::read(&file, folders, &scene, first.axes());
+        let motions = motions.map_err(|error| {
+            let named_here = matches!(error, SweepError::NoSuchRecord(_) | SweepError::NoRecord(_));
+            error.in_file(if named_here { path } else { &read.path })
+        })?;
+        let plan = Plan::new(vary, file.samples, motions.all.len())?;
+        let sha256 = hash(bytes, &read.bytes, &motions);
+        let mut sweep = Self {
+            row: Row::default(),
+            closings: file.outputs.pairs.iter().any(|pair| pair.needs_closings()),
+            outputs: file.outputs,
+            verdict: file.verdict,
+            scene: read.scene,
+            plan,
+            motions,
+            accuracy: None,
+            sha256,
+        };
+        if asked.is_some() {
+            sweep.set_method(&Method::EXACT);
+        }
+        sweep.row = match sweep.tried()? {
+            Some(row) => row,
+            None => Row::of(&scene)?,
+        };
+        if let Some(asked) = asked {
+            sweep.choose(asked);
+        }
+        Ok(sweep)
+    }
+
+    /// Number of runs.
+    pub fn n_runs(&self) -> u64 {
+        self.plan.n_runs()
+    }
+
+    /// Records that are left out, each with the reason.
+    pub fn left_out(&self) -> &[String] {
+        &self.motions.left_out
+    }
+
+    /// Returns the names of records whose direction nothing tells; they count as horizontal.
+    pub fn untold(&self) -> &[String] {
+        &self.motions.untold
+    }
+
+    /// SHA-256 of everything that the rows depend on, in hexadecimal digits.
+    pub fn sha256(&self) -> &str {
+        &self.sha256
+    }
+}
+
+impl Read {
+    fn of(scene: &SceneOf, path: &Path) -> Result<Self, SweepError> {
+        match scene {
+            SceneOf::Inline(scene) => Ok(Self {
+                scene: scene.clone(),
+                path: path.to_path_buf(),
+                bytes: Vec::new(),
+            }),
+            SceneOf::File(name) => {
+                let path = path.parent().unwrap_or_else(|| Path::new("")).join(name);
+                let unreadable = |source| Error::Unreadable {
+                    path: path.clone(),
+                    source,
+                };
+                let bytes = pounding_scene::bytes(&path).map_err(unreadable)?;
+                // Its faults are told with their lines.
+                Scene::parse(&bytes, &path)?;
+                Ok(Self {
+                    scene: pounding_scene::parse(&bytes, &path)?,
+                    path,
+                    bytes,
+                })
+            }
+        }
+    }
+}
+
+/// What must not vary, with what does instead.
+const FIXED: [(&str, &str); 4] = [
+    ("name", "it changes no number"),
+    ("record.file", "name records in `records`"),
+    ("record.component", "name records in `records`"),
+    ("record.reversed", "say `directions`"),
+];
+
+/// What varies, with the places of its fields in the scene.
+fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
+    let mut known: Vec<Place> = Vec::new();
+    let mut placed = Vec::with_capacity(file.vary.len());
+    for (index, vary) in file.vary.iter().enumerate() {
+        let place = || format!("vary[{index}]");
+        let mut fields = Vec::new();
+        for field in &vary.fields {
+            let found = Place::all(field, scene).map_err(|source| SweepError::NoField {
+                place: place(),
+                source,
+            })?;
+            for one in found {
+                if let Some(instead) = fixed(&one, file) {
+                    return Err(SweepError::Fixed {
+                        place: place(),
+                        field: one.to_string(),
+                        instead,
+                    });
+                }
+                if known.iter().any(|other| other.meets(&one)) {
+                    return Err(SweepError::Twice {
+                        place: place(),
+                        field: one.to_string(),
+                    });
+                }
+                known.push(one.clone());
+                fields.push(one);
+            }
+        }
+        placed.push((vary.clone(), fields));
+    }
+    Ok(placed)
+}
+
+/// Whether the method is among these fields, or a part of it.
+fn varies_method(fields: &[Place]) -> bool {
+    fields.iter().any(|field| field.is_in("method"))
+}
+
+/// What to do instead of varying a field that does not vary.
+fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
+    let text = place.to_string();
+    if text == "record" {
+        return Some("vary fields of it, or name records in `records`");
+    }
+    if file.records.is_some() && place.is_in("record.generated") {
+        return Some("`records` stand in its place; delete one of them");
+    }
+    let mut all = FIXED.iter();
+    all.find(|(fixed, _)| text == *fixed)
+        .map(|(_, instead)| *instead)
+}
+
+/// SHA-256 of everything that rows depend on: the program, the files of sweep and scene, the motions.
+fn hash(sweep: &[u8], scene: &[u8], motions: &Motions) -> String {
+    let mut hash = Sha256::new();
+    hash.update(env!("CARGO_PKG_VERSION"));
+    for bytes in [sweep, scene] {
+        hash.update((bytes.len() as u64).to_le_bytes());
+        hash.update(bytes);
+    }
+    for mark in motions.marks() {
+        hash.update((mark.len() as u64).to_le_bytes());
+        hash.update(mark);
+    }
+    pounding_scene::hexadecimal(&hash.finalize())
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    /// A sweep of one structure under half a sine in which this varies.
+    fn sweep(vary: &Value, seed: u64) -> Result<Sweep, SweepError> {
+        let sampled = vary.to_string().contains("normal");
+        let samples = sampled.then(|| json!({"count": 4, "seed": seed, "method": "random"}));
+        let file = json!({
+            "scene": {
+                "name": "one",
+                "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+                "structures": [{"sdof": {"name": "one", "mass_kg": 1e5, "period_s": 0.8, "damping": {"ratio": 0.05}}}],
+            },
+            "vary": vary,
+            "samples": samples,
+        });
+        let file = serde_json::from_value(file).expect("the words of a sweep");
+        Sweep::of((file, b""), Path::new("sweep.json"))
+    }
+
+    #[test]
+    fn issue_a_field_within_another_that_varies_is_refused() {
+        let damping = json!({"field": "structures[0].sdof.damping", "values": [{"ratio": 0.02}]});
+        let ratio = json!({"field": "structures[0].sdof.damping.ratio", "values": [0.03, 0.04]});
+        for vary in [json!([damping, ratio]), json!([ratio, damping])] {
+            let refused = sweep(&vary, 0).expect_err("one would undo the other");
+            assert!(matches!(refused, SweepError::Twice { .. }), "{refused}");
+        }
+    }
+
+    #[test]
+    fn issue_no_seed_decides_whether_a_sweep_is_accepted() {
+        let mass = json!({"mean": 1e5, "standard_deviation": 1e5});
+        let vary = json!([{"field": "structures[0].sdof.mass_kg", "normal": mass}]);
+        let mut failed = 0;
+        for seed in 0..30 {
+            let batch = sweep(&vary, seed)
+                .expect("the median is a mass")
+                .batch(0..4);
+            failed += batch.failed.iter().flatten().count();
+        }
+        assert!(
+            (5..60).contains(&failed),
+            "{failed} of 120 masses are below 0"
+        );
+    }
+}

@@ -1,0 +1,249 @@
+//! The ground motions of a sweep: each is read once, and processed once where no run asks for another processing.
+
+use std::path::Path;
+
+use super::SweepError;
+use super::file::SweepFile;
+use super::plan::Axis;
+use pounding_scene::SharedMotion;
+use pounding_scene::{
+    Error, GroundMotion, Motion, Orientation, Origin, RecordUse, Scene, SceneError, Source,
+};
+
+/// One ground motion in one direction.
+#[derive(Debug, Clone)]
+pub(super) struct Shaking {
+    /// Name of its rows.
+    pub(super) name: String,
+    /// How the scene uses it.
+    record: RecordUse,
+    /// SHA-256 of its file; empty for one from a formula.
+    sha256: String,
+    /// With its file only where runs use that anew.
+    motion: SharedMotion,
+}
+
+/// What of the motion differs from run to run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Differs {
+    Nothing,
+    /// Its scale alone, by which the processed motion is multiplied at the end.
+    Scale,
+    /// Anything else of its use: it is processed anew.
+    Use,
+}
+
+impl Differs {
+    pub(super) fn by(axes: &[Axis]) -> Self {
+        let of_record = axes
+            .iter()
+            .flat_map(|axis| &axis.fields)
+            .filter(|place| place.begins_with("record"));
+        let mut differs = Self::Nothing;
+        for place in of_record {
+            if !place.is_in("record.scale") {
+                return Self::Use;
+            }
+            differs = Self::Scale;
+        }
+        differs
+    }
+}
+
+/// All motions of a sweep.
+#[derive(Debug, Clone)]
+pub(super) struct Motions {
+    pub(super) all: Vec<Shaking>,
+    /// Records that are left out, with the reason.
+    pub(super) left_out: Vec<String>,
+    /// Names of those whose direction nothing tells.
+    pub(super) untold: Vec<String>,
+    /// Whether they stand in place of the scene's own record, whose duration then does not count.
+    replace: bool,
+    duration_varies: bool,
+    pub(super) differs: Differs,
+}
+
+impl Motions {
+    /// Reads the motions of a sweep whose first run is this scene; `base` is the folder of its file, `of_scene` that of the
+    /// scene's.
+    pub(super) fn read(
+        file: &SweepFile,
+        (base, of_scene): (&Path, &Path),
+        scene: &Scene,
+        axes: &[Axis],
+    ) -> Result<Self, SweepError> {
+        let differs = Differs::by(axes);
+        let mut record = scene.record.clone();
+        if differs == Differs::Scale {
+            record.scale = 1.0;
+        }
+        let own = [record.reversed];
+        let directions = file.directions.map_or(&own[..], |all| all.reversed());
+        let mut motions = Self {
+            all: Vec::new(),
+            left_out: Vec::new(),
+            untold: Vec::new(),
+            replace: file.records.is_some(),
+            duration_varies: axes
+                .iter()
+                .flat_map(|axis| &axis.fields)
+                .any(|place| place.is_in("duration_s")),
+            differs,
+        };
+        let Some(records) = &file.records else {
+            let name = own_name(&record.source);
+            let use_of = |reversed| RecordUse {
+                reversed,
+                ..record.clone()
+            };
+            for record in directions.iter().map(|reversed| use_of(*reversed)) {
+                let motion = GroundMotion::of(&record, of_scene, &scene.name)?;
+                motions.add(&name, record, motion);
+            }
+            return Ok(motions);
+        };
+        for path in records.paths() {
+            if !base.join(path).exists() {
+                return Err(SweepError::NoSuchRecord(path.clone()));
+            }
+            motions.read_path(&base.join(path), (&record, &scene.name), directions)?;
+        }
+        if motions.all.is_empty() {
+            let first = motions.left_out.first();
+            let first = first.map_or_else(String::new, |first| format!("; the first, {first}"));
+            return Err(SweepError::NoRecord(records.paths().join(", ") + &first));
+        }
+        Ok(motions)
+    }
+
+    fn add(&mut self, name: &str, record: RecordUse, motion: GroundMotion) {
+        let origin = motion.origin.as_ref();
+        let sha256 = origin.map(|origin| origin.sha256.clone());
+        let mut motion = SharedMotion::from(motion);
+        if self.differs != Differs::Use {
+            motion.origin = None;
+        }
+        self.all.push(Shaking {
+            name: name.into(),
+            record,
+            sha256: sha256.unwrap_or_default(),
+            motion,
+        });
+    }
+
+    /// The motions of a folder or a file. Vertical ones are left out, and files of a folder that are refused.
+    fn read_path(
+        &mut self,
+        path: &Path,
+        (record, scene): (&RecordUse, &str),
+        directions: &[bool],
+    ) -> Result<(), SweepError> {
+        let is_folder = path.is_dir();
+        let found = if is_folder {
+            Motion::in_folder(path)?
+        } else {
+            Motion::in_file(path)
+        };
+        for motion in found {
+            let name = motion.name();
+            if let Orientation::Vertical(vertical) = &motion.orientation {
+                self.left_out.push(format!("{name}: {vertical}"));
+                continue;
+            }
+            let uses = directions.iter().map(|reversed| {
+                let record = RecordUse {
+                    reversed: *reversed,
+                    ..record.clone()
+                };
+                motion.used_as(&record, scene)
+            });
+            match uses.collect::<Result<Vec<_>, Error>>() {
+                Ok(uses) => {
+                    for (record, motion) in uses {
+                        self.add(&name, record, motion);
+                    }
+                }
+                // As `gap` and `run` do: a folder may hold other files than records.
+                Err(refused @ Error::Record { .. }) if is_folder => {
+                    self.left_out.push(format!("{name}: {}", refused.reason()));
+                    continue;
+                }
+                Err(refused) => return Err(refused.into()),
+            }
+            if motion.orientation == Orientation::Untold {
+                self.untold.push(name);
+            }
+        }
+        Ok(())
+    }
+
+    /// The scene of a run as this motion shakes it, and the motion as the scene uses it.
+    pub(super) fn shake(
+        &self,
+        index: usize,
+        mut scene: Scene,
+    ) -> Result<(Scene, SharedMotion), Error> {
+        let shaking = &self.all[index];
+        scene.record.reversed = shaking.record.reversed;
+        if self.replace {
+            scene.record.source.clone_from(&shaking.record.source);
+            if !self.duration_varies {
+                scene.duration_s = None;
+            }
+        }
+        let motion = match self.differs {
+            Differs::Nothing => Ok(shaking.motion.clone()),
+            Differs::Scale => shaking.motion.scaled(scene.record.scale),
+            Differs::Use => shaking.used_anew(&scene.record),
+        };
+        match motion {
+            Ok(motion) => Ok((scene, motion)),
+            Err(source) => Err(Error::Scene {
+                scene: scene.name,
+                source,
+            }),
+        }
+    }
+
+    /// What tells one set of motions from another: names, directions and SHA-256 of files.
+    pub(super) fn marks(&self) -> impl Iterator<Item = String> {
+        self.all.iter().map(|shaking| {
+            let Shaking { name, sha256, .. } = shaking;
+            format!("{name} {} {sha256}", shaking.is_reversed())
+        })
+    }
+}
+
+impl Shaking {
+    pub(super) fn is_reversed(&self) -> bool {
+        self.record.reversed
+    }
+
+    /// The motion, processed as another use of it says.
+    fn used_anew(&self, record: &RecordUse) -> Result<SharedMotion, SceneError> {
+        let motion = match (&record.source, &self.motion.origin) {
+            (Source::Generated(generated), _) => GroundMotion::of_formula(record, generated),
+            (Source::File(_), Some(origin)) => GroundMotion::of_file(record, Origin::clone(origin)),
+            (Source::File(_), None) => unreachable!("what was read of a file has an origin"),
+        };
+        motion.map(SharedMotion::from)
+    }
+}
+
+/// Name of a scene's own motion.
+fn own_name(source: &Source) -> String {
+    match source {
+        Source::Generated(_) => source.to_string(),
+        Source::File(file) => {
+            let path = Path::new(&file.file);
+            let name = path.file_name().unwrap_or_default();
+            Motion {
+                path: name.into(),
+                component: file.component.clone(),
+                orientation: Orientation::Untold,
+            }
+            .name()
+        }
+    }
+}

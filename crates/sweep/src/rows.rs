@@ -1,0 +1,161 @@
+//! Batches as rows of CSV.
+
+use std::io::Write as _;
+
+use super::plan::{Axis, Setting};
+use super::quantity::name;
+use super::sampling::Point;
+use super::{Batch, Sweep};
+
+/// Rows of CSV in memory, field by field; every field ends with a comma, which the end of a row writes over.
+#[derive(Default)]
+struct Rows(Vec<u8>);
+
+impl Rows {
+    /// A text; its line breaks become blanks, so that a row is a line.
+    fn field(&mut self, field: &str) {
+        if !field.is_empty() {
+            self.0.extend(quoted(&field.replace(['\n', '\r'], " ")));
+        }
+        self.0.push(b',');
+    }
+
+    /// A number in the shortest digits that read back to the same bits; nothing where it is not finite, as in a
+    /// [`Cell`](pounding_text::Cell). No digits need quotes.
+    fn number(&mut self, number: f64) {
+        if number.is_finite() {
+            let mut digits = zmij::Buffer::new();
+            let digits = digits.format(number);
+            let digits = digits.strip_suffix(".0").unwrap_or(digits);
+            self.0.extend_from_slice(digits.as_bytes());
+        }
+        self.0.push(b',');
+    }
+
+    fn count(&mut self, count: u64) {
+        write!(self.0, "{count},").expect("memory takes all");
+    }
+
+    fn end(&mut self) {
+        if let Some(last) = self.0.last_mut() {
+            *last = b'\n';
+        }
+    }
+}
+
+/// A text as a field of CSV, in quotes where it needs them.
+fn quoted(text: &str) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([text]).expect("memory takes all");
+    let mut bytes = writer.into_inner().expect("memory takes all");
+    bytes.pop();
+    bytes
+}
+
+impl Sweep {
+    /// The row that names the columns.
+    pub fn header(&self) -> Vec<u8> {
+        let mut rows = Rows::default();
+        for column in self.columns() {
+            rows.field(&column);
+        }
+        rows.end();
+        rows.0
+    }
+
+    /// Names of the columns: the run, its record and direction, what varies, what came out, and why it failed.
+    pub fn columns(&self) -> Vec<String> {
+        let mut columns = vec!["run".into(), "record".into(), "reversed".into()];
+        columns.extend(self.plan.axes().iter().map(|axis| axis.name.clone()));
+        let of = |names: &[String], asked: &[String]| {
+            let column = |name: &String| {
+                let asked = asked.iter();
+                asked
+                    .map(|one| format!("{name}: {one}"))
+                    .collect::<Vec<_>>()
+            };
+            unique(names).iter().flat_map(column).collect::<Vec<_>>()
+        };
+        let pairs = self.row.pairs.iter();
+        let pairs: Vec<String> = pairs
+            .map(|[left, right]| format!("{left} – {right}"))
+            .collect();
+        let structures: Vec<String> = self.outputs.structures.iter().map(name).collect();
+        columns.extend(of(&self.row.floors, &structures));
+        let quantities: Vec<String> = self.outputs.pairs.iter().map(name).collect();
+        columns.extend(of(&pairs, &quantities));
+        columns.push("failed".into());
+        columns
+    }
+
+    /// A row for each run of a batch; each is one line.
+    pub fn rows(&self, batch: &Batch) -> Vec<u8> {
+        let mut rows = Rows::default();
+        let (mut point, mut settings) = (Point::default(), Vec::new());
+        let (mut shaken, mut of_motion) = (None, Vec::new());
+        for (index, run) in batch.runs.clone().enumerate() {
+            let motion = self.plan.motion(run).0;
+            if shaken != Some(motion) {
+                (shaken, of_motion) = (Some(motion), self.fields_of_motion(motion));
+            }
+            rows.count(run);
+            rows.0.extend_from_slice(&of_motion);
+            self.plan.settings(run, &mut point, &mut settings);
+            for (axis, setting) in self.plan.axes().iter().zip(&settings) {
+                rows.setting(axis, *setting);
+            }
+            for column in &batch.columns {
+                rows.number(column[index]);
+            }
+            let reason = batch.failed[index].as_deref().unwrap_or_default();
+            rows.field(reason);
+            rows.end();
+            if index == 0 {
+                // The others are about as long.
+                rows.0.reserve(batch.failed.len() * rows.0.len());
+            }
+        }
+        rows.0
+    }
+
+    /// Name and direction of a motion, as fields.
+    fn fields_of_motion(&self, motion: usize) -> Vec<u8> {
+        let shaking = &self.motions.all[motion];
+        let mut fields = Rows::default();
+        fields.field(&shaking.name);
+        fields.field(if shaking.is_reversed() {
+            "true"
+        } else {
+            "false"
+        });
+        fields.0
+    }
+}
+
+impl Rows {
+    fn setting(&mut self, axis: &Axis, setting: Setting) {
+        match setting {
+            Setting::Number(number) => self.number(number),
+            Setting::Listed(_) => {
+                let value = axis.value(setting);
+                let text = value
+                    .as_str()
+                    .map_or_else(|| value.to_string(), String::from);
+                self.field(&text);
+            }
+        }
+    }
+}
+
+/// Names that are told apart by their number where they are the same.
+fn unique(names: &[String]) -> Vec<String> {
+    let same = |index: usize| names.iter().filter(move |name| **name == names[index]);
+    let own = |index: usize| {
+        let before = names[..index].iter().filter(|name| **name == names[index]);
+        match same(index).count() {
+            1 => names[index].clone(),
+            _ => format!("{} ({})", names[index], before.count() + 1),
+        }
+    };
+    (0..names.len()).map(own).collect()
+}

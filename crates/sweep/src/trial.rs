@@ -1,0 +1,201 @@
+//! What is tried before a sweep runs: whether its values make scenes, all of one kind of row.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::error::RefusedScene;
+use super::plan::{Axis, Plan, Setting};
+use super::{Sweep, SweepError};
+use pounding_scene::Floors;
+use pounding_scene::SharedMotion;
+use pounding_scene::{Error, Scene, SceneError, Simulation};
+
+/// Values of an axis that are tried: the first ones.
+const MOST_TRIED: u64 = 1000;
+
+/// What a row of structures is made of, by name; every run of a sweep has the same.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Row {
+    /// Floors and walls.
+    pub(super) floors: Vec<String>,
+    /// Left and right floor of every pair.
+    pub(super) pairs: Vec<[String; 2]>,
+}
+
+impl Row {
+    pub(super) fn of(scene: &Scene) -> Result<Self, SweepError> {
+        let refused = |source| Error::Scene {
+            scene: scene.name.clone(),
+            source,
+        };
+        scene.check().map_err(refused)?;
+        let floors = Floors::of(scene).map_err(refused)?;
+        Ok(Self::of_floors(&floors))
+    }
+
+    fn of_floors(floors: &Floors) -> Self {
+        let pairs = 0..floors.facing().len();
+        Self {
+            floors: floors
+                .all()
+                .iter()
+                .map(|floor| floor.name.clone())
+                .collect(),
+            pairs: pairs.map(|pair| floors.names(pair)).collect(),
+        }
+    }
+
+    /// Whether floors are as many and as paired as those of the row.
+    pub(super) fn fits(&self, floors: &Floors) -> bool {
+        self.floors.len() == floors.all().len() && self.pairs.len() == floors.facing().len()
+    }
+}
+
+/// Reads a scene whose fields were set; an error names the field.
+pub(super) fn scene_of(value: &Value) -> Result<Scene, RefusedScene> {
+    // Without the way to a field that is wrong, which nearly never is.
+    if let Ok(scene) = Scene::deserialize(value) {
+        return Ok(scene);
+    }
+    let text = value.to_string();
+    pounding_scene::parse(text.as_bytes(), Path::new("scene.json")).map_err(|error| {
+        if let Error::Form {
+            place: Some(place),
+            fault,
+            ..
+        } = error
+        {
+            RefusedScene::Form { place, fault }
+        } else {
+            error.into()
+        }
+    })
+}
+
+/// The scene with typical values; blames the first value with which there is none.
+pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepError> {
+    let mut first = scene.clone();
+    let settings = plan.typical();
+    let mut found = scene_of(&first).map_err(SweepError::Inline)?;
+    for (axis, setting) in plan.axes().iter().zip(&settings) {
+        axis.put(*setting, &mut first);
+        found = scene_of(&first).map_err(|reason| refused(axis, *setting, reason))?;
+    }
+    found.check_method().map_err(|source| {
+        let scene = found.name.clone();
+        SweepError::Inline(Error::Scene { scene, source }.into())
+    })?;
+    Ok(found)
+}
+
+fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
+    SweepError::Refused {
+        place: axis.place.clone(),
+        field: axis.name.clone(),
+        value: axis.value(setting).to_string(),
+        reason,
+    }
+}
+
+/// Whether a refusal speaks of values alone, which another run may not have.
+fn is_of_values(error: &RefusedScene) -> bool {
+    let RefusedScene::Scene(error) = error else {
+        return false;
+    };
+    matches!(
+        **error,
+        Error::Scene {
+            source: SceneError::Unstable { .. }
+                | SceneError::OverlapsAtStart { .. }
+                | SceneError::TooLong { .. }
+                | SceneError::TooManySteps { .. },
+            ..
+        }
+    )
+}
+
+impl Sweep {
+    /// Tries the values of grids and lists, each with the first values of all others; the row that all have,
+    /// where one of them runs.
+    pub(super) fn tried(&self) -> Result<Option<Row>, SweepError> {
+        let first = self.plan.typical();
+        let mut row = None;
+        for (index, axis) in self.plan.axes().iter().enumerate() {
+            let count = axis.spread.count().unwrap_or(1).min(MOST_TRIED);
+            for value in 0..count {
+                let setting = match axis.spread.count() {
+                    Some(_) => axis.spread.at(value),
+                    None => first[index],
+                };
+                let mut settings = first.clone();
+                settings[index] = setting;
+                self.try_one((axis, setting), &settings, &mut row)?;
+            }
+        }
+        Ok(row)
+    }
+
+    fn try_one(
+        &self,
+        (axis, setting): (&Axis, Setting),
+        settings: &[Setting],
+        row: &mut Option<Row>,
+    ) -> Result<(), SweepError> {
+        let mut scene = self.scene.clone();
+        let tried = self.prepared(0, settings, &mut scene);
+        let found = match tried {
+            Ok(prepared) => Row::of_floors(prepared.floors()),
+            Err(error) if is_of_values(&error) => return Ok(()),
+            Err(reason) => return Err(refused(axis, setting, reason)),
+        };
+        let first = row.get_or_insert_with(|| found.clone());
+        if first.floors.len() == found.floors.len() && first.pairs.len() == found.pairs.len() {
+            return Ok(());
+        }
+        Err(SweepError::OtherRow {
+            place: axis.place.clone(),
+            field: axis.name.clone(),
+            value: axis.value(setting).to_string(),
+            found: found.floors.len(),
+            found_pairs: found.pairs.len(),
+            allowed: first.floors.len(),
+            allowed_pairs: first.pairs.len(),
+        })
+    }
+
+    /// The scene of these settings under a motion, ready to run; `scene` is that of the sweep, in which any settings were put
+    /// before.
+    pub(super) fn prepared(
+        &self,
+        motion: usize,
+        settings: &[Setting],
+        scene: &mut Value,
+    ) -> Result<Simulation, RefusedScene> {
+        let (scene, motion) = self.shaken(motion, settings, scene)?;
+        Ok(Simulation::shaken(&scene, motion)?)
+    }
+
+    /// The same before it is prepared, and the motion.
+    pub(super) fn shaken(
+        &self,
+        motion: usize,
+        settings: &[Setting],
+        scene: &mut Value,
+    ) -> Result<(Scene, SharedMotion), RefusedScene> {
+        for (axis, setting) in self.plan.axes().iter().zip(settings) {
+            if let Setting::Number(number) = *setting
+                && !number.is_finite()
+            {
+                // JSON has no such number: a field that may be left out would be.
+                return Err(RefusedScene::NotFinite {
+                    field: axis.name.clone(),
+                    number,
+                });
+            }
+            axis.put(*setting, scene);
+        }
+        Ok(self.motions.shake(motion, scene_of(scene)?)?)
+    }
+}

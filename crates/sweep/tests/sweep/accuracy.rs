@@ -1,0 +1,163 @@
+//! Sweeps whose scene asks for an accuracy: which method they choose, and what they say of it.
+
+use std::fs;
+
+use pounding_scene::Method;
+use pounding_sweep::Sweep;
+use serde_json::{Value, json};
+
+use crate::{folder, scene, sweep, table};
+
+/// Three hundred periods of the left structure in a scene.
+fn with_periods(scene: &Value) -> Value {
+    json!({
+        "scene": scene,
+        "vary": [{"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}}],
+        "samples": {"count": 300, "seed": 1, "method": "sobol"},
+        "outputs": {"structures": ["peak_displacement_m"], "pairs": ["total_impulse_n_s"]},
+        "verdict": false,
+    })
+}
+
+/// What an accuracy chooses is what one would write by hand, and it is measured.
+#[test]
+fn reference_an_accuracy_chooses_a_method_and_measures_it() {
+    let folder = folder("accuracy");
+    let words = |method: Value| {
+        let mut scene = scene();
+        scene["method"] = method;
+        with_periods(&scene)
+    };
+    let chosen = sweep(&folder, &words(json!({"accuracy": 0.02})));
+    let accuracy = chosen.accuracy().expect("it was asked for");
+    assert_eq!(accuracy.method.name(), "central_difference");
+    assert_eq!((accuracy.columns.len(), accuracy.rows.runs), (3, 128));
+    assert!(accuracy.within > 0.8, "{accuracy:?}");
+    let by_hand = sweep(&folder, &words(json!(accuracy.method)));
+    assert_eq!(table(&chosen, 0..300), table(&by_hand, 0..300));
+    // The exact runs of all rows tell the same of the part that is within.
+    let exact = table(&sweep(&folder, &words(json!("exact"))), 0..300);
+    let numbers = |row: &[String]| {
+        let numbers = row[4..7]
+            .iter()
+            .map(|field| field.parse().unwrap_or(f64::NAN));
+        numbers.collect::<Vec<f64>>()
+    };
+    let within = |(a, b): &(&Vec<String>, &Vec<String>)| {
+        let (a, b) = (numbers(a), numbers(b));
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 0.02 * a.abs().max(b.abs());
+        a.iter().zip(&b).all(near)
+    };
+    let rows = table(&by_hand, 0..300);
+    let within = rows.iter().zip(&exact).filter(within).count() as f64 / 300.0;
+    assert!(
+        (within - accuracy.within).abs() < 0.08,
+        "{within} {accuracy:?}"
+    );
+    // No step of the ladder is as close as that, and columns that yield go alone.
+    let exact = sweep(&folder, &words(json!({"accuracy": 1e-7})));
+    let accuracy = exact.accuracy().expect("it was asked for");
+    assert_eq!(accuracy.method.name(), "exact");
+    assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
+}
+
+/// Impacts located within a step take longer steps for the same error, and run side by side as well.
+#[test]
+fn reference_impacts_are_located_where_that_costs_less() {
+    let folder = folder("accuracy_impacts");
+    let words = |method: Value| {
+        let mut scene = scene();
+        scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 0.6}});
+        scene["method"] = method;
+        with_periods(&scene)
+    };
+    let chosen = sweep(&folder, &words(json!({"accuracy": 0.002})));
+    let accuracy = chosen.accuracy().expect("it was asked for");
+    let wanted = json!({"velocity_verlet": {"time_step_s": 0.005, "impacts": "located"}});
+    assert_eq!(json!(accuracy.method), wanted);
+    assert!(accuracy.within > 0.9, "{accuracy:?}");
+    assert_eq!(chosen.batch(0..300).beside, 300);
+    // Shaken in two directions the rows are those of runs alone.
+    let mut both = words(wanted);
+    both["directions"] = json!("both");
+    let beside = sweep(&folder, &both);
+    both["verdict"] = json!(true);
+    let alone = sweep(&folder, &both);
+    assert_eq!(alone.batch(0..600).beside, 0);
+    assert_eq!(table(&beside, 0..600), table(&alone, 0..600));
+}
+
+/// Where no step is close enough, elastic structures go side by side by the exact method.
+#[test]
+fn reference_a_fine_accuracy_is_met_side_by_side() {
+    let folder = folder("accuracy_beside");
+    let chosen = |accuracy: f64| {
+        let mut scene = scene();
+        let left = &mut scene["structures"][0]["sdof"];
+        let fields = left.as_object_mut().expect("an object");
+        fields.remove("yield_displacement_m");
+        scene["method"] = json!({"accuracy": accuracy});
+        sweep(&folder, &with_periods(&scene))
+    };
+    let flown = chosen(1e-7);
+    let accuracy = flown.accuracy().expect("it was asked for");
+    let tolerance = json!({"exact": {"tolerance": 1e-7 * 0.1}});
+    let wanted: Method = serde_json::from_value(tolerance).expect("a method");
+    assert_eq!(accuracy.method, wanted);
+    let [_, _, p95, _] = accuracy.rows.quantiles;
+    assert!(p95 < 1e-7 && accuracy.rows.largest > 0.0, "{accuracy:?}");
+    // What is told of a run does not depend on those that it goes beside.
+    let batch = flown.batch(0..300);
+    assert!(batch.beside > 290, "{}", batch.beside);
+    assert_eq!(table(&flown, 0..300)[131..150], table(&flown, 131..150));
+    // Nothing but the exact method alone is as close as this.
+    let alone = chosen(1e-15);
+    let accuracy = alone.accuracy().expect("it was asked for");
+    assert_eq!(accuracy.method, Method::EXACT);
+    assert_eq!(accuracy.rows.largest.to_bits(), 0.0_f64.to_bits());
+}
+
+#[test]
+fn extreme_a_method_that_is_chosen_does_not_vary() {
+    let folder = folder("accuracy_varies");
+    let mut scene = scene();
+    scene["method"] = json!({"accuracy": 0.02});
+    let words = json!({
+        "scene": scene,
+        "vary": [{"field": "method.accuracy", "values": [0.01, 0.02]}],
+    });
+    let path = folder.join("sweep.json");
+    fs::write(&path, words.to_string()).expect("a file");
+    let refused = Sweep::read(&path).expect_err("there is one method");
+    let text = refused.to_string();
+    assert!(text.contains("asks for an accuracy"), "{text}");
+}
+
+/// Steps were chosen that cost more than exact runs, after a search that cost more still; fewer runs than measure a method have
+/// no use for another than the exact one.
+#[test]
+fn issue_the_exact_method_is_chosen_where_it_costs_less() {
+    let folder = folder("accuracy_prices");
+    let chosen = |count: u64, verdict: bool| {
+        let mut scene = scene();
+        let left = &mut scene["structures"][0]["sdof"];
+        let fields = left.as_object_mut().expect("an object");
+        fields.remove("yield_displacement_m");
+        scene["contacts"][0]["law"] = json!({"stereomechanical": {"restitution": 0.6}});
+        scene["duration_s"] = json!(20.0);
+        scene["record"]["generated"]["half_sine"]["time_step_s"] = json!(0.02);
+        scene["method"] = json!({"accuracy": 1e-3});
+        let mut words = with_periods(&scene);
+        words["samples"]["count"] = json!(count);
+        words["verdict"] = json!(verdict);
+        let sweep = sweep(&folder, &words);
+        let accuracy = sweep.accuracy().expect("it was asked for").clone();
+        (accuracy.method, accuracy.rows.runs)
+    };
+    // One by one elastic structures with impacts are run exactly as fast as with steps of some milliseconds.
+    assert_eq!(chosen(300, true), (Method::EXACT, 0));
+    // Side by side steps cost next to nothing, but for the exact runs of those that choose and measure.
+    let (method, measured) = chosen(300, false);
+    assert!(method != Method::EXACT && measured == 128, "{method:?}");
+    assert_eq!(chosen(190, false), (Method::EXACT, 0));
+}

@@ -1,0 +1,147 @@
+//! The one way in which tables and JSON are written: no number in them is NaN or infinite.
+//!
+//! A number that does not exist is an empty cell and `null`. The rows of a sweep, which are written by the million, go past
+//! these cells and keep the same rule.
+
+use serde::Serialize;
+
+/// A cell of a table: a text, or a number that is finite.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Cell(String);
+
+impl Cell {
+    /// A number in a format of the caller's; empty where there is none, and of one that is not finite.
+    pub fn number(value: impl Into<Option<f64>>, format: impl FnOnce(f64) -> String) -> Self {
+        let value = value.into().filter(|value| value.is_finite());
+        Self(value.map_or_else(String::new, format))
+    }
+
+    /// The same in the shortest digits that give the number back.
+    pub fn exact(value: impl Into<Option<f64>>) -> Self {
+        Self::number(value, |value| {
+            let plain = value.to_string();
+            if plain.len() <= LONGEST {
+                plain
+            } else {
+                format!("{value:e}")
+            }
+        })
+    }
+
+    /// A number that was written before it came here, in a table of texts alone: empty where it is none.
+    fn written(text: &str) -> Self {
+        let is_none = ["NaN", "inf", "-inf"].contains(&text);
+        Self(if is_none { String::new() } else { text.into() })
+    }
+}
+
+/// Letters of a number that stands without an exponent.
+const LONGEST: usize = 24;
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self(text)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self(text.into())
+    }
+}
+
+impl From<bool> for Cell {
+    fn from(truth: bool) -> Self {
+        Self(truth.to_string())
+    }
+}
+
+impl From<usize> for Cell {
+    fn from(count: usize) -> Self {
+        Self(count.to_string())
+    }
+}
+
+/// A table as CSV: the names of its columns, and rows as long as they are.
+///
+/// # Panics
+/// If a row is not as long as the header.
+pub fn csv_text<Name: AsRef<str>>(
+    header: &[Name],
+    rows: impl IntoIterator<Item: IntoIterator<Item = Cell>>,
+) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let names = header.iter().map(AsRef::as_ref);
+    writer.write_record(names).expect("memory takes all");
+    for row in rows {
+        let cells = row.into_iter().map(|cell| cell.0);
+        writer
+            .write_record(cells)
+            .expect("rows are as long as the header, and memory takes them");
+    }
+    let bytes = writer.into_inner().expect("memory takes all");
+    String::from_utf8(bytes).expect("cells are text")
+}
+
+/// The same of texts, some of which are numbers; no other may read `inf` or `NaN`.
+///
+/// # Panics
+/// If a row is not as long as the header.
+pub fn to_csv(header: &[String], rows: &[Vec<String>]) -> String {
+    let cells = |row: &Vec<String>| row.iter().map(|text| Cell::written(text)).collect();
+    csv_text(header, rows.iter().map(cells).collect::<Vec<Vec<_>>>())
+}
+
+/// JSON as files and answers hold it, with a line break at its end; `null` of a number that is not finite.
+///
+/// # Panics
+/// If a value has no JSON, such as a map whose keys are no texts.
+pub fn json_text<T: Serialize + ?Sized>(value: &T) -> String {
+    let mut text = serde_json::to_string_pretty(value).expect("plain data is JSON");
+    text.push('\n');
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Texts that readers of tables take for numbers.
+    fn numbers(table: &str) -> Vec<f64> {
+        let cells = table.lines().skip(1).flat_map(|line| line.split(','));
+        cells.filter_map(|cell| cell.parse().ok()).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn limit_no_number_of_a_table_or_of_json_is_infinite(
+            values in prop::collection::vec(prop::num::f64::ANY, 1..20)
+        ) {
+            let header = vec!["x"; values.len()];
+            let exact = values.iter().map(|value| Cell::exact(*value)).collect::<Vec<_>>();
+            let table = csv_text(&header, [exact]);
+            let finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
+            prop_assert_eq!(numbers(&table), finite.clone());
+            let header: Vec<String> = header.into_iter().map(String::from).collect();
+            let texts = values.iter().map(ToString::to_string).collect::<Vec<_>>();
+            prop_assert_eq!(numbers(&to_csv(&header, &[texts])), finite);
+            let json: Vec<Option<f64>> = serde_json::from_str(&json_text(&values)).expect("good JSON");
+            for (value, read) in values.iter().zip(json) {
+                prop_assert_eq!(read, Some(*value).filter(|value| value.is_finite()));
+            }
+        }
+    }
+
+    #[test]
+    fn reference_a_name_stays_a_name() {
+        let table = csv_text(
+            &["name", "number"],
+            [[Cell::from("inf"), Cell::exact(1e300)]],
+        );
+        assert_eq!(table, "name,number\ninf,1e300\n");
+        assert_eq!(Cell::exact(0.1), Cell::from("0.1"));
+        assert_eq!(Cell::exact(None), Cell::default());
+    }
+}
