@@ -193,3 +193,44 @@ fn issue_powers_of_ten_look_unusual() {
         );
     }
 }
+
+/// A warning of the third pair named `contacts[2]` of a scene with two.
+#[test]
+fn issue_warnings_name_contacts_and_not_pairs() {
+    let building = |name: &str, period: f64| {
+        serde_json::json!({"building": {
+            "name": name, "period_s": period, "damping": {"ratio": 0.05},
+            "storeys": [{"mass_kg": 1e5, "repeat": 2}]
+        }})
+    };
+    let contact = serde_json::json!({"gap_m": 0.0, "law": {"linear_spring": {"impact_stiffness_n_per_m": 1e11}}});
+    let scene = serde_json::json!({
+        "name": "three buildings of two storeys",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+        "duration_s": 2.0,
+        "structures": [building("a", 0.5), building("b", 0.8), building("c", 0.4)],
+        "contacts": [contact, contact],
+        "method": {"rk4": {"time_step_s": 0.005}}
+    });
+    let scene: Scene = serde_json::from_value(scene).expect("a scene");
+    let simulation = Simulation::new(&scene, Path::new("")).expect("it is sound");
+    let exact = simulation
+        .exact()
+        .expect("it is sound")
+        .run(None)
+        .expect("it runs");
+    let warnings = simulation.warnings_before(&exact);
+    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    for pair in ["contacts[0] (a 2", "contacts[1] (b 2"] {
+        assert!(
+            texts.iter().any(|text| text.contains(pair)),
+            "{pair}: {texts:#?}"
+        );
+    }
+    assert!(
+        !texts
+            .iter()
+            .any(|text| text.contains("contacts[2]") || text.contains("contacts[3]")),
+        "{texts:#?}"
+    );
+}

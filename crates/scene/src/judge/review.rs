@@ -164,7 +164,7 @@ impl Simulation {
         let rests = pairs.filter(|(_, pair)| pair.rests);
         warnings.extend(rests.map(|(pair, _)| Warning::Rests {
             names: self.names(pair),
-            pair,
+            contact: self.contact(pair),
         }));
         warnings.extend(errors.warnings());
         (errors, warnings)
@@ -234,7 +234,7 @@ impl Simulation {
             };
             let count = expected.collisions.all().iter().filter(slow).count();
             (pair.law.knows_approach_speed() && count > 0).then(|| Warning::SlowTouches {
-                pair: index,
+                contact: self.contact(index),
                 names: self.names(index),
                 count,
             })
@@ -243,10 +243,16 @@ impl Simulation {
 
     fn place(&self, pair: usize, time_step: f64) -> Place {
         Place {
-            pair,
+            contact: self.contact(pair),
             names: self.names(pair),
             time_step: self.knob(time_step),
         }
+    }
+
+    /// Index of the contact of the scene that a pair belongs to: buildings have several pairs for each.
+    fn contact(&self, pair: usize) -> usize {
+        let facing = self.floors().facing().get(pair);
+        facing.map_or(pair, |facing| facing.contact)
     }
 
     /// Names of the structures of a pair.

@@ -58,8 +58,8 @@ pub enum Warning {
     },
     /// A pair comes to rest in contact, where an impulsive law has an impact in every step.
     Rests {
-        /// Index of the pair.
-        pair: usize,
+        /// Index of the contact in the scene.
+        contact: usize,
         /// Names of its structures.
         names: [String; 2],
     },
@@ -72,8 +72,8 @@ pub enum Warning {
     },
     /// Touches slower than a law with δ̇/v₀ is defined for.
     SlowTouches {
-        /// Index of the pair.
-        pair: usize,
+        /// Index of the contact in the scene.
+        contact: usize,
         /// Names of its structures.
         names: [String; 2],
         /// How many.
@@ -86,8 +86,8 @@ pub enum Warning {
 /// A pair, with the knob that makes its steps shorter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
-    /// Index of the pair.
-    pub pair: usize,
+    /// Index of the contact in the scene.
+    pub contact: usize,
     /// Names of its structures.
     pub names: [String; 2],
     /// The field of the scene, and its value \[s\].
@@ -124,7 +124,7 @@ impl Warning {
 impl fmt::Display for Place {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         let [left, right] = &self.names;
-        write!(to, "contacts[{}] ({left} – {right})", self.pair)
+        write!(to, "contacts[{}] ({left} – {right})", self.contact)
     }
 }
 
@@ -162,20 +162,24 @@ impl fmt::Display for Warning {
                 steps,
                 restitution,
             } => under_resolved(place, *steps, restitution.as_ref(), to),
-            Self::Rests { pair, names } => {
+            Self::Rests { contact, names } => {
                 let [left, right] = names;
                 write!(
                     to,
-                    "contacts[{pair}] ({left} – {right}): comes to rest in contact in the exact run, where this run has an \
+                    "contacts[{contact}] ({left} – {right}): comes to rest in contact in the exact run, where this run has an \
                      impact in every step; their number and impulses depend on the step and are not compared"
                 )
             }
             Self::Error { number, error } => off(*number, *error, to),
-            Self::SlowTouches { pair, names, count } => {
+            Self::SlowTouches {
+                contact,
+                names,
+                count,
+            } => {
                 let [left, right] = names;
                 write!(
                     to,
-                    "contacts[{pair}] ({left} – {right}): {count} touches below {SLOWEST_APPROACH} m/s, for which its damper, \
+                    "contacts[{contact}] ({left} – {right}): {count} touches below {SLOWEST_APPROACH} m/s, for which its damper, \
                      which grows with 1/v₀, is not defined; they count as {SLOWEST_APPROACH} m/s"
                 )
             }
