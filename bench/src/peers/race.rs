@@ -4,9 +4,8 @@ use std::time::Duration;
 
 use super::entrants::{ENTRANTS, Entrant, Kind, OURS};
 use super::environment::Worker;
-use super::own;
 use super::scenes::{Measured, SCENES, Scenes};
-use super::work;
+use super::{own, work};
 
 /// A setting of an entrant.
 #[derive(Debug, Clone)]

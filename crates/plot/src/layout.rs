@@ -1,8 +1,7 @@
 //! Where the panels of a figure stand.
 
 use super::panel::{FOOT, LABEL_LINE, LABEL_POINTS, OVERHANG, Plot, RIGHT, TICK, TITLE};
-use super::ruler::Ruler;
-use super::ruler::TICK_POINTS;
+use super::ruler::{Ruler, TICK_POINTS};
 use super::scale::{Frame, Range, x_range, y_range};
 use super::{Axis, Drawing, Figure, Panel, PlotError, Scale, legend, text};
 

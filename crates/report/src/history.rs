@@ -1,11 +1,9 @@
 //! `history.csv`: the motion of every structure and what is between neighbours, row by row in time.
 
-use pounding_solver::{Histories, State, Travel};
-
 use super::names::Names;
 use pounding_scene::{Floors, RunResult, Simulation};
-use pounding_text::digits;
-use pounding_text::to_csv;
+use pounding_solver::{Histories, State, Travel};
+use pounding_text::{digits, to_csv};
 
 /// The states of a run at equal intervals.
 #[derive(Debug, Clone, Copy)]

@@ -4,11 +4,10 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::file::{FileUse, Generated, ScaleTo, check};
+use crate::{Error, MotionError, RecordUse, SceneError, Source};
 use pounding_motion::{Accelerogram, Declared, ReadError, Record, RecordError, read_declared};
 use sha2::{Digest, Sha256};
-
-use crate::file::{FileUse, Generated, ScaleTo};
-use crate::{Error, MotionError, RecordUse, SceneError, Source, file::check};
 
 /// A ground motion as a scene uses it, and where it came from.
 #[derive(Debug, Clone, PartialEq)]

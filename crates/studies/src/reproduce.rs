@@ -1,19 +1,17 @@
 //! All studies at once: tables, figures, agreement and claims.
 
-use crate::StudyError;
+use crate::paper::converged::{Converged, N_NOISY_RUNS};
+use crate::paper::tables::Value;
+use crate::program::Program;
+use crate::{
+    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent,
+    Extremes, PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims,
+    claims_csv, figure_png, paper,
+};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-
-use crate::paper::tables::Value;
-use crate::{
-    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent,
-    Extremes, PublishedValues, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
-    figure_png,
-};
-use crate::{paper, program::Program};
-use crate::{paper::converged::Converged, paper::converged::N_NOISY_RUNS};
 
 /// The studies of a folder and the published numbers they are compared with.
 #[derive(Debug)]

@@ -1,14 +1,13 @@
 //! The agreement with the published numbers: what is reproduced, what is not, and what is told of a change.
 
-use pounding_studies::StudyError;
+use pounding_studies::{
+    Comparison, Completed, PrintedDigits, PublishedValues, StudyError, StudyFile, Table, Value,
+    Verdict,
+};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-
-use pounding_studies::{
-    Comparison, Completed, PrintedDigits, PublishedValues, StudyFile, Table, Value, Verdict,
-};
 
 type Values = BTreeMap<String, Vec<Value>>;
 

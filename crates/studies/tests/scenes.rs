@@ -1,13 +1,12 @@
 //! What is said of studies that do not fit together, and that what is read is what is written.
 
-use pounding_studies::StudyError;
+use pounding_scene::{Goal, Method, Quantity, Simulation, advise};
+use pounding_solver::{LedgerError, Rk4};
+use pounding_studies::{Completed, Study, StudyError, StudyFile, Table, figure_png};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use insta::assert_snapshot;
-use pounding_scene::{Goal, Method, Quantity, Simulation, advise};
-use pounding_solver::{LedgerError, Rk4};
-use pounding_studies::{Completed, Study, StudyFile, Table, figure_png};
 use serde_json::{Value, json};
 
 fn studies() -> PathBuf {

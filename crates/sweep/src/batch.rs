@@ -7,8 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::Sweep;
 use super::quantity::Ran;
 use super::sampling::Point;
-use pounding_scene::Extras;
-use pounding_scene::{Error, LEAST_PART, Simulation};
+use pounding_scene::{Error, Extras, LEAST_PART, Simulation};
 
 /// What came out of a range of runs.
 #[derive(Debug, Clone, PartialEq)]

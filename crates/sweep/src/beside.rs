@@ -2,13 +2,11 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use pounding_solver::SceneSums;
-
 use super::Sweep;
 use super::motions::Differs;
 use super::quantity::{PairQuantity, StructureQuantity};
-use pounding_scene::Simulation;
-use pounding_scene::side_by_side;
+use pounding_scene::{Simulation, side_by_side};
+use pounding_solver::SceneSums;
 
 impl Sweep {
     /// What happened in scenes that are ready, where they could run side by side.

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
-use pounding_scene::SharedMotion;
 use pounding_scene::{
-    Error, GroundMotion, Motion, Orientation, Origin, RecordUse, Scene, SceneError, Source,
+    Error, GroundMotion, Motion, Orientation, Origin, RecordUse, Scene, SceneError, SharedMotion,
+    Source,
 };
 
 /// One ground motion in one direction.

@@ -9,8 +9,7 @@ use super::Sweep;
 use super::place::Place;
 use super::plan::{Setting, value_of};
 use super::spread::Spread;
-use pounding_scene::{Contact, Simulation, Structure};
-use pounding_scene::{SdofFile, SetNumber, set_number};
+use pounding_scene::{Contact, SdofFile, SetNumber, Simulation, Structure, set_number};
 
 /// Where the number of an axis goes.
 #[derive(Debug)]

@@ -8,9 +8,7 @@ use serde_json::Value;
 use super::error::RefusedScene;
 use super::plan::{Axis, Plan, Setting};
 use super::{Sweep, SweepError};
-use pounding_scene::Floors;
-use pounding_scene::SharedMotion;
-use pounding_scene::{Error, Scene, SceneError, Simulation};
+use pounding_scene::{Error, Floors, Scene, SceneError, SharedMotion, Simulation};
 
 /// Values of an axis that are tried: the first ones.
 const MOST_TRIED: u64 = 1000;

@@ -1,7 +1,6 @@
 //! CSMIP volume 3: spectra and no history, refused with advice.
 
-use super::title;
-use super::{File, Format, Reader};
+use super::{File, Format, Reader, title};
 use crate::{Place, ReadError};
 
 pub(super) const READER: Reader = Reader {

@@ -1,7 +1,6 @@
 //! DYNA of the Italian networks, as of 2009: lines of a key, a colon and a value, then values in columns.
 
-use super::title;
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title, values};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
 

@@ -1,8 +1,7 @@
 //! EMOD3D, as processed and simulated records of New Zealand have it: station and component, then number of values, time step
 //! and six numbers more, then values in columns. The unit is not in the file.
 
-use super::title;
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title, values};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
 

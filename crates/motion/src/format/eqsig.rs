@@ -1,8 +1,7 @@
 //! eqsig: a title, a line with the number of values and the time step, then a value to a line.
 
 use super::columns::Largest;
-use super::title;
-use super::{Draft, File, Format, Reader, Scale, Spacing, one_component};
+use super::{Draft, File, Format, Reader, Scale, Spacing, one_component, title};
 use crate::line::number;
 use crate::{Place, ReadError};
 

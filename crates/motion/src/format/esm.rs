@@ -1,8 +1,7 @@
 //! ESM and ITACA ASC: 64 lines of a key and a value, then a value to a line.
 
 use super::columns::{Largest, decimal, leading_data};
-use super::title;
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
 

@@ -7,8 +7,7 @@
 //! The network does not let its files be passed on, and none was at hand: this follows its
 //! description and programs that read it.
 
-use super::title;
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, title};
 use crate::line::{Line, number};
 use crate::{AccelerationUnit, Place, ReadError};
 

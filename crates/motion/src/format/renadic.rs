@@ -3,8 +3,7 @@
 //! No file was at hand: this follows descriptions of the format.
 
 use super::csmip_v1::{components, read, recognises, titles};
-use super::title;
-use super::{Format, Reader};
+use super::{Format, Reader, title};
 
 pub(super) const READER: Reader = Reader {
     format: Format::RenadicV1,

@@ -1,8 +1,7 @@
 //! USC volume 2, of the University of Southern California and networks that took it up: the layout of CSMIP volume 2.
 
 use super::csmip_v2::{components, read, recognises, titles};
-use super::title;
-use super::{Format, Reader};
+use super::{Format, Reader, title};
 
 pub(super) const READER: Reader = Reader {
     format: Format::UscV2,

@@ -1,12 +1,10 @@
 //! Displacements of the row above, what its collisions do below.
 
-use pounding_solver::Collision;
-
 use super::shown::drawn;
 use super::{Seen, around, brief, heights, named, unit};
-use pounding_plot::sparse_markers;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, sparse_markers};
 use pounding_scene::Simulation;
+use pounding_solver::Collision;
 
 /// Stems closer than this part of the run cannot be told from each other: the largest of them is drawn.
 const APART: f64 = 1e-3;

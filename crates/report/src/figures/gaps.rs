@@ -1,8 +1,7 @@
 //! How far every pair closes its gap.
 
 use super::{Seen, around, brief, heights, name};
-use pounding_plot::sparse_markers;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade, sparse_markers};
 
 /// Nothing for structures that stand apart.
 pub(super) fn figure(seen: &Seen<'_>) -> Option<(Figure, String)> {

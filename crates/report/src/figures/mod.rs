@@ -8,15 +8,14 @@ mod hysteresis;
 mod shown;
 mod thin;
 
-use pounding_solver::Collision;
-use rayon::prelude::*;
-
 use super::history::Motion;
 use crate::PairSummary;
-use pounding_plot::minus;
-use pounding_plot::{Curve, Figure, PlotError, render_both, writable};
+use pounding_plot::{Curve, Figure, PlotError, minus, render_both, writable};
 use pounding_scene::{Effects, Floor, RunResult, Simulation};
+use pounding_solver::Collision;
 use pounding_text::digits;
+use rayon::prelude::*;
+
 use shown::Selection;
 
 /// The names that pictures can have, without the ends of their files.

@@ -1,14 +1,11 @@
 //! The tables of the page.
 
-use pounding_solver::Collision;
-use serde_json::Value;
-
 use super::markup::{Cell, digits, escaped, facts, short, table};
-use crate::{
-    summary::PairSummary, summary::RecordSummary, summary::StructureSummary, summary::Summary,
-};
+use crate::summary::{PairSummary, RecordSummary, StructureSummary, Summary};
 use pounding_scene::{Errors, Floors, Review};
+use pounding_solver::Collision;
 use pounding_text::{milliseconds, percent, rounded_down};
+use serde_json::Value;
 
 /// Collisions beyond these are in `impacts.csv` only.
 const FIRST: usize = 10;

@@ -2,7 +2,7 @@
 
 use super::markup::{digits, escaped, list, short};
 use super::tables::opening;
-use crate::{summary::CollisionSummary, summary::PairSummary, summary::Summary};
+use crate::summary::{CollisionSummary, PairSummary, Summary};
 use pounding_scene::{Errors, Quantity, Review};
 use pounding_text::percent;
 

@@ -1,13 +1,9 @@
 //! The settings on which methods are tried, what a run on them costs, and what "from there on" means.
 
+use crate::Scene;
+use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob, is_compliant};
 use pounding_solver::{Exact, Work};
 use serde::{Deserialize, Serialize};
-
-use crate::Scene;
-use crate::{
-    accuracy::methods::COMPARED_METHODS, accuracy::methods::ComparedMethod,
-    accuracy::methods::Knob, accuracy::methods::is_compliant,
-};
 
 /// Time steps and tolerances, each falling.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

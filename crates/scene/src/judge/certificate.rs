@@ -1,13 +1,9 @@
 //! What a contact law and a method really deliver to two free masses.
 
+use crate::Method;
+use crate::judge::free_collision::{CollisionError, Delivered, FreeCollision};
 use pounding_contact::{Calibration, CalibrationError, ContactLaw, FreeImpact, LawName};
 use pounding_solver::{Exact, Integrator};
-
-use crate::Method;
-use crate::{
-    judge::free_collision::CollisionError, judge::free_collision::Delivered,
-    judge::free_collision::FreeCollision,
-};
 
 /// What is asked of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]

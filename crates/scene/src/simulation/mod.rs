@@ -12,12 +12,13 @@ mod side_by_side;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use crate::file::check;
+use crate::ground_motion::SharedMotion;
+use crate::simulation::floors::{Floor, Floors};
+use crate::{Error, Method, Origin, Scene, SceneError};
 use pounding_motion::{Record, RecordError};
 use pounding_solver::{Budget, Clock, Integrator};
 
-use crate::ground_motion::SharedMotion;
-use crate::{Error, Method, Origin, Scene, SceneError, file::check};
-use crate::{simulation::floors::Floor, simulation::floors::Floors};
 pub use advice::{Advice, Goal, StepSizes, Trial, holding};
 use model::Model;
 pub(crate) use pair_outcome::LEANS;

@@ -1,14 +1,13 @@
 //! What the solver needs of a scene: the leanest row that models it, integrator and clock.
 
+use super::columns::Mixed;
+use crate::simulation::floors::{Floor, FloorPair, Floors};
+use crate::{Columns, Method, Scene, Structure};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic,
     Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
 };
-
-use super::columns::Mixed;
-use crate::{Columns, Method, Scene, Structure};
-use crate::{simulation::floors::Floor, simulation::floors::FloorPair, simulation::floors::Floors};
 
 /// The row with the columns it needs: decided once per run.
 #[derive(Debug, Clone)]

@@ -1,10 +1,8 @@
-use pounding_contact::{ContactForce, Overlap, reduced_mass};
-
 use crate::model::approach::Approaches;
 use crate::model::ground::{Ground, Shaking};
 use crate::model::node::floors_above;
-use crate::{Clock, Excitation, ModelError, RestoringForce, State, Travel};
-use crate::{Node, Pair};
+use crate::{Clock, Excitation, ModelError, Node, Pair, RestoringForce, State, Travel};
+use pounding_contact::{ContactForce, Overlap, reduced_mass};
 
 /// The model: floors, level by level and in each from left to right, and the pairs of them that can touch.
 ///

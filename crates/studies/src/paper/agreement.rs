@@ -1,14 +1,13 @@
 //! Published numbers against computed ones, number by number.
 
 use crate::StudyError;
+use crate::paper::printed::{Printed, PrintedDigits};
+use crate::paper::tables::{Value, to_csv};
+use pounding_text::digits;
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
-
-use crate::{paper::printed::Printed, paper::printed::PrintedDigits};
-use crate::{paper::tables::Value, paper::tables::to_csv};
-use pounding_text::digits;
 
 /// Largest relative difference of a number that counts as reproduced.
 pub const REPRODUCED: f64 = 1e-3;

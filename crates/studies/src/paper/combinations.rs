@@ -1,13 +1,11 @@
 //! Every combination of the choices of the paper's program, and how many of the printed numbers each gives.
 
-use crate::StudyError;
+use crate::program::{Choice, Program, Start};
+use crate::{Comparison, Completed, PrintedDigits, PublishedValues, StudyError, Table};
+use pounding_text::to_csv;
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
-
-use crate::program::{Choice, Program, Start};
-use crate::{Comparison, Completed, PrintedDigits, PublishedValues, Table};
-use pounding_text::to_csv;
 
 /// Tables whose numbers are counted, and the text.
 const COUNTED: [&str; 6] = ["2", "4", "5", "6", "7", "text"];

@@ -1,22 +1,16 @@
 //! What each choice of the paper's program is worth: totals with all of them, without each, without any, and exact.
 
-use crate::StudyError;
+use crate::paper::converged::{Exact, Quantities, STUDIES, find, quantities};
+use crate::paper::figures::capital;
+use crate::paper::tables::Value;
+use crate::program::{Choice, Program};
+use crate::{Completed, Printed, Published, StudyError};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
+use pounding_text::{digits, to_csv};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-
-use crate::paper::figures::capital;
-use crate::paper::tables::Value;
-use crate::program::{Choice, Program};
-use crate::{Completed, Printed, Published};
-use crate::{
-    paper::converged::Exact, paper::converged::Quantities, paper::converged::STUDIES,
-    paper::converged::find, paper::converged::quantities,
-};
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade, render_png};
-use pounding_text::digits;
-use pounding_text::to_csv;
 
 /// Marks of the choices in the figure.
 const MARKS: [Mark; Choice::ALL.len()] = [

@@ -1,15 +1,12 @@
 //! What it saves to model only what a scene requires: rows of any length, leaner and richer, to be timed.
 
 use crate::StudyError;
-use std::path::Path;
-
 use pounding_contact::{ContactLaw, NonlinearViscoelastic};
-
-use pounding_scene::Extras;
 use pounding_scene::{
-    Contact, Damping, FileUse, Method, RecordUse, RunBudget, Scene, Sdof, Simulation, Source,
-    Structure,
+    Contact, Damping, Extras, FileUse, Method, RecordUse, RunBudget, Scene, Sdof, Simulation,
+    Source, Structure,
 };
+use std::path::Path;
 
 /// What a row does that the leanest one leaves out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

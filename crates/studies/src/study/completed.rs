@@ -1,8 +1,7 @@
 //! A study whose scenes have run.
 
-use crate::StudyError;
-use crate::StudyFile;
 use crate::program::Program;
+use crate::{StudyError, StudyFile};
 use pounding_scene::{RunResult, Scene, Simulation};
 
 /// A study whose scenes have run, in the order of the study; there is at least one, but of [`Output::Beyond`](crate::Output::Beyond).

@@ -10,11 +10,9 @@ mod settings;
 mod survival;
 mod tally;
 
-use crate::StudyError;
-use std::collections::BTreeMap;
-
-use crate::Completed;
 use crate::paper::tables::to_csv;
+use crate::{Completed, StudyError};
+use std::collections::BTreeMap;
 
 pub(crate) use run::Run;
 pub use survival::Survival;

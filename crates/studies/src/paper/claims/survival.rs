@@ -1,8 +1,7 @@
 //! Which claims hold of exact runs, and of exact runs under noisy records.
 
 use super::{Asked, Claim, ClaimCount, Finding, Runs, TESTS};
-use crate::Completed;
-use crate::StudyError;
+use crate::{Completed, StudyError};
 
 /// Share of the noisy records in which a claim must hold to survive \[–\].
 const ENOUGH: f64 = 0.95;

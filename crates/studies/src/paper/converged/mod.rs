@@ -10,19 +10,15 @@ mod quantities;
 mod scenes;
 mod tables;
 
-use crate::StudyError;
+use crate::noise::Noise;
+use crate::paper::claims::{Claim, Survival, survivals, verdicts};
+use crate::{Completed, Output, PublishedValues, StudyError, StudyFile};
+use pounding_scene::Method;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use crate::noise::Noise;
-use crate::{Completed, Output, PublishedValues, StudyFile};
-use crate::{
-    paper::claims::Claim, paper::claims::Survival, paper::claims::survivals,
-    paper::claims::verdicts,
-};
-use pounding_scene::Method;
 pub(crate) use quantities::{Quantities, find, quantities};
 pub(crate) use scenes::Scenes;
 

@@ -1,10 +1,8 @@
 //! The numbers of the converged tables, from runs by any method.
 
-use crate::StudyError;
-use std::collections::BTreeMap;
-
 use crate::paper::tables::Value;
-use crate::{Completed, Published, Table};
+use crate::{Completed, Published, StudyError, Table};
+use std::collections::BTreeMap;
 
 /// Impacts of a pair that are no further apart than this are one meeting \[s\]: two time steps of the paper.
 const ONE_MEETING: f64 = 0.0201;

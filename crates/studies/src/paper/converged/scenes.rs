@@ -1,12 +1,9 @@
 //! The scenes of some studies by another method, under the paper's record, a noisy one or any other.
 
-use crate::StudyError;
-use pounding_motion::{Record, RecordError};
-
 use crate::noise::Noise;
-use crate::{Completed, StudyFile};
-use pounding_scene::{Extras, in_scene};
-use pounding_scene::{Method, Scene, Simulation};
+use crate::{Completed, StudyError, StudyFile};
+use pounding_motion::{Record, RecordError};
+use pounding_scene::{Extras, Method, Scene, Simulation, in_scene};
 
 /// Scenes of the paper by another method, ready to run under any record.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 
 use super::quantities::{MEETINGS, Quantities, find};
 use super::{Converged, LEVELS, TIME_STEPS};
-use crate::{paper::tables::Value, paper::tables::to_csv};
+use crate::paper::tables::{Value, to_csv};
 use pounding_text::digits;
 
 /// Share of the noisy runs below the lower end of a band, and above the upper one.

@@ -1,10 +1,8 @@
 //! Figures of quantities over time: the record, displacements, shear forces.
 
-use crate::StudyError;
-use pounding_motion::Record;
-
 use super::{capital, label, points};
-use crate::Completed;
+use crate::{Completed, StudyError};
+use pounding_motion::Record;
 use pounding_plot::{Axis, Curve, Figure, Kind, Note, Panel, Shade, minus};
 use pounding_scene::{RunResult, Scene, Structure};
 

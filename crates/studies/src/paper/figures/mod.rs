@@ -4,12 +4,10 @@ mod collisions;
 mod histories;
 mod layouts;
 
-use crate::StudyError;
-use pounding_solver::State;
-
-use crate::{Completed, Output};
+use crate::{Completed, Output, StudyError};
 use pounding_plot::{PlotError, render_png};
 use pounding_scene::{RunResult, Structure};
+use pounding_solver::State;
 
 /// The figure of a study as PNG; nothing for a study that prints a table.
 ///

@@ -4,8 +4,7 @@ mod pounding_forces;
 mod structures;
 mod summaries;
 
-use crate::StudyError;
-use crate::{Completed, Output};
+use crate::{Completed, Output, StudyError};
 pub(crate) use pounding_text::to_csv;
 
 /// One computed number with the keys that published numbers carry.

@@ -1,8 +1,7 @@
 //! Time and pounding force of every impact, or of every step in contact (the paper's Tables 2 and 4).
 
 use super::{Table, Value};
-use crate::Completed;
-use crate::StudyError;
+use crate::{Completed, StudyError};
 use pounding_scene::{RunResult, Scene};
 use pounding_solver::{Collision, Histories};
 use pounding_text::digits;

@@ -1,8 +1,7 @@
 //! Sums and peaks of runs (the paper's Tables 5, 6 and 7 and the numbers of its text).
 
 use super::{Table, Value};
-use crate::Completed;
-use crate::StudyError;
+use crate::{Completed, StudyError};
 use pounding_text::digits;
 
 /// Impulse of the first collision of every scene.

@@ -6,18 +6,16 @@
 mod figure;
 
 use crate::StudyError;
+use pounding_contact::{ContactLaw, NonlinearViscoelastic};
+use pounding_scene::{
+    Building, COMPARED_METHODS, Columns, Contact, Damping, FileUse, Method, RecordUse, RunBudget,
+    STANDARD_GRAVITY, Scene, Simulation, Source, Storey, Structure,
+};
 use std::f64::consts::PI;
 use std::path::Path;
 
-use pounding_contact::{ContactLaw, NonlinearViscoelastic};
-
 use figure::METHODS;
 pub use figure::{FloorCost, floor_cost_figure};
-use pounding_scene::COMPARED_METHODS;
-use pounding_scene::{
-    Building, Columns, Contact, Damping, FileUse, Method, RecordUse, RunBudget, STANDARD_GRAVITY,
-    Scene, Simulation, Source, Storey, Structure,
-};
 
 /// How many buildings of how many storeys stand in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

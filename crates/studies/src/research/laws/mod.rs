@@ -11,15 +11,13 @@ mod restitution;
 mod scenes;
 mod time_step;
 
-use crate::StudyError;
+use crate::study::laws::AtlasSettings;
+use crate::{Completed, StudyError};
+use pounding_plot::{Figure, render_png};
+use pounding_scene::{CertificateError, Scene};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::Completed;
-use pounding_plot::{Figure, render_png};
-use pounding_scene::{CertificateError, Scene};
-
-use crate::study::laws::AtlasSettings;
 use entry::Entry;
 
 /// All that the laws were asked, and their answers.

@@ -1,15 +1,14 @@
 //! The paper's scenes under every law.
 
-use pounding_contact::{Calibration, FreePair, reduced_mass};
-use rayon::prelude::*;
-
 use super::entry::{Entry, N_LAWS};
 use crate::Completed;
 use crate::paper::tables::to_csv;
+use crate::research::work_precision::{Quantities, Quantity};
 use crate::study::laws::AtlasSettings;
-use crate::{research::work_precision::Quantities, research::work_precision::Quantity};
+use pounding_contact::{Calibration, FreePair, reduced_mass};
 use pounding_scene::{Scene, Simulation, Structure};
 use pounding_text::digits;
+use rayon::prelude::*;
 
 /// What a scene gives under every law, in their order.
 #[derive(Debug)]

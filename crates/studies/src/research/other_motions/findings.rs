@@ -4,8 +4,8 @@ use super::Case;
 use super::numbers::direction;
 use super::shaking::Shaking;
 use super::world::MotionCase;
+use crate::paper::claims::{Claim, ClaimCount, Finding};
 use crate::paper::tables::to_csv;
-use crate::{paper::claims::Claim, paper::claims::ClaimCount, paper::claims::Finding};
 
 /// A claim under every motion in both directions, as recorded and reversed.
 pub(super) struct Asked<'a> {

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::{Beyond, Case, Group, findings, short};
+use crate::paper::claims::{Finding, asked as claims_asked};
 use crate::paper::figures::capital;
-use crate::{paper::claims::Finding, paper::claims::asked as claims_asked};
 use pounding_plot::{Align, Drawing, Fill, Pen, Point, Shade, Shape};
 
 /// Width and height of a cell, and the distance of two motions \[mm\].

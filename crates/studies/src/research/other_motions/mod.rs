@@ -20,6 +20,9 @@ mod study;
 mod world;
 
 use crate::StudyError;
+use crate::paper::claims::{ClaimCount, ClaimCounts, asked};
+use crate::study::change::Change;
+use pounding_plot::{PlotError, render_png, writable};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -27,10 +30,6 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use crate::{paper::claims::ClaimCount, paper::claims::ClaimCounts, paper::claims::asked};
-use pounding_plot::{PlotError, render_png, writable};
-
-use crate::study::change::Change;
 use shaking::Shaking;
 pub use study::BeyondStudy;
 pub(crate) use study::motions_of;

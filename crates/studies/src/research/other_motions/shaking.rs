@@ -1,17 +1,14 @@
 //! The ground motions as they shake the scenes, and what each of them is.
 
 use crate::StudyError;
-use std::path::Path;
-
-use pounding_motion::Record;
-
 use crate::paper::tables::to_csv;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
-use pounding_scene::Motion;
+use pounding_motion::Record;
 use pounding_scene::{
-    GroundMotion, Method, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum,
+    GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum,
 };
 use pounding_text::digits;
+use std::path::Path;
 
 /// Damping ratio of the spectral accelerations that are shown \[–\].
 pub(super) const DAMPING: f64 = 0.05;

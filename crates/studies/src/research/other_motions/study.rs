@@ -1,18 +1,15 @@
 //! What is run: the paper's scenes, and the ground motions of a list or of a folder.
 
-use crate::StudyError;
-use std::path::{Path, PathBuf};
-
-use rayon::prelude::*;
-
 use super::shaking::{Shaking, Target};
 use super::world::MotionCase;
 use super::{Beyond, Case, Change, Group};
-use crate::StudyFile;
+use crate::paper::converged::{OF_CLAIMS, STUDIES, Scenes};
 use crate::study::other_motions::{BeyondSettings, ListedMotion};
-use crate::{paper::converged::OF_CLAIMS, paper::converged::STUDIES, paper::converged::Scenes};
-use pounding_scene::Motion;
-use pounding_scene::{Method, Scene, Simulation, Structure};
+use crate::{StudyError, StudyFile};
+use pounding_scene::{Method, Motion, Scene, Simulation, Structure};
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
 
 /// The paper's scenes and the ground motions that are to shake them.
 #[derive(Debug)]

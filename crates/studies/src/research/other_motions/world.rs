@@ -1,13 +1,11 @@
 //! What the scenes do under one ground motion in one direction.
 
-use crate::StudyError;
-use pounding_motion::Record;
-
 use super::Change;
 use super::shaking::Shaking;
-use crate::Completed;
-use crate::{paper::claims::Claim, paper::claims::Run, paper::claims::verdicts};
-use crate::{paper::converged::OF_CLAIMS, paper::converged::Scenes};
+use crate::paper::claims::{Claim, Run, verdicts};
+use crate::paper::converged::{OF_CLAIMS, Scenes};
+use crate::{Completed, StudyError};
+use pounding_motion::Record;
 use pounding_scene::{Scene, Simulation, Structure};
 
 /// Numbers and verdicts of one motion in one direction.

@@ -1,15 +1,13 @@
 //! The runs of one scene at the edge: every method, the exact one, and the second route.
 
-use pounding_solver::Collision;
-
 use super::class::{ACCURATE, Class};
+use crate::research::work_precision::{Quantities, Quantity};
 use crate::study::axis::Pushed;
-use crate::{research::work_precision::Quantities, research::work_precision::Quantity};
 use pounding_reference::Fineness;
-use pounding_scene::AT_ONCE;
-use pounding_scene::Audited;
-use pounding_scene::StepMethod;
-use pounding_scene::{Method, Number, RunResult, Simulation, Warning};
+use pounding_scene::{
+    AT_ONCE, Audited, Method, Number, RunResult, Simulation, StepMethod, Warning,
+};
+use pounding_solver::Collision;
 
 /// Longest row that the second route, which steps all structures together, is asked for.
 const MOST_OF_SECOND_ROUTE: usize = 10;

@@ -9,16 +9,14 @@ mod map;
 mod measure;
 mod table;
 
-use crate::StudyError;
+use crate::study::stress::{Cell, Edges, Extent};
+use crate::{Completed, StudyError};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use crate::Completed;
-use crate::study::stress::Cell;
-use crate::study::stress::{Edges, Extent};
 use measure::{Measured, measure};
 
 /// What becomes of every scene at the edge.

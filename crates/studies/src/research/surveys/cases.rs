@@ -1,14 +1,13 @@
 //! Scenes of a survey and the ground motions that shake them.
 
-use crate::StudyError;
+use crate::research::other_motions::motions_of;
+use crate::{BeyondSettings, StudyError, StudyFile};
+use pounding_scene::{
+    GroundMotion, Method, RunResult, Scene, Sdof, SharedMotion, Simulation, Structure,
+};
 use std::path::Path;
 
 use rayon::prelude::*;
-
-use crate::research::other_motions::motions_of;
-use crate::{BeyondSettings, StudyFile};
-use pounding_scene::SharedMotion;
-use pounding_scene::{GroundMotion, Method, RunResult, Scene, Sdof, Simulation, Structure};
 
 /// A ground motion in one direction, and how long it shakes \[s\].
 #[derive(Debug, Clone)]

@@ -1,16 +1,13 @@
 //! Fragility of pounding: in how many of many random motions structures touch, and drift further than alone.
 
-use crate::StudyError;
-
 use super::cases::{Case, each, rows, with_gap};
 use super::statistics::wilson;
 use super::{Files, csv, drawn};
-use crate::StudyFile;
 use crate::paper::figures::capital;
 use crate::study::surveys::Fragility;
+use crate::{StudyError, StudyFile};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::Generated;
-use pounding_scene::{GroundMotion, RecordUse, Scene, Source};
+use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source};
 use pounding_text::digits;
 
 /// What one motion does at one intensity and gap: peak displacements over those alone, where the pair touches.

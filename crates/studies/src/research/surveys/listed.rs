@@ -1,14 +1,12 @@
 //! A survey and what it needs of other studies.
 
-use crate::StudyError;
+use super::Survey;
+use super::cases::Case;
+use crate::{Output, StudyError, StudyFile};
+use pounding_scene::sha256;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-
-use super::Survey;
-use super::cases::Case;
-use crate::{Output, StudyFile};
-use pounding_scene::sha256;
 
 /// A study that asks a [`Survey`], with the ground motions of the study that lists them.
 #[derive(Debug)]

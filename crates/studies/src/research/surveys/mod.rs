@@ -14,14 +14,13 @@ mod spectra;
 mod statistics;
 mod stiffness_ratio;
 
-use crate::StudyError;
+use crate::study::surveys::Survey;
+use crate::{StudyError, StudyFile};
+use pounding_plot::{Picture, render_png};
 use std::collections::BTreeMap;
 
-use crate::StudyFile;
-use crate::study::surveys::Survey;
 use cases::Case;
 pub use listed::SurveyStudy;
-use pounding_plot::{Picture, render_png};
 
 /// Tables and figures by their names.
 type Files = BTreeMap<String, Vec<u8>>;

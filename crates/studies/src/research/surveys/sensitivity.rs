@@ -4,22 +4,20 @@
 //! (A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259): first order by their Table 2 (b), total by M. J. W. Jansen
 //! (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; what they leave open is found by bootstrap over rows.
 
-use crate::StudyError;
+use super::cases::{Case, each, rows, sdof, with_gap};
+use super::statistics::{quantile, sorted};
+use super::{Files, csv, drawn};
+use crate::paper::figures::capital;
+use crate::study::surveys::Sensitivity;
+use crate::{StudyError, StudyFile};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_scene::{Damping, Scene};
+use pounding_text::digits;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 use sobol::Sobol;
 use sobol::params::JoeKuoD6;
-
-use super::cases::{Case, each, rows, sdof, with_gap};
-use super::statistics::{quantile, sorted};
-use super::{Files, csv, drawn};
-use crate::StudyFile;
-use crate::paper::figures::capital;
-use crate::study::surveys::Sensitivity;
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::{Damping, Scene};
-use pounding_text::digits;
 
 /// The inputs, in the order of the coordinates of a sample.
 const INPUTS: [&str; 7] = [

@@ -1,18 +1,16 @@
 //! Spectra of pounding: what two elastic structures do to each other, over both periods.
 
-use crate::StudyError;
-use pounding_solver::SimultaneousImpacts;
-use rand_pcg::Pcg64;
-use rand_pcg::rand_core::Rng;
-
 use super::cases::{Case, Response, each, rows, sdof, set_period, with_gap};
 use super::heat::{Classes, Heat, HeatRow};
 use super::statistics::{quantile, sorted};
 use super::{Files, csv, drawn};
-use crate::StudyFile;
 use crate::study::surveys::PoundingSpectra;
+use crate::{StudyError, StudyFile};
 use pounding_scene::{Method, STANDARD_GRAVITY, Scene};
+use pounding_solver::SimultaneousImpacts;
 use pounding_text::digits;
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
 
 /// A pair of structures with a gap.
 #[derive(Debug, Clone, Copy)]

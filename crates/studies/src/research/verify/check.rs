@@ -3,16 +3,14 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use pounding_solver::Pair;
-
 use super::class::{Class, rests};
 use super::compared::{Compared, Place, Two};
 use super::condition::{Condition, Data, allowed, stopped_by};
 use super::numbers::Numbers;
 use super::stage::{ALLOWED, Stage};
 use pounding_reference::Fineness;
-use pounding_scene::Audited;
-use pounding_scene::{Scene, Simulation};
+use pounding_scene::{Audited, Scene, Simulation};
+use pounding_solver::Pair;
 
 /// Residual of the energy of an exact run that is always allowed \[–\].
 pub const RESIDUAL: f64 = 1e-11;

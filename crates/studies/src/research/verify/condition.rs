@@ -3,15 +3,13 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding_motion::Record;
-
 use super::compared::Two;
 use super::numbers::Numbers;
 use super::random::Random;
 use super::stage::{ALLOWED, Stage};
-use crate::{research::work_precision::Known, research::work_precision::under};
-use pounding_scene::Extras;
-use pounding_scene::{Options, Scene, Simulation, Structure};
+use crate::research::work_precision::{Known, under};
+use pounding_motion::Record;
+use pounding_scene::{Extras, Options, Scene, Simulation, Structure};
 
 /// Relative changes of the data; the second where the first does not explain a distance. It is as small as rounding, so that what the
 /// exact run itself rounds over many touches shows in it; and of a motion that bounces apart the first is too large to show by how much.

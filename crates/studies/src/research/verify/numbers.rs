@@ -1,12 +1,10 @@
 //! What both routes say of a scene, number by number, and how far apart they are.
 
-use pounding_solver::Pair;
-
 use super::compared::{Compared, Place, Two};
 use super::meeting::{Largest, Meeting, are_at_once, as_one, matched, parts};
 use pounding_reference::Response;
-use pounding_scene::{RunResult, Simulation};
-use pounding_scene::{ZERO, relative_to};
+use pounding_scene::{RunResult, Simulation, ZERO, relative_to};
+use pounding_solver::Pair;
 
 /// What a run says of a floor.
 #[derive(Debug, Clone, Copy, Default)]

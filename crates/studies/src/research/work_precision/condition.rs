@@ -1,14 +1,12 @@
 //! How far the results of a scene move with its record, and whether the two routes are as close as that allows.
 
-use pounding_solver::Collision;
-use rayon::prelude::*;
-
 use super::quantities::{Quantities, Quantity};
 use super::run::Run;
 use crate::noise::Noise;
 use pounding_reference::Response;
-use pounding_scene::Simulation;
-use pounding_scene::relative;
+use pounding_scene::{Simulation, relative};
+use pounding_solver::Collision;
+use rayon::prelude::*;
 
 /// Relative change of the records, small enough that what a result does is proportional to it.
 const CHANGE: f64 = 1e-9;

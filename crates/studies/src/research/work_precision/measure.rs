@@ -1,17 +1,13 @@
 //! The runs.
 
-use crate::StudyError;
-use pounding_solver::{Ledger, Work};
-use rayon::prelude::*;
-
 use super::condition::Knowledge;
 use super::quantities::{Quantities, Quantity};
 use super::run::{Ended, Run};
-use crate::Completed;
+use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
-use pounding_scene::Scene;
-use pounding_scene::{ComparedMethod, REFERENCE, is_compliant};
-use pounding_scene::{Ladder, cost, entries};
+use pounding_scene::{ComparedMethod, Ladder, REFERENCE, Scene, cost, entries, is_compliant};
+use pounding_solver::{Ledger, Work};
+use rayon::prelude::*;
 
 /// All runs of one scene.
 #[derive(Debug)]

@@ -14,12 +14,10 @@ mod table;
 mod timing;
 mod verdict;
 
-use crate::StudyError;
+use crate::{Completed, StudyError};
+use pounding_scene::{Ladder, entries};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-use crate::Completed;
-use pounding_scene::{Ladder, entries};
 
 pub(crate) use condition::{Known, under};
 use measure::Race;

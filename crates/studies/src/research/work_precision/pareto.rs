@@ -4,8 +4,7 @@ use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::Quantity;
 use super::table::{agreed, setting};
 use crate::paper::tables::to_csv;
-use pounding_scene::COMPARED_METHODS;
-use pounding_scene::holding;
+use pounding_scene::{COMPARED_METHODS, holding};
 
 /// Errors asked for \[–\], with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [

@@ -1,11 +1,8 @@
 //! What is compared: six quantities and a count.
 
-use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
-
 use pounding_reference::Response;
-use pounding_scene::Recorders;
-use pounding_scene::RunResult;
-use pounding_scene::{AT_ONCE, ZERO, relative_to};
+use pounding_scene::{AT_ONCE, Recorders, RunResult, ZERO, relative_to};
+use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
 
 /// A quantity in which methods are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,10 +1,5 @@
 //! Which runs are worth timing.
 
-use crate::StudyError;
-use std::path::Path;
-
-use pounding_solver::{RunError, Work};
-
 use super::Trade;
 use super::measure::{Entrant, Measured, Rung};
 use super::pareto::cheapest;
@@ -12,9 +7,10 @@ use super::quantities::Quantity;
 use super::run::Run;
 use super::table::setting;
 use super::verdict::{EXACT, STEPPING};
-use crate::{Completed, StudyFile};
-use pounding_scene::Scene;
-use pounding_scene::{REFERENCE, RIVAL};
+use crate::{Completed, StudyError, StudyFile};
+use pounding_scene::{REFERENCE, RIVAL, Scene};
+use pounding_solver::{RunError, Work};
+use std::path::Path;
 
 /// A run to be timed: that of a method which is just accurate enough, or its finest.
 #[derive(Debug)]

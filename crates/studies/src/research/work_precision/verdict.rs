@@ -5,8 +5,7 @@ use super::pareto::cheapest;
 use super::quantities::Quantity;
 use super::table::setting;
 use crate::paper::tables::to_csv;
-use pounding_scene::{EVALUATIONS_PER_PIECE, price};
-use pounding_scene::{REFERENCE, RIVAL};
+use pounding_scene::{EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, price};
 
 /// Error asked of the exact method \[–\].
 pub(super) const EXACT: f64 = 1e-6;

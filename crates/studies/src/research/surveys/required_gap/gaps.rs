@@ -2,11 +2,8 @@
 
 use super::{Asked, Scan, asked, csv};
 use crate::StudyError;
-use crate::{
-    research::surveys::cases::Case, research::surveys::cases::Response,
-    research::surveys::cases::each, research::surveys::cases::with_gap,
-};
-use crate::{research::surveys::statistics::quantile, research::surveys::statistics::sorted};
+use crate::research::surveys::cases::{Case, Response, each, with_gap};
+use crate::research::surveys::statistics::{quantile, sorted};
 use pounding_scene::Scene;
 use pounding_text::digits;
 

@@ -8,12 +8,10 @@ mod figure;
 mod gaps;
 mod widths;
 
-use crate::StudyError;
-
 use super::cases::{Case, rows, sdof, set_period};
 use super::{Files, csv, drawn};
-use crate::StudyFile;
 use crate::study::surveys::{RequiredGap, Scan};
+use crate::{StudyError, StudyFile};
 use pounding_scene::Scene;
 
 /// A pair under a motion.

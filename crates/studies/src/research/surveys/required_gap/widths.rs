@@ -2,8 +2,8 @@
 
 use super::{Asked, RequiredGap, asked, csv};
 use crate::StudyError;
-use crate::{research::surveys::cases::Case, research::surveys::cases::each};
-use crate::{research::surveys::statistics::quantile, research::surveys::statistics::sorted};
+use crate::research::surveys::cases::{Case, each};
+use crate::research::surveys::statistics::{quantile, sorted};
 use pounding_scene::{Rule, Scene, Separation};
 use pounding_text::digits;
 

@@ -2,13 +2,11 @@
 
 mod figure;
 
-use crate::StudyError;
-
 use super::cases::{Case, each, rows, sdof};
 use super::statistics::{quantile, sorted};
 use super::{Files, csv, drawn};
-use crate::StudyFile;
 use crate::study::surveys::{HeldConstant, StiffnessRatio};
+use crate::{StudyError, StudyFile};
 use pounding_scene::{Scene, Structure};
 use pounding_text::digits;
 
