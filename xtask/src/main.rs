@@ -70,8 +70,9 @@ enum Task {
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
     /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
     /// storeys.csv, bench/lanes.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
+    #[command(disable_help_flag = true)]
     Bench {
-        /// What is timed alone, such as --lanes; `--help` names all.
+        /// What is timed alone, such as --lanes; --help names all.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },

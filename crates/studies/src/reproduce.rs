@@ -104,7 +104,7 @@ impl Studies {
         let made = completed
             .par_iter()
             .map(|study| {
-                let made = StudyFiles::of(study, self.extent, done);
+                let made = RenderedStudy::of(study, self.extent, done);
                 done();
                 made
             })
@@ -153,7 +153,7 @@ impl Studies {
 /// Files of all studies by their paths, and the numbers of their tables by the names of these.
 fn collected(
     completed: &[Completed],
-    made: Vec<StudyFiles>,
+    made: Vec<RenderedStudy>,
 ) -> (BTreeMap<PathBuf, Vec<u8>>, BTreeMap<String, Vec<Value>>) {
     let (mut files, mut values) = (BTreeMap::new(), BTreeMap::new());
     for (study, made) in completed.iter().zip(made) {
@@ -192,14 +192,14 @@ fn beyond(completed: &[Completed], done: &(dyn Fn() + Sync)) -> Result<Option<Be
 }
 
 /// What one study makes.
-struct StudyFiles {
+struct RenderedStudy {
     table: Option<Table>,
     figure: Option<Vec<u8>>,
     /// Files of a study with a folder of its own, by their paths.
     folder: BTreeMap<PathBuf, Vec<u8>>,
 }
 
-impl StudyFiles {
+impl RenderedStudy {
     fn of(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
         let output = &study.file.study.output;
         let folder = if let Some(ladder) = output.ladder() {

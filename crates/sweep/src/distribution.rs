@@ -117,12 +117,12 @@ impl TryFrom<LogNormalFile> for LogNormal {
 
 /// The part of a standard normal distribution that is kept, as probabilities.
 #[derive(Debug, Clone, Copy)]
-struct KeptPart {
+struct Truncation {
     from: f64,
     to: f64,
 }
 
-impl KeptPart {
+impl Truncation {
     /// Between two numbers, as far as they are given.
     fn between(from: Option<f64>, to: Option<f64>) -> Self {
         Self {
@@ -152,9 +152,9 @@ impl Normal {
         self.mean + self.standard_deviation * self.standard().quantile(part)
     }
 
-    fn standard(&self) -> KeptPart {
+    fn standard(&self) -> Truncation {
         let standard = |bound: f64| (bound - self.mean) / self.standard_deviation;
-        KeptPart::between(self.from.map(standard), self.to.map(standard))
+        Truncation::between(self.from.map(standard), self.to.map(standard))
     }
 }
 
@@ -165,8 +165,8 @@ impl LogNormal {
         self.median * libm::exp(self.log_standard_deviation * standard)
     }
 
-    fn standard(&self) -> KeptPart {
+    fn standard(&self) -> Truncation {
         let standard = |bound: f64| libm::log(bound / self.median) / self.log_standard_deviation;
-        KeptPart::between(self.from.map(standard), self.to.map(standard))
+        Truncation::between(self.from.map(standard), self.to.map(standard))
     }
 }

@@ -246,7 +246,7 @@ fn nodes<Column>(
 
 impl Method {
     /// The method without its time step.
-    pub fn integrator(self) -> Integrator {
+    pub(crate) fn integrator(self) -> Integrator {
         match self {
             Self::CentralDifference {
                 contact_substeps, ..

@@ -266,7 +266,7 @@ impl Simulation {
     }
 
     /// An empty ledger for a run of the scene, held to all laws.
-    pub fn ledger(&self) -> Ledger<'_> {
+    fn ledger(&self) -> Ledger<'_> {
         let excitation = self.excitation();
         with_row!(&self.model, row => Ledger::new(row, excitation))
     }

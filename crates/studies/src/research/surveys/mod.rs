@@ -7,12 +7,12 @@
 mod cases;
 mod fragility;
 mod heat;
-mod listed;
 mod required_gap;
 mod sensitivity;
 mod spectra;
 mod statistics;
 mod stiffness_ratio;
+mod survey_study;
 
 use crate::study::surveys::Survey;
 use crate::{StudyError, StudyFile};
@@ -20,7 +20,7 @@ use pounding_plot::{Picture, render_png};
 use std::collections::BTreeMap;
 
 use cases::Case;
-pub use listed::SurveyStudy;
+pub use survey_study::SurveyStudy;
 
 /// Tables and figures by their names.
 type Files = BTreeMap<String, Vec<u8>>;
