@@ -1,6 +1,6 @@
 //! The hot loops one by one: a step of every method, of lanes, a piece of the exact method in flight and in contact.
 //!
-//! `cargo bench --profile dev --package pounding-solver --bench hot`; an element is a step, in lanes a step of a scene, with
+//! `cargo bench --profile dev --package pounding-bench --bench hot`; an element is a step, in lanes a step of a scene, with
 //! the exact method a piece of a structure's motion.
 
 use std::f64::consts::PI;

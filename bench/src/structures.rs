@@ -48,7 +48,8 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let mut tallies = SceneSums::default();
     lines.extend(medians(
         "central difference in lanes",
-        (IN_ROUND, MOST),
+        IN_ROUND,
+        MOST,
         &mut |rows| {
             let rows: Vec<_> = rows.iter().collect();
             beside.run(
@@ -66,7 +67,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
         ),
         ("exact", MOST_EXACT, (Integrator::Exact(EXACT), recorded)),
     ] {
-        lines.extend(medians(name, (ALONE, most), &mut |rows| {
+        lines.extend(medians(name, ALONE, most, &mut |rows| {
             rows.iter().all(|row| {
                 let n = row.nodes().len();
                 let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
@@ -77,7 +78,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
         })?);
     }
     let instructions = lanes::instructions().unwrap_or("others");
-    let csv = lanes::keep(&root.join(KEPT), (HEADER, instructions), &lines)?;
+    let csv = lanes::keep(&root.join(KEPT), HEADER, instructions, &lines)?;
     println!(
         "\nTime of a structure in a row of so many over that of one of two, impacts:\n{csv}\nkept in {KEPT}"
     );
@@ -87,7 +88,8 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
 /// Lines of one way to run rows of so many structures in a round, up to a size.
 fn medians(
     name: &str,
-    (in_round, most): (usize, usize),
+    in_round: usize,
+    most: usize,
     run: &mut dyn FnMut(&[Row<Elastic>]) -> bool,
 ) -> Result<Vec<String>, String> {
     let sizes = SIZES.into_iter().filter(|size| *size <= most);

@@ -59,7 +59,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
         let megabytes = memory.div_ceil(1000);
         lines.push(format!("{runs},{threads},{ratio:.2},{megabytes}"));
     }
-    let csv = lanes::keep(&root.join(KEPT), (HEADER, instructions), &lines)?;
+    let csv = lanes::keep(&root.join(KEPT), HEADER, instructions, &lines)?;
     println!(
         "\nWall time of sweeps side by side, with scenes made, checked and written, over that of the bare loop by hand on as many threads:\n{csv}\nkept in {KEPT}"
     );

@@ -88,7 +88,7 @@ fn of_files(campaign: &Campaign, files: &[PathBuf]) -> Result<(), String> {
         let scene = serde_json::from_str(&text);
         let scene = scene.map_err(|error| format!("{}: {error}", path.display()))?;
         let base = path.parent().unwrap_or(Path::new(""));
-        let checked = campaign.check((index, scene), base);
+        let checked = campaign.check(index, &scene, base);
         let lines = checked.lines().join("\n");
         crate::reproduce::say(&format!("{}\n{lines}\n", path.display()))?;
         all.push(checked);

@@ -68,7 +68,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
         };
         lines.extend(scenes.compare()?);
     }
-    let csv = keep(&root.join(KEPT), (HEADER, instructions), &lines)?;
+    let csv = keep(&root.join(KEPT), HEADER, instructions, &lines)?;
     println!(
         "\nScenes per second on one core, over those of the loop by hand that records peaks and impulses:\n{csv}\nkept in {KEPT}"
     );
@@ -79,7 +79,8 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
 /// and leaves those of others; returns the table.
 pub(super) fn keep(
     path: &Path,
-    (header, instructions): (&str, &str),
+    header: &str,
+    instructions: &str,
     lines: &[String],
 ) -> Result<String, String> {
     let before = fs::read_to_string(path).unwrap_or_default();

@@ -52,7 +52,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     }
     let instructions = lanes::instructions().unwrap_or("others");
     let levels = report::levels(&raced);
-    let levels = lanes::keep(&root.join(LEVELS), (HEADER, instructions), &levels)?;
+    let levels = lanes::keep(&root.join(LEVELS), HEADER, instructions, &levels)?;
     println!(
         "{}\n{levels}\nkept in {LEVELS}, {}",
         report::checks(&raced),

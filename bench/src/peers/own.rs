@@ -96,11 +96,14 @@ fn beside(mut run: impl FnMut(&mut SceneSums)) -> Measured {
 
 /// One scene after the other, each with its recorders.
 fn alone(scenes: &Scenes<'_>, integrator: Integrator, time_step: f64) -> Measured {
-    let run = (integrator, clock(time_step));
+    let clock = clock(time_step);
     let mut found = Vec::new();
     let seconds = timed(|| {
         let rows = scenes.rows[..SCENES].iter();
-        let one = |row| solved(row, scenes.excitation, run).map_or([f64::NAN; 3], |one| one.0);
+        let one = |row| {
+            let solved = solved(row, scenes.excitation, integrator, clock);
+            solved.map_or([f64::NAN; 3], |one| one.0)
+        };
         found = rows.map(one).collect();
     });
     Measured {

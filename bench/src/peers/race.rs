@@ -70,7 +70,8 @@ impl Run {
 fn measured(
     entrant: &Entrant,
     setting: f64,
-    (scenes, worker): (&Scenes<'_>, &mut Worker),
+    scenes: &Scenes<'_>,
+    worker: &mut Worker,
 ) -> Result<Measured, String> {
     if entrant.tool == OURS {
         own::measured(scenes, entrant.method, setting)
@@ -95,7 +96,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, Str
     for entrant in entrants {
         let mut rungs = Vec::new();
         for &setting in entrant.knob.ladder() {
-            let one = measured(entrant, setting, (scenes, &mut *worker))?;
+            let one = measured(entrant, setting, scenes, &mut *worker)?;
             rungs.push(Rung {
                 setting,
                 error: scenes.error(&one.found),
@@ -120,7 +121,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, Str
         for run in &mut runs {
             for rung in &mut run.rungs {
                 if rung.with_another() < PATIENCE.as_secs_f64() {
-                    let one = measured(&run.entrant, rung.setting, (scenes, &mut *worker))?;
+                    let one = measured(&run.entrant, rung.setting, scenes, &mut *worker)?;
                     rung.seconds.push(one.seconds);
                 }
             }

@@ -65,7 +65,8 @@ pub(super) fn clock(time_step: f64) -> Clock {
 pub(super) fn solved(
     row: &Row<Elastic>,
     excitation: Excitation<'_>,
-    (integrator, clock): (Integrator, Clock),
+    integrator: Integrator,
+    clock: Clock,
 ) -> Option<(Found, Collisions)> {
     let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
     integrator.run(row, excitation, clock, &mut recorder).ok()?;
@@ -95,9 +96,8 @@ impl<'a> Scenes<'a> {
         let (mut rows, mut answers) = (Vec::new(), Vec::new());
         while rows.len() < IN_LANES {
             let row = drawn(law, &mut random)?;
-            let run = (exact(1e-16), clock(GROUND_STEP));
-            let (found, collisions) =
-                solved(&row, excitation, run).ok_or("the exact method fails in a scene")?;
+            let (found, collisions) = solved(&row, excitation, exact(1e-16), clock(GROUND_STEP))
+                .ok_or("the exact method fails in a scene")?;
             if !plain(&collisions) {
                 continue;
             }

@@ -22,7 +22,7 @@ const SMALL: f64 = 0.25;
 pub const SLOWEST_APPROACH: f64 = 1e-3;
 
 /// The force: `spring` (1 + aδ̇/v₀), v₀ not below [`SLOWEST_APPROACH`].
-pub(crate) fn form(spring: Term, (factor, speed): (f64, f64), action: Action) -> Form {
+pub(crate) fn form(spring: Term, factor: f64, speed: f64, action: Action) -> Form {
     let damper = Term {
         coefficient: spring.coefficient * factor / speed.max(SLOWEST_APPROACH),
         power: spring.power,

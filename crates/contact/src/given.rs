@@ -27,7 +27,8 @@ pub(crate) enum GivenError {
 impl Given {
     /// The one choice that a file makes, for the damping of this `name`; e is delivered exactly unless it says otherwise.
     pub(crate) fn new(
-        (name, damping): (&'static str, Option<f64>),
+        name: &'static str,
+        damping: Option<f64>,
         restitution: Option<f64>,
         calibration: Option<Calibration>,
     ) -> Result<Self, GivenError> {
@@ -72,8 +73,8 @@ macro_rules! given {
                     restitution,
                     calibration,
                 } = words;
-                let damping = (stringify!($damping), $damping);
-                match crate::given::Given::new(damping, restitution, calibration)? {
+                let name = stringify!($damping);
+                match crate::given::Given::new(name, $damping, restitution, calibration)? {
                     crate::given::Given::Damping($damping) => Ok(Self {
                         impact_stiffness,
                         $damping,

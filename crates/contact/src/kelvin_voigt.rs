@@ -62,7 +62,7 @@ impl KelvinVoigt {
     pub fn form(&self, reduced_mass: f64) -> Form {
         let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
         let damping = self.impact_damping_ratio * critical;
-        linear(self.impact_stiffness, (damping, Action::Both))
+        linear(self.impact_stiffness, damping, Action::Both)
     }
 
     /// Coefficient of restitution \[–\] delivered to a free pair, exactly: e = exp(−2ξ̄ acos ξ̄/√(1−ξ̄²)).

@@ -133,12 +133,12 @@ impl LawName {
             Self::NonlinearViscoelastic => {
                 Law::NonlinearViscoelastic(NonlinearViscoelastic::calibrated(k, e, calibration)?)
             }
-            Self::HertzDamp => hertz_damp(HertzDampFormula::HertzDamp, k, (e, calibration))?,
+            Self::HertzDamp => hertz_damp(HertzDampFormula::HertzDamp, k, e, calibration)?,
             Self::CorrectedHertzDamp => {
-                hertz_damp(HertzDampFormula::CorrectedHertzDamp, k, (e, calibration))?
+                hertz_damp(HertzDampFormula::CorrectedHertzDamp, k, e, calibration)?
             }
-            Self::HuntCrossley => hertz_damp(HertzDampFormula::HuntCrossley, k, (e, calibration))?,
-            Self::Gonthier => hertz_damp(HertzDampFormula::Gonthier, k, (e, calibration))?,
+            Self::HuntCrossley => hertz_damp(HertzDampFormula::HuntCrossley, k, e, calibration)?,
+            Self::Gonthier => hertz_damp(HertzDampFormula::Gonthier, k, e, calibration)?,
             Self::ModifiedKelvin => {
                 Law::ModifiedKelvin(ModifiedKelvin::calibrated(k, e, calibration)?)
             }
@@ -180,7 +180,8 @@ impl LawName {
 fn hertz_damp(
     formula: HertzDampFormula,
     stiffness: f64,
-    (restitution, calibration): (f64, Calibration),
+    restitution: f64,
+    calibration: Calibration,
 ) -> Result<ContactLaw, ParameterError> {
     HertzDamp::calibrated(stiffness, restitution, (calibration, formula)).map(ContactLaw::HertzDamp)
 }

@@ -34,7 +34,7 @@ impl LinearSpring {
 
     /// The force as a form.
     pub fn form(&self) -> Form {
-        linear(self.impact_stiffness, (0.0, Action::Approach))
+        linear(self.impact_stiffness, 0.0, Action::Approach)
     }
 
     /// Checks k > 0, finite.
@@ -47,7 +47,7 @@ impl LinearSpring {
 }
 
 /// A linear spring with a linear damper: kδ + cδ̇.
-pub(crate) fn linear(stiffness: f64, (damping, action): (f64, Action)) -> Form {
+pub(crate) fn linear(stiffness: f64, damping: f64, action: Action) -> Form {
     Form {
         spring: Term {
             coefficient: stiffness,

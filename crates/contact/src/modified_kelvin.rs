@@ -59,8 +59,8 @@ impl ModifiedKelvin {
             coefficient: self.impact_stiffness,
             power: Power::One,
         };
-        let damper = (self.impact_damping_factor, approach_speed);
-        approach_damper::form(spring, damper, Action::Both)
+        let factor = self.impact_damping_factor;
+        approach_damper::form(spring, factor, approach_speed, Action::Both)
     }
 
     /// Coefficient of restitution \[–\] delivered to a free pair, exactly: the e of a(1+e) = ln[(1+a)/(1−ea)].

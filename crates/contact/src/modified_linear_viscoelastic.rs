@@ -60,7 +60,7 @@ impl ModifiedLinearViscoelastic {
     pub fn form(&self, reduced_mass: f64) -> Form {
         let critical = 2.0 * (self.impact_stiffness * reduced_mass).sqrt();
         let damping = self.impact_damping_ratio * critical;
-        linear(self.impact_stiffness, (damping, Action::Approach))
+        linear(self.impact_stiffness, damping, Action::Approach)
     }
 
     /// Coefficient of restitution \[–\] delivered to a free pair, exactly: e = exp(−ξ̄ acos ξ̄/√(1−ξ̄²)).

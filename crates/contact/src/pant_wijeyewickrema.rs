@@ -58,8 +58,8 @@ impl PantWijeyewickrema {
             coefficient: self.impact_stiffness,
             power: Power::One,
         };
-        let damper = (self.impact_damping_factor, approach_speed);
-        approach_damper::form(spring, damper, Action::Approach)
+        let factor = self.impact_damping_factor;
+        approach_damper::form(spring, factor, approach_speed, Action::Approach)
     }
 
     /// Coefficient of restitution \[–\] delivered to a free pair, exactly: e² = 2 [1/a − ln(1+a)/a²].

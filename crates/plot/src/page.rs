@@ -2,6 +2,8 @@
 //!
 //! Plotters counts in whole units, so the canvas is large: a hundred units to the millimetre.
 //! Nothing outside this file and `text.rs` knows plotters.
+//!
+//! The bitmap backend and the charts of plotters are not used: whole pixels, letters badly spaced.
 
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};

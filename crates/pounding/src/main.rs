@@ -15,7 +15,7 @@ use clap::Parser;
 use commands::Program;
 
 fn main() -> ExitCode {
-    let (printed, refused) = match Program::parse().answer() {
+    let (printed, refused) = match Program::parse().run() {
         Ok(text) => (text, None),
         Err(failure) => (failure.printed, Some(failure.message)),
     };

@@ -128,7 +128,7 @@ pub(crate) struct Counter(Shown);
 
 impl Counter {
     /// Of `done` runs of so many.
-    pub(crate) fn new((done, of): (u64, u64)) -> Self {
+    pub(crate) fn new(done: u64, of: u64) -> Self {
         let shown = Shown::new("running", Log::Lines);
         let rate = |state: &ProgressState, to: &mut dyn std::fmt::Write| {
             // What cannot be written is not shown.

@@ -3,7 +3,7 @@
 mod tables;
 
 use pounding::scene::{
-    Errors, Implausible, LEAST_PART, Method, PairErrors, Quantity, Review, Scene, Simulation,
+    Errors, Implausible, LEAST_PART, Method, PairErrors, QuantityGroup, Review, Scene, Simulation,
     Warning,
 };
 use pounding::solver::{SimultaneousImpacts, VerletImpacts, Work};
@@ -117,13 +117,13 @@ fn error_lines(scene: &Scene, errors: &Errors) -> String {
         Errors::NotMeasured => "not measured (--no-error)".into(),
         Errors::Unknown(reason) => format!("not known, the exact run fails: {reason}"),
         Errors::Measured(errors, _) => {
-            let (largest, of) = errors.largest(Quantity::All);
+            let (largest, of) = errors.largest(QuantityGroup::All);
             let largest = match largest {
                 0.0 => "there is none".into(),
                 largest if largest.is_finite() => {
                     format!("the largest is {} ({of})", percent(largest))
                 }
-                _ if errors.pairs.iter().any(PairErrors::differ) => {
+                _ if errors.pairs().iter().any(PairErrors::differ) => {
                     "the numbers of collisions differ".into()
                 }
                 _ => format!("the exact run has no {of}, or this run has none"),

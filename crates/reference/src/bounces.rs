@@ -64,7 +64,7 @@ impl Runner {
                 phases.pairs[pair].contact = Contact::IDLE;
             }
         }
-        self.record.impacts(&self.motion, (&impulses, &least), time);
+        self.record.impacts(&self.motion, &impulses, &least, time);
         self.begin_or_end(&phases, time);
     }
 

@@ -115,8 +115,8 @@ impl Motion {
             let phase = &self.phases.structures[index];
             if let Branch::Smooth { side } = phase.branch {
                 let columns = &self.model.structures[index].columns;
-                let signs = (side, phase.drift_direction);
-                let bend = columns.bend(smooth, y[smooth.unknown], signs);
+                let direction = phase.drift_direction;
+                let bend = columns.bend(smooth, y[smooth.unknown], side, direction);
                 dy[smooth.unknown] = self.model.drift_rate(index, y) * bend;
             }
         }

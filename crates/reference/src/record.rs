@@ -93,7 +93,7 @@ impl Record {
 
     /// Sees the state at the end of a step, in the phases of the step, or after what happened there; `slope` is the
     /// derivative of the unknowns, which has the forces.
-    pub(super) fn observe(&mut self, motion: &Motion, (y, slope): (&[f64], &[f64]), time: f64) {
+    pub(super) fn observe(&mut self, motion: &Motion, y: &[f64], slope: &[f64], time: f64) {
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             let columns = &motion.model.structures[index].columns;
             let drift = motion.model.drift(index, y);
@@ -150,7 +150,7 @@ impl Record {
 
     /// A pair presses no longer; what was no more than `least` \[N·s\] was rounding, as where neighbours without a gap
     /// start together.
-    pub(super) fn part(&mut self, pair: usize, (impulse, least): (f64, f64), time: f64) {
+    pub(super) fn part(&mut self, pair: usize, impulse: f64, least: f64, time: f64) {
         let Some(last) = self.open[pair].take() else {
             return;
         };
@@ -164,12 +164,7 @@ impl Record {
     }
 
     /// Impulsive pairs collide at one instant, each with an impulse ≥ 0; of what is no more than `least` \[N·s\] nothing is told.
-    pub(super) fn impacts(
-        &mut self,
-        motion: &Motion,
-        (impulses, least): (&[f64], &[f64]),
-        time: f64,
-    ) {
+    pub(super) fn impacts(&mut self, motion: &Motion, impulses: &[f64], least: &[f64], time: f64) {
         let impacts = impulses.iter().copied().enumerate();
         let impacts: Vec<_> = impacts
             .filter(|&(pair, impulse)| impulse > least[pair])
@@ -207,7 +202,7 @@ impl Record {
     /// Closes what goes on at the end of the run.
     pub(super) fn finish(mut self, motion: &Motion, state: &State, time: f64) -> Response {
         for index in 0..motion.model.pairs.len() {
-            self.part(index, (state.high[motion.model.impulse(index)], 0.0), time);
+            self.part(index, state.high[motion.model.impulse(index)], 0.0, time);
         }
         for (index, structure) in self.response.structures.iter_mut().enumerate() {
             structure.end_displacement = state.high[displacement(index)];

@@ -346,7 +346,7 @@ impl Runner {
     fn observe(&mut self) {
         let (y, time) = (&self.state.high, self.now());
         self.motion.slope(NOW, y, &mut self.scratch);
-        self.record.observe(&self.motion, (y, &self.scratch), time);
+        self.record.observe(&self.motion, y, &self.scratch, time);
     }
 
     /// Lets the fired events happen.
@@ -394,7 +394,7 @@ impl Runner {
     /// A pair presses no longer.
     pub(super) fn part(&mut self, pair: usize, time: f64) {
         let index = self.motion.model.impulse(pair);
-        let impulses = (self.state.high[index], NOISE * self.scales.sizes()[index]);
-        self.record.part(pair, impulses, time);
+        let (impulse, least) = (self.state.high[index], NOISE * self.scales.sizes()[index]);
+        self.record.part(pair, impulse, least, time);
     }
 }

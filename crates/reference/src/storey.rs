@@ -73,7 +73,7 @@ impl Columns {
     }
 
     /// dz/dd where z has the sign `side` and the drift grows in `direction`.
-    pub(super) fn bend(&self, smooth: Smooth, z: f64, (side, direction): (f64, f64)) -> f64 {
+    pub(super) fn bend(&self, smooth: Smooth, z: f64, side: f64, direction: f64) -> f64 {
         let y = side * (z * self.stiffness / self.yield_force);
         let mut power = 1.0;
         for _ in 0..smooth.exponent {
@@ -90,7 +90,7 @@ impl Columns {
         let way = drift.abs().min(FAR * unit);
         let steps = (way / unit * INITIAL_STEPS * f64::from(smooth.exponent)).ceil();
         let (h, mut z, mut step) = (side * way / steps, 0.0, 0.0);
-        let slope = |z: f64| self.bend(smooth, z, (side, side));
+        let slope = |z: f64| self.bend(smooth, z, side, side);
         while step < steps {
             let first = slope(z);
             let second = slope(z + 0.5 * h * first);

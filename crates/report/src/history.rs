@@ -17,7 +17,8 @@ pub(super) struct Motion<'a> {
 impl<'a> Motion<'a> {
     /// Of a run that kept its histories.
     pub(super) fn of(
-        (prepared, travel): (&'a Simulation, Option<&'a Travel>),
+        prepared: &'a Simulation,
+        travel: Option<&'a Travel>,
         outcome: &'a RunResult,
     ) -> Self {
         let kept = outcome.histories.as_ref();
@@ -125,7 +126,7 @@ pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
         values.into_iter().map(digits).collect()
     };
     let rows: Vec<Vec<String>> = (0..motion.len()).map(row).collect();
-    to_csv(&header((floors, &names), &columns, &compliant), &rows)
+    to_csv(&header(floors, &names, &columns, &compliant), &rows)
 }
 
 /// Whether the drift of a storey has a column: in a building of several storeys it is not the displacement.
@@ -135,11 +136,7 @@ fn has_drift(floors: &Floors, floor: usize) -> bool {
 }
 
 /// Names of the columns.
-fn header(
-    (floors, names): (&Floors, &Names),
-    structures: &[usize],
-    compliant: &[bool],
-) -> Vec<String> {
+fn header(floors: &Floors, names: &Names, structures: &[usize], compliant: &[bool]) -> Vec<String> {
     let mut header = vec!["time_s".into(), "ground_acceleration_m_per_s2".into()];
     for &structure in structures {
         let name = &names.structures[structure];

@@ -78,10 +78,10 @@ impl<'a> Report<'a> {
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);
         let travel = prepared.travel();
-        let motion = Motion::of((prepared, travel.as_ref()), outcome);
+        let motion = Motion::of(prepared, travel.as_ref(), outcome);
         let summary = self.summary();
         let illustrations =
-            figures::illustrations((motion, outcome), &summary.pairs, self.effects.as_ref());
+            figures::illustrations(motion, outcome, &summary.pairs, self.effects.as_ref());
         let page = page::html(self, &summary, &illustrations);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),

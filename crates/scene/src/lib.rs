@@ -15,8 +15,7 @@ mod spectrum;
 mod suite;
 
 pub use accuracy::errors::{
-    AT_ONCE, LEAST_PART, MEASURE, PairErrors, RunErrors, StructureErrors, ZERO, relative,
-    relative_to,
+    AT_ONCE, LEAST_PART, MEASURE, PairErrors, RunErrors, ZERO, relative, relative_to,
 };
 pub use accuracy::ladder::{EVALUATIONS_PER_PIECE, Ladder, cost, entries, price};
 pub use accuracy::methods::{
@@ -44,7 +43,7 @@ pub use judge::implausible::Implausible;
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
-pub use quantity::{Number, Quantity};
+pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, Values};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, OnRow, PairOutcome, Recorders, RunResult,

@@ -1,8 +1,72 @@
-//! The numbers that are printed of a run, and the quantities that they belong to.
+//! The numbers that a run gives of every floor and every pair, under the names that files spell.
 
-/// A printed quantity, or all of them, whose error counts.
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::simulation::PairOutcome;
+use crate::{RunResult, Simulation};
+
+/// A number of a structure; of a building one of every floor and its storey.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FloorQuantity {
+    /// Displacement of largest magnitude, relative to the ground, positive to the right \[m\].
+    PeakDisplacementM,
+    /// Its instant \[s\].
+    PeakDisplacementTimeS,
+    /// Shear force of largest magnitude \[N\].
+    PeakShearForceN,
+    /// Drift of largest magnitude of a storey on another floor \[m\].
+    PeakDriftM,
+    /// Displacement at the end of the run \[m\].
+    ResidualDisplacementAtEndM,
+    /// Drift at the end of the run of a storey on another floor \[m\].
+    ResidualDriftAtEndM,
+    /// Absolute acceleration of largest magnitude \[m/s²\], without impulsive impacts.
+    #[serde(rename = "peak_acceleration_m_per_s2")]
+    PeakAccelerationMPerS2,
+    /// Peak drift over the drift at yielding \[–\]; of columns that can yield.
+    Ductility,
+    /// Peak drift over the height of the storey \[–\]; where the scene gives the height.
+    DriftRatio,
+    /// Sum of the impulses from the neighbours, by magnitude \[N·s\].
+    TransferredMomentumNS,
+}
+
+/// A number of two neighbours that can touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PairQuantity {
+    /// Number of collisions, each from touch to parting; of impacts every bounce, the last one with the rest that follows.
+    Collisions,
+    /// When the first begins \[s\].
+    FirstStartS,
+    /// Its impulse \[N·s\].
+    FirstImpulseNS,
+    /// The largest impulse of a collision \[N·s\].
+    LargestImpulseNS,
+    /// Largest pounding force \[N\]; of laws that have one.
+    PeakForceN,
+    /// Sum of all impulses \[N·s\].
+    TotalImpulseNS,
+    /// Time for which they touch, all collisions together \[s\].
+    TouchingS,
+    /// Least opening of the gap \[m\]; 0 or less where they touch.
+    LeastOpeningM,
+}
+
+/// A number that a run gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
+    /// Of every floor.
+    Floor(FloorQuantity),
+    /// Of every pair.
+    Pair(PairQuantity),
+}
+
+/// Quantities whose errors count together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum QuantityGroup {
     /// Transferred momentum of every structure.
     Momentum,
     /// Peak displacement of every floor, peak drift of every storey, both at the end, and least opening of every pair.
@@ -19,96 +83,207 @@ pub enum Quantity {
     All,
 }
 
-/// A number that is printed of structures or pairs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Number {
-    /// Transferred momentum of a structure.
-    Momentum,
-    /// Its peak displacement.
-    Displacement,
-    /// Peak drift of a storey on another floor.
-    Drift,
-    /// Its displacement at the end.
-    LastDisplacement,
-    /// Drift at the end of a storey on another floor.
-    LastDrift,
-    /// Its peak absolute acceleration.
-    Acceleration,
-    /// Its peak shear force.
-    ShearForce,
-    /// Number of collisions of a pair.
-    Collisions,
-    /// Time of its first collision.
-    FirstTouch,
-    /// Impulse of its first collision.
-    FirstImpulse,
-    /// Largest impulse of a collision.
-    LargestImpulse,
-    /// Its peak pounding force.
-    PoundingForce,
-    /// Sum of its impulses.
-    TotalImpulse,
-    /// Time for which it touches.
-    Touching,
-    /// Its least opening.
-    LeastOpening,
+/// A run beside the simulation that it is of: every number that is printed of it.
+#[derive(Debug, Clone)]
+pub struct Values<'a> {
+    pub(crate) simulation: &'a Simulation,
+    pub(crate) result: &'a RunResult,
+    pairs: Vec<PairOutcome>,
 }
 
-impl Number {
-    /// Every printed number.
-    pub const ALL: [Self; 15] = [
-        Self::Momentum,
-        Self::Displacement,
-        Self::Drift,
-        Self::LastDisplacement,
-        Self::LastDrift,
-        Self::Acceleration,
-        Self::ShearForce,
-        Self::Collisions,
-        Self::FirstTouch,
-        Self::FirstImpulse,
-        Self::LargestImpulse,
-        Self::PoundingForce,
-        Self::TotalImpulse,
-        Self::Touching,
-        Self::LeastOpening,
+impl From<FloorQuantity> for Quantity {
+    fn from(quantity: FloorQuantity) -> Self {
+        Self::Floor(quantity)
+    }
+}
+
+impl From<PairQuantity> for Quantity {
+    fn from(quantity: PairQuantity) -> Self {
+        Self::Pair(quantity)
+    }
+}
+
+impl FloorQuantity {
+    /// Whether it is the value of largest magnitude of something that goes to both sides.
+    pub fn is_peak(self) -> bool {
+        match self {
+            Self::PeakDisplacementM
+            | Self::PeakShearForceN
+            | Self::PeakDriftM
+            | Self::PeakAccelerationMPerS2 => true,
+            Self::PeakDisplacementTimeS
+            | Self::ResidualDisplacementAtEndM
+            | Self::ResidualDriftAtEndM
+            | Self::Ductility
+            | Self::DriftRatio
+            | Self::TransferredMomentumNS => false,
+        }
+    }
+
+    /// Of what is left over of a peak, and may be next to nothing beside it, that peak.
+    pub fn left_over_of(self) -> Option<Self> {
+        match self {
+            Self::ResidualDisplacementAtEndM => Some(Self::PeakDisplacementM),
+            Self::ResidualDriftAtEndM => Some(Self::PeakDriftM),
+            Self::PeakDisplacementM
+            | Self::PeakDisplacementTimeS
+            | Self::PeakShearForceN
+            | Self::PeakDriftM
+            | Self::PeakAccelerationMPerS2
+            | Self::Ductility
+            | Self::DriftRatio
+            | Self::TransferredMomentumNS => None,
+        }
+    }
+}
+
+impl Quantity {
+    /// Every number whose errors are measured; ductility and drift ratio have that of the drift, instants of peaks jump where two
+    /// peaks are nearly equal.
+    pub const COMPARED: [Self; 15] = [
+        Self::Floor(FloorQuantity::TransferredMomentumNS),
+        Self::Floor(FloorQuantity::PeakDisplacementM),
+        Self::Floor(FloorQuantity::PeakDriftM),
+        Self::Floor(FloorQuantity::ResidualDisplacementAtEndM),
+        Self::Floor(FloorQuantity::ResidualDriftAtEndM),
+        Self::Floor(FloorQuantity::PeakAccelerationMPerS2),
+        Self::Floor(FloorQuantity::PeakShearForceN),
+        Self::Pair(PairQuantity::Collisions),
+        Self::Pair(PairQuantity::FirstStartS),
+        Self::Pair(PairQuantity::FirstImpulseNS),
+        Self::Pair(PairQuantity::LargestImpulseNS),
+        Self::Pair(PairQuantity::PeakForceN),
+        Self::Pair(PairQuantity::TotalImpulseNS),
+        Self::Pair(PairQuantity::TouchingS),
+        Self::Pair(PairQuantity::LeastOpeningM),
     ];
 
     /// Its name in text.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Momentum => "momentum",
-            Self::Displacement => "displacement",
-            Self::Drift => "storey drift",
-            Self::LastDisplacement => "end displacement",
-            Self::LastDrift => "end drift",
-            Self::Acceleration => "acceleration",
-            Self::ShearForce => "shear force",
-            Self::Collisions => "collisions",
-            Self::FirstTouch => "first touch",
-            Self::FirstImpulse => "first impulse",
-            Self::LargestImpulse => "largest impulse",
-            Self::PoundingForce => "pounding force",
-            Self::TotalImpulse => "total impulse",
-            Self::Touching => "time of touching",
-            Self::LeastOpening => "least opening",
+            Self::Floor(quantity) => match quantity {
+                FloorQuantity::TransferredMomentumNS => "momentum",
+                FloorQuantity::PeakDisplacementM => "displacement",
+                FloorQuantity::PeakDisplacementTimeS => "time of the peak displacement",
+                FloorQuantity::PeakDriftM => "storey drift",
+                FloorQuantity::ResidualDisplacementAtEndM => "end displacement",
+                FloorQuantity::ResidualDriftAtEndM => "end drift",
+                FloorQuantity::PeakAccelerationMPerS2 => "acceleration",
+                FloorQuantity::PeakShearForceN => "shear force",
+                FloorQuantity::Ductility => "ductility",
+                FloorQuantity::DriftRatio => "drift ratio",
+            },
+            Self::Pair(quantity) => match quantity {
+                PairQuantity::Collisions => "collisions",
+                PairQuantity::FirstStartS => "first touch",
+                PairQuantity::FirstImpulseNS => "first impulse",
+                PairQuantity::LargestImpulseNS => "largest impulse",
+                PairQuantity::PeakForceN => "pounding force",
+                PairQuantity::TotalImpulseNS => "total impulse",
+                PairQuantity::TouchingS => "time of touching",
+                PairQuantity::LeastOpeningM => "least opening",
+            },
         }
     }
 
-    /// The quantity that it belongs to.
-    pub(crate) fn quantity(self) -> Quantity {
+    /// The group that its error counts in.
+    pub(crate) fn group(self) -> QuantityGroup {
         match self {
-            Self::Momentum => Quantity::Momentum,
-            Self::Displacement
-            | Self::Drift
-            | Self::LastDisplacement
-            | Self::LastDrift
-            | Self::LeastOpening => Quantity::Displacement,
-            Self::Acceleration => Quantity::Acceleration,
-            Self::ShearForce | Self::PoundingForce => Quantity::Force,
-            Self::Collisions => Quantity::All,
-            Self::FirstTouch | Self::Touching => Quantity::Time,
-            Self::FirstImpulse | Self::LargestImpulse | Self::TotalImpulse => Quantity::Impulse,
+            Self::Floor(quantity) => match quantity {
+                FloorQuantity::TransferredMomentumNS => QuantityGroup::Momentum,
+                FloorQuantity::PeakDisplacementM
+                | FloorQuantity::PeakDriftM
+                | FloorQuantity::ResidualDisplacementAtEndM
+                | FloorQuantity::ResidualDriftAtEndM
+                | FloorQuantity::Ductility
+                | FloorQuantity::DriftRatio => QuantityGroup::Displacement,
+                FloorQuantity::PeakDisplacementTimeS => QuantityGroup::Time,
+                FloorQuantity::PeakAccelerationMPerS2 => QuantityGroup::Acceleration,
+                FloorQuantity::PeakShearForceN => QuantityGroup::Force,
+            },
+            Self::Pair(quantity) => match quantity {
+                PairQuantity::Collisions => QuantityGroup::All,
+                PairQuantity::FirstStartS | PairQuantity::TouchingS => QuantityGroup::Time,
+                PairQuantity::FirstImpulseNS
+                | PairQuantity::LargestImpulseNS
+                | PairQuantity::TotalImpulseNS => QuantityGroup::Impulse,
+                PairQuantity::PeakForceN => QuantityGroup::Force,
+                PairQuantity::LeastOpeningM => QuantityGroup::Displacement,
+            },
+        }
+    }
+}
+
+impl RunResult {
+    /// Every number that is printed of this run of a simulation.
+    pub fn values<'a>(&'a self, simulation: &'a Simulation) -> Values<'a> {
+        let pairs = 0..simulation.pairs().len();
+        Values {
+            simulation,
+            result: self,
+            pairs: pairs.map(|pair| self.of_pair(pair)).collect(),
+        }
+    }
+}
+
+impl Values<'_> {
+    /// A number of a floor or a pair, by its place in the row, SI. `None` if it has no such number: a wall does not move, a pair that
+    /// never touches has no first impulse.
+    ///
+    /// # Panics
+    /// If the row has no such floor or pair.
+    pub fn of(&self, quantity: impl Into<Quantity>, place: usize) -> Option<f64> {
+        match quantity.into() {
+            Quantity::Floor(quantity) => self.of_floor(quantity, place),
+            Quantity::Pair(quantity) => self.of_pair(quantity, place),
+        }
+    }
+
+    fn of_floor(&self, quantity: FloorQuantity, index: usize) -> Option<f64> {
+        let floor = &self.simulation.floors().all()[index];
+        if quantity == FloorQuantity::TransferredMomentumNS {
+            return Some(self.result.momentum.of(index));
+        }
+        if floor.is_wall() {
+            return None;
+        }
+        let peaks = self.result.peaks.of(index);
+        // A negative zero loses its sign.
+        let last = |index| self.result.last.of(index) + 0.0;
+        match quantity {
+            FloorQuantity::PeakDisplacementM => Some(peaks.displacement.value),
+            FloorQuantity::PeakDisplacementTimeS => Some(peaks.displacement.time),
+            FloorQuantity::PeakShearForceN => Some(peaks.restoring_force.value),
+            FloorQuantity::PeakDriftM => {
+                let upper = floor.storey.is_some_and(|storey| storey > 1);
+                upper.then_some(peaks.drift().value)
+            }
+            FloorQuantity::ResidualDisplacementAtEndM => Some(last(index)),
+            FloorQuantity::ResidualDriftAtEndM => {
+                let below = self.simulation.floors().below(index)?;
+                Some(last(index) - last(below))
+            }
+            FloorQuantity::PeakAccelerationMPerS2 => Some(self.result.accelerations[index].value),
+            FloorQuantity::Ductility => floor.ductility(peaks.drift().value),
+            FloorQuantity::DriftRatio => floor.drift_ratio(peaks.drift().value),
+            FloorQuantity::TransferredMomentumNS => Some(self.result.momentum.of(index)),
+        }
+    }
+
+    fn of_pair(&self, quantity: PairQuantity, index: usize) -> Option<f64> {
+        let found = &self.pairs[index];
+        match quantity {
+            PairQuantity::Collisions => Some(found.collisions as f64),
+            PairQuantity::FirstStartS => found.first.map(|first| first.start),
+            PairQuantity::FirstImpulseNS => found.first.map(|first| first.impulse),
+            PairQuantity::LargestImpulseNS => found.largest.map(|largest| largest.impulse),
+            PairQuantity::PeakForceN => found.peak_force.map(|peak| peak.value),
+            PairQuantity::TotalImpulseNS => Some(found.total_impulse),
+            PairQuantity::TouchingS => Some(found.touching),
+            PairQuantity::LeastOpeningM => {
+                let pair = &self.simulation.pairs()[index];
+                Some(self.result.least_opening(pair, found)?.0)
+            }
         }
     }
 }

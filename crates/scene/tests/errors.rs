@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use pounding_scene::{Goal, LEAST_PART, Number, Quantity, RunErrors, Scene, Simulation, advise};
+use pounding_scene::{
+    Goal, LEAST_PART, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation, advise,
+};
 use serde_json::{Value, json};
 
 /// Two buildings of two yielding storeys that pound, under two pulses, with half a second of rest after them.
@@ -31,7 +33,7 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
         let prepared = scene(&law, &json!("exact"));
         let goal = Goal {
             error: 0.01,
-            quantity: Quantity::All,
+            quantity: QuantityGroup::All,
         };
         let advice = advise(&prepared, goal, &|_| ()).expect("the exact method runs");
         let exact = prepared.run_compared().expect("it runs");
@@ -51,8 +53,8 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
                 );
             }
             let errors = RunErrors::between(&run, &exact, &prepared);
-            for number in Number::ALL {
-                assert!(errors.of(number) <= 0.01, "{}: {number:?}", trial.name);
+            for quantity in Quantity::COMPARED {
+                assert!(errors.of(quantity) <= 0.01, "{}: {quantity:?}", trial.name);
             }
             held += 1;
         }
@@ -69,11 +71,11 @@ fn limit_every_number_is_measured() {
     let method = json!({"velocity_verlet": {"time_step_s": 0.002, "impacts": "velocity_jump"}});
     let coarse = scene(&law, &method);
     let errors = RunErrors::between(&coarse.run_compared().expect("it runs"), &exact, &prepared);
-    for number in Number::ALL {
-        if number != Number::Collisions {
-            assert!(errors.of(number) > 0.0, "{number:?}");
+    for quantity in Quantity::COMPARED {
+        if quantity != PairQuantity::Collisions.into() {
+            assert!(errors.of(quantity) > 0.0, "{quantity:?}");
         }
     }
     let none = RunErrors::between(&exact, &exact, &prepared);
-    assert!(none.largest(Quantity::All).0 == 0.0);
+    assert!(none.largest(QuantityGroup::All).0 == 0.0);
 }

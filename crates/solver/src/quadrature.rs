@@ -29,7 +29,8 @@ pub(crate) const SIXTEEN: &Rule = &[
 /// Integrals of N functions between two limits.
 pub(crate) fn integrate<const N: usize>(
     rule: &Rule,
-    (from, to): (f64, f64),
+    from: f64,
+    to: f64,
     integrand: impl Fn(f64) -> [f64; N],
 ) -> [f64; N] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -55,12 +56,12 @@ mod tests {
         let power = |n: u32, x: f64| (0..n).fold(1.0, |product, _| product * x);
         for (rule, degree, missed) in [(EIGHT, 15, 1e-6), (SIXTEEN, 31, 1e-11)] {
             for n in 0..=degree {
-                let [found] = integrate(rule, (0.0, 1.0), |x| [power(n, x)]);
+                let [found] = integrate(rule, 0.0, 1.0, |x| [power(n, x)]);
                 let wanted = 1.0 / f64::from(n + 1);
                 assert!((found / wanted - 1.0).abs() < 1e-14, "x^{n}: {found}");
             }
             // The first power that is not: were it exact too, the test would not see the nodes.
-            let [found] = integrate(rule, (-1.0, 1.0), |x| [power(degree + 1, x)]);
+            let [found] = integrate(rule, -1.0, 1.0, |x| [power(degree + 1, x)]);
             let error = found * f64::from(degree + 2) / 2.0 - 1.0;
             assert!(error.abs() > missed, "x^{}: {found}", degree + 1);
         }

@@ -199,18 +199,20 @@ impl Span<'_> {
         &self,
         integrand: impl Fn(f64, &State) -> [f64; N],
     ) -> [f64; N] {
-        let ends = (self.start_time, self.end_time);
-        self.integrate_between(ends, |time, state, _| integrand(time, state))
+        self.integrate_between(self.start_time, self.end_time, |time, state, _| {
+            integrand(time, state)
+        })
     }
 
     /// The same integrals between two instants of the span, of functions of the drift of the storey below, too.
     pub(crate) fn integrate_between<const N: usize>(
         &self,
-        (from, to): (f64, f64),
+        from: f64,
+        to: f64,
         integrand: impl Fn(f64, &State, Motion) -> [f64; N],
     ) -> [f64; N] {
         match self.path {
-            Path::Cubic(_) => quadrature::integrate(SIXTEEN, (from, to), |time| {
+            Path::Cubic(_) => quadrature::integrate(SIXTEEN, from, to, |time| {
                 let state = self.cubic(time);
                 let drift = match self.below {
                     None => Motion::from(&state),
@@ -227,7 +229,7 @@ impl Span<'_> {
                 } else {
                     series.x(self.start_time)
                 };
-                quadrature::integrate(rule, (first, self.x(series, to)), |x| {
+                quadrature::integrate(rule, first, self.x(series, to), |x| {
                     let time = series.origin + series.power.time(x);
                     let rate = series.power.rate(x);
                     let state = series.at(x);
@@ -238,7 +240,7 @@ impl Span<'_> {
             Path::Flight(_) => {
                 let mut room = Expansion::default();
                 self.expanded(&mut room)
-                    .integrate_between((from, to), integrand)
+                    .integrate_between(from, to, integrand)
             }
         }
     }

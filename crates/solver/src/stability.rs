@@ -9,7 +9,7 @@ impl Integrator {
     /// 2/ω for the central difference and the Verlet method, whatever the damping; for Newmark's with β < γ/2
     /// (ζ(γ − ½) + √(γ/2 − β + ζ²(γ − ½)²)) / (ω(γ/2 − β)); that of the Runge–Kutta method is [`Rk4::critical_time_step`].
     pub fn critical_time_step(&self, structure: &Oscillation) -> Option<f64> {
-        self.limit(structure, (1, 0.0))
+        self.limit(structure, 1, 0.0)
     }
 
     /// The same for a building with these natural modes: the least of their limits.
@@ -37,12 +37,12 @@ impl Integrator {
             | Self::MoreauJean(_)
             | Self::Exact(_) => 1,
         };
-        self.limit(pair, (sub_steps, pair.damping_ratio))
+        self.limit(pair, sub_steps, pair.damping_ratio)
     }
 
     /// The limit with so many sub-steps, and a part of the damping ratio whose force does not follow from the motion at
     /// its own instant.
-    fn limit(&self, oscillation: &Oscillation, (sub_steps, explicit): (u32, f64)) -> Option<f64> {
+    fn limit(&self, oscillation: &Oscillation, sub_steps: u32, explicit: f64) -> Option<f64> {
         let omega = oscillation.angular_frequency;
         let lagged = |ratio: f64| 2.0 * ((1.0 + ratio * ratio).sqrt() - ratio) / omega;
         match *self {

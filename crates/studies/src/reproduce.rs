@@ -134,7 +134,8 @@ impl Studies {
         files.insert(
             "claims.csv".into(),
             claims_csv(
-                (&claims, &without_slips(&completed)?),
+                &claims,
+                &without_slips(&completed)?,
                 converged.survivals(),
                 &tallies,
             )

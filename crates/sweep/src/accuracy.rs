@@ -127,7 +127,7 @@ impl Sweep {
     pub(super) fn choose(&mut self, asked: f64) {
         let sampled = self.sampled();
         let method = sampled.as_ref().map_or(Method::EXACT, |sampled| {
-            self.cheapest((&sampled.chooses, &sampled.measures), asked)
+            self.cheapest(&sampled.chooses, &sampled.measures, asked)
         });
         let errors = match sampled {
             Some(Sample { measures, .. }) if method != Method::EXACT => {
@@ -161,7 +161,7 @@ impl Sweep {
     }
 
     /// The cheapest method, by some runs that choose it; as many as measure it are part of its price.
-    fn cheapest(&mut self, (chooses, measures): (&[u64], &[u64]), asked: f64) -> Method {
+    fn cheapest(&mut self, chooses: &[u64], measures: &[u64], asked: f64) -> Method {
         self.set_method(&Method::EXACT);
         let few = &chooses[..chooses.len().min(FEW)];
         let truth = self.numbers(few);
@@ -203,7 +203,7 @@ impl Sweep {
                 halved = finer.filter(|halved| self.may_hold(of, asked, *halved));
             }
         }
-        let method = halved.and_then(|halved| self.stepping((chooses, &truth), asked, halved));
+        let method = halved.and_then(|halved| self.stepping(chooses, &truth, asked, halved));
         method.unwrap_or(otherwise)
     }
 
@@ -240,7 +240,8 @@ impl Sweep {
     /// cheaper one.
     fn stepping(
         &mut self,
-        (runs, truth): (&[u64], &[Told]),
+        runs: &[u64],
+        truth: &[Told],
         asked: f64,
         halved: i32,
     ) -> Option<Method> {

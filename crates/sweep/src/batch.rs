@@ -5,9 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Sweep;
-use super::quantity::Ran;
 use super::sampling::Point;
-use pounding_scene::{Error, Extras, LEAST_PART, Simulation};
+use pounding_scene::{Error, Extras, Simulation};
 
 /// What came out of a range of runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,12 +78,12 @@ impl Sweep {
 
     /// Runs a range of runs, below [`Self::n_runs`].
     pub fn batch(&self, runs: Range<u64>) -> Batch {
-        self.batch_of(runs, (beside(self.row.floors.len()), None))
+        self.batch_of(runs, beside(self.row.floors.len()), None)
     }
 
     /// The same; nothing where somebody sets `stop` before they are done.
     pub(super) fn batch_until(&self, runs: Range<u64>, stop: &'static AtomicBool) -> Option<Batch> {
-        let batch = self.batch_of(runs, (beside(self.row.floors.len()), Some(stop)));
+        let batch = self.batch_of(runs, beside(self.row.floors.len()), Some(stop));
         (!is_set(Some(stop))).then_some(batch)
     }
 
@@ -92,7 +91,8 @@ impl Sweep {
     pub(super) fn batch_of(
         &self,
         runs: Range<u64>,
-        (beside, stop): (usize, Option<&'static AtomicBool>),
+        beside: usize,
+        stop: Option<&'static AtomicBool>,
     ) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.n_columns());
         let mut run = runs.start;
@@ -157,13 +157,13 @@ impl Sweep {
             numbers.clear();
             let told = tallies
                 .as_ref()
-                .is_some_and(|tallies| self.tell(prepared, (tallies, scene), &mut numbers));
+                .is_some_and(|tallies| self.tell(prepared, tallies, scene, &mut numbers));
             // A fault of the program in one run is no reason to lose the others.
             let ran = if told {
                 batch.beside += 1;
                 Ok(0.0)
             } else {
-                caught(|| self.run_alone(prepared, (&mut numbers, &mut batch.least)))
+                caught(|| self.run_alone(prepared, &mut numbers, &mut batch.least))
             };
             match ran {
                 Ok(price) => {
@@ -179,7 +179,8 @@ impl Sweep {
     fn run_alone(
         &self,
         prepared: &Simulation,
-        (numbers, least): (&mut Vec<f64>, &mut Vec<f64>),
+        numbers: &mut Vec<f64>,
+        least: &mut Vec<f64>,
     ) -> Result<f64, String> {
         let reason = |error: Error| error.reason();
         numbers.clear();
@@ -197,29 +198,19 @@ impl Sweep {
         } else {
             prepared.run_unjudged(asked).map_err(reason)?
         };
-        let ran = Ran {
-            prepared,
-            outcome: &outcome,
-        };
+        let values = outcome.values(prepared);
         let none = f64::NAN;
-        let part = |node: usize| LEAST_PART * outcome.peaks.of(node).displacement.value.abs();
-        let unless = |left_over: bool, part: f64| if left_over { part } else { 0.0 };
         for floor in 0..self.row.floors.len() {
-            let asked = self.outputs.structures.iter();
-            least.extend(
-                asked
-                    .clone()
-                    .map(|one| unless(one.is_left_over(), part(floor))),
-            );
-            numbers.extend(asked.map(|one| one.of(&ran, floor).unwrap_or(none)));
+            for quantity in &self.outputs.structures {
+                least.push(values.least(*quantity, floor));
+                numbers.push(values.of(*quantity, floor).unwrap_or(none));
+            }
         }
         for pair in 0..self.row.pairs.len() {
-            let found = outcome.of_pair(pair);
-            let asked = self.outputs.pairs.iter();
-            let own = &prepared.pairs()[pair];
-            let larger = part(own.left).max(part(own.right));
-            least.extend(asked.clone().map(|one| unless(one.is_left_over(), larger)));
-            numbers.extend(asked.map(|one| one.of(&ran, (pair, &found)).unwrap_or(none)));
+            for quantity in &self.outputs.pairs {
+                least.push(values.least(*quantity, pair));
+                numbers.push(values.of(*quantity, pair).unwrap_or(none));
+            }
         }
         Ok(prepared.price(outcome.work))
     }

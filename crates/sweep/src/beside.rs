@@ -4,8 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Sweep;
 use super::motions::Differs;
-use super::quantity::{PairQuantity, StructureQuantity};
-use pounding_scene::{Simulation, side_by_side};
+use pounding_scene::{FloorQuantity, PairQuantity, Simulation, side_by_side};
 use pounding_solver::SceneSums;
 
 impl Sweep {
@@ -25,7 +24,7 @@ impl Sweep {
         let structures = &self.outputs.structures;
         let of_structures = structures
             .iter()
-            .all(|one| *one == StructureQuantity::PeakDisplacementM);
+            .all(|one| *one == FloorQuantity::PeakDisplacementM);
         let of_pairs = self.outputs.pairs.iter().all(|one| {
             matches!(
                 one,
@@ -39,7 +38,8 @@ impl Sweep {
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
-        (tallies, scene): (&SceneSums, usize),
+        tallies: &SceneSums,
+        scene: usize,
         numbers: &mut Vec<f64>,
     ) -> bool {
         let none = f64::NAN;
@@ -62,6 +62,7 @@ impl Sweep {
                 | PairQuantity::FirstStartS
                 | PairQuantity::FirstImpulseNS
                 | PairQuantity::LargestImpulseNS
+                | PairQuantity::TouchingS
                 | PairQuantity::LeastOpeningM => none,
             }));
         }

@@ -7,10 +7,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::distribution::{LogNormal, Normal};
-use super::quantity::{PairQuantity, StructureQuantity};
 use super::range::RangeError;
 use super::spread::{Between, Grid, Spread};
-use pounding_scene::{Error, RunBudget};
+use pounding_scene::{Error, FloorQuantity, PairQuantity, RunBudget};
 
 /// A sweep: one scene, run again and again with other values of its fields, under one record or many.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -204,7 +203,7 @@ impl Directions {
 #[serde(default, deny_unknown_fields)]
 pub struct Outputs {
     /// Of every structure, of a building of every floor.
-    pub structures: Vec<StructureQuantity>,
+    pub structures: Vec<FloorQuantity>,
     /// Of every pair of neighbours.
     pub pairs: Vec<PairQuantity>,
 }
@@ -212,7 +211,7 @@ pub struct Outputs {
 impl Default for Outputs {
     fn default() -> Self {
         Self {
-            structures: vec![StructureQuantity::PeakDisplacementM],
+            structures: vec![FloorQuantity::PeakDisplacementM],
             pairs: vec![
                 PairQuantity::Collisions,
                 PairQuantity::PeakForceN,

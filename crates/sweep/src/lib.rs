@@ -20,7 +20,6 @@ mod place;
 mod plan;
 mod prices;
 mod quantile;
-mod quantity;
 mod range;
 mod renumbered;
 mod rows;
@@ -47,12 +46,11 @@ pub use parts::Parts;
 use place::Place;
 pub use place::PlaceError;
 use plan::Plan;
-pub use quantity::{PairQuantity, StructureQuantity};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
 use trial::Row;
 
-use pounding_scene::{Error, Method, Scene};
+use pounding_scene::{Error, Method, PairQuantity, Scene};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -118,8 +116,8 @@ impl Sweep {
         // Motions are read as the first run uses them; their number does not change what that is.
         let first = Plan::new(vary.clone(), file.samples, 1)?;
         let scene = trial::first_scene(&first, &read.scene)?;
-        let folders = (&*folder(path), &*folder(&read.path));
-        let motions = Motions::read(&file, folders, &scene, first.axes());
+        let (base, of_scene) = (folder(path), folder(&read.path));
+        let motions = Motions::read(&file, &base, &of_scene, &scene, first.axes());
         let motions = motions.map_err(|error| {
             let named_here = matches!(error, SweepError::NoSuchRecord(_) | SweepError::NoRecord(_));
             error.in_file(if named_here { path } else { &read.path })
@@ -128,7 +126,7 @@ impl Sweep {
         let sha256 = hash(bytes, &read.bytes, &motions);
         let mut sweep = Self {
             row: Row::default(),
-            closings: file.outputs.pairs.iter().any(|pair| pair.needs_closings()),
+            closings: file.outputs.pairs.contains(&PairQuantity::LeastOpeningM),
             outputs: file.outputs,
             verdict: file.verdict,
             scene: read.scene,

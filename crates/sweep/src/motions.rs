@@ -69,7 +69,8 @@ impl Motions {
     /// scene's.
     pub(super) fn read(
         file: &SweepFile,
-        (base, of_scene): (&Path, &Path),
+        base: &Path,
+        of_scene: &Path,
         scene: &Scene,
         axes: &[Axis],
     ) -> Result<Self, SweepError> {
@@ -107,7 +108,7 @@ impl Motions {
             if !base.join(path).exists() {
                 return Err(SweepError::NoSuchRecord(path.clone()));
             }
-            motions.read_path(&base.join(path), (&record, &scene.name), directions)?;
+            motions.read_path(&base.join(path), &record, &scene.name, directions)?;
         }
         if motions.all.is_empty() {
             let first = motions.left_out.first();
@@ -136,7 +137,8 @@ impl Motions {
     fn read_path(
         &mut self,
         path: &Path,
-        (record, scene): (&RecordUse, &str),
+        record: &RecordUse,
+        scene: &str,
         directions: &[bool],
     ) -> Result<(), SweepError> {
         let is_folder = path.is_dir();

@@ -221,7 +221,8 @@ impl Parts {
         &self,
         sweep: &Sweep,
         shard: Shard,
-        (stop, done): (&'static AtomicBool, &(dyn Fn(u64) + Sync)),
+        stop: &'static AtomicBool,
+        done: &(dyn Fn(u64) + Sync),
     ) -> Result<(), SweepError> {
         let missing: Vec<u64> = shard
             .of(self.manifest.n_parts())

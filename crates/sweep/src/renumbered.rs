@@ -285,7 +285,7 @@ mod tests {
             vary.push(json!({"field": "contacts[0].levels", "values": [null]}));
             let read = sweep(&scene, &vary, seed.into());
             prop_assert!(read.renumbered(0).is_none(), "{vary:?}");
-            let [found, wanted] = [&set, &read].map(|sweep| sweep.batch_of(0..80, (BESIDE, None)));
+            let [found, wanted] = [&set, &read].map(|sweep| sweep.batch_of(0..80, BESIDE, None));
             prop_assert_eq!(&found.failed, &wanted.failed);
             let bits = |columns: &[Vec<f64>]| columns.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
             prop_assert_eq!(bits(&found.columns), bits(&wanted.columns));

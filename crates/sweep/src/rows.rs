@@ -2,8 +2,9 @@
 
 use std::io::Write as _;
 
+use serde::Serialize;
+
 use super::plan::{Axis, Setting};
-use super::quantity::name;
 use super::sampling::Point;
 use super::{Batch, Sweep};
 
@@ -145,6 +146,12 @@ impl Rows {
             }
         }
     }
+}
+
+/// Name of a quantity, as files spell it.
+fn name(quantity: &impl Serialize) -> String {
+    let name = serde_json::to_value(quantity).unwrap_or_default();
+    name.as_str().unwrap_or_default().into()
 }
 
 /// Names that are told apart by their number where they are the same.

@@ -129,7 +129,7 @@ impl Sweep {
                 };
                 let mut settings = first.clone();
                 settings[index] = setting;
-                self.try_one((axis, setting), &settings, &mut row)?;
+                self.try_one(axis, setting, &settings, &mut row)?;
             }
         }
         Ok(row)
@@ -137,7 +137,8 @@ impl Sweep {
 
     fn try_one(
         &self,
-        (axis, setting): (&Axis, Setting),
+        axis: &Axis,
+        setting: Setting,
         settings: &[Setting],
         row: &mut Option<Row>,
     ) -> Result<(), SweepError> {

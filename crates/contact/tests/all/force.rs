@@ -20,7 +20,7 @@ fn any_law() -> impl Strategy<Value = ContactLaw> {
     prop_oneof![8 => damped, 1 => Just(linear), 1 => Just(hertz)]
 }
 
-fn respond(law: &ContactLaw, (deformation, rate): (f64, f64), approach_speed: f64) -> ContactForce {
+fn respond(law: &ContactLaw, deformation: f64, rate: f64, approach_speed: f64) -> ContactForce {
     law.respond(&Overlap {
         deformation,
         rate,
@@ -38,7 +38,7 @@ proptest! {
         rate in prop_oneof![-2.0..-1e-3_f64, 1e-3..2.0_f64],
         speed in 1e-3..2.0_f64,
     ) {
-        let at = |deformation, rate| respond(&law, (deformation, rate), speed);
+        let at = |deformation, rate| respond(&law, deformation, rate, speed);
         let here = at(deformation, rate);
         let (hx, hv) = (1e-5 * deformation, 1e-5 * rate.abs());
         let around = [at(deformation + hx, rate), at(deformation - hx, rate), at(deformation, rate + hv), at(deformation, rate - hv)];
@@ -60,7 +60,7 @@ proptest! {
         rate in -10.0..10.0_f64,
         speed in prop_oneof![Just(0.0), 1e-9..10.0_f64],
     ) {
-        let ContactForce { force, stiffness, damping } = respond(&law, (deformation, rate), speed);
+        let ContactForce { force, stiffness, damping } = respond(&law, deformation, rate, speed);
         prop_assert!(force >= 0.0 && damping >= 0.0, "{force} {damping}");
         prop_assert!(force > 0.0 || law.clamp() != Clamp::Never, "{law:?} clamped");
         prop_assert!(force > 0.0 || (stiffness == 0.0 && damping == 0.0), "a clamped force has no tangents");
@@ -71,10 +71,10 @@ proptest! {
         law in any_law(), deformation in 1e-9..1.0_f64, rate in -1.0..1.0_f64,
         speed in prop_oneof![Just(0.0), Just(f64::MIN_POSITIVE), 0.0..SLOWEST_APPROACH],
     ) {
-        let motion = (deformation, rate);
-        let [found, known] = [speed, SLOWEST_APPROACH].map(|speed| respond(&law, motion, speed));
+        let respond = |speed| respond(&law, deformation, rate, speed);
+        let [found, known] = [speed, SLOWEST_APPROACH].map(respond);
         prop_assert_eq!(found, known);
-        let faster = respond(&law, motion, 2.0 * SLOWEST_APPROACH);
+        let faster = respond(2.0 * SLOWEST_APPROACH);
         let is_damped = known.force > 0.0 && known.damping > 0.0;
         prop_assert!(!is_damped || law.knows_approach_speed() == (faster.damping < known.damping));
     }
@@ -82,7 +82,7 @@ proptest! {
     #[test]
     fn limit_the_form_is_the_law(law in any_law(), deformation in 1e-9..1.0_f64, rate in -1.0..1.0_f64) {
         let form = law.form(PAIR.reduced_mass, 0.3).unwrap();
-        let (known, found) = (form.unclamped(deformation, rate).max(0.0), respond(&law, (deformation, rate), 0.3).force);
+        let (known, found) = (form.unclamped(deformation, rate).max(0.0), respond(&law, deformation, rate, 0.3).force);
         let scale = form.spring.at(deformation) + form.damper.at(deformation);
         prop_assert!((known - found).abs() <= 1e-14 * scale, "{known} {found}");
     }

@@ -107,7 +107,7 @@ fn read(layout: &Layout<'_, '_>, index: usize) -> Result<Draft, ReadError> {
         Kind::Table { has_time, names } => {
             let column = usize::from(*has_time) + index;
             let name = names.as_ref().and_then(|names| names.get(column));
-            table(layout, (*has_time, column), name)?
+            table(layout, *has_time, column, name)?
         }
         Kind::Unknown => return Err(uneven_rows(layout)),
     };
@@ -183,7 +183,8 @@ fn one_after_the_other(layout: &Layout<'_, '_>) -> Result<Held, ReadError> {
 
 fn table(
     layout: &Layout<'_, '_>,
-    (has_time, column): (bool, usize),
+    has_time: bool,
+    column: usize,
     name: Option<&Name<'_>>,
 ) -> Result<Held, ReadError> {
     let n_columns = layout.n_columns();

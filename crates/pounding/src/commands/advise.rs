@@ -7,8 +7,8 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use pounding::scene::{
-    Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, Quantity, Scene, Simulation,
-    StepSizes, Trial, advise, is_json,
+    Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, QuantityGroup, Scene,
+    Simulation, StepSizes, Trial, advise, is_json,
 };
 use pounding::text::{digits, json_text};
 use serde_json::json;
@@ -63,7 +63,7 @@ enum OfWhat {
     All,
 }
 
-impl From<OfWhat> for Quantity {
+impl From<OfWhat> for QuantityGroup {
     fn from(of_what: OfWhat) -> Self {
         match of_what {
             OfWhat::Momentum => Self::Momentum,
@@ -86,8 +86,8 @@ fn error(text: &str) -> Result<f64, String> {
 }
 
 /// Runs a scene with every method; returns the advice.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let path = &asked.scene;
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
     let mut scene: Scene = Scene::read(path).map_err(message)?;
     // The method of the scene does not matter, not even whether it suits the scene.
@@ -95,12 +95,12 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;
     let progress = Progress::new();
     let goal = Goal {
-        error: asked.error,
-        quantity: asked.quantity.into(),
+        error: args.error,
+        quantity: args.quantity.into(),
     };
     let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
-    Ok(if asked.json {
-        json_of(&prepared, &advice, asked.quantity)
+    Ok(if args.json {
+        json_of(&prepared, &advice, args.quantity)
     } else {
         let text = std::fs::read(path);
         let json = text.is_ok_and(|text| is_json(&text, path));
@@ -236,14 +236,14 @@ fn of_trial(trial: &Trial) -> String {
     }
 }
 
-fn words(quantity: Quantity) -> &'static str {
+fn words(quantity: QuantityGroup) -> &'static str {
     match quantity {
-        Quantity::Momentum => "transferred momenta",
-        Quantity::Displacement => "displacements and drifts",
-        Quantity::Acceleration => "peak accelerations",
-        Quantity::Force => "peak forces",
-        Quantity::Impulse => "impulses",
-        Quantity::Time => "times of collisions",
-        Quantity::All => "all numbers (see Notes)",
+        QuantityGroup::Momentum => "transferred momenta",
+        QuantityGroup::Displacement => "displacements and drifts",
+        QuantityGroup::Acceleration => "peak accelerations",
+        QuantityGroup::Force => "peak forces",
+        QuantityGroup::Impulse => "impulses",
+        QuantityGroup::Time => "times of collisions",
+        QuantityGroup::All => "all numbers (see Notes)",
     }
 }

@@ -118,25 +118,25 @@ const HERTZ: f64 = 2.75e9;
 const LINEAR: f64 = 9.35e7;
 
 /// The certificate that was asked for.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let law = asked.law;
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let law = args.law;
     let usual = match law.stiffness_unit() {
         Some("N/m") => LINEAR,
         _ => HERTZ,
     };
     let wanted = CertificateRequest {
         law,
-        stiffness: asked.stiffness.unwrap_or(usual),
-        restitution: asked.restitution,
-        calibration: asked.calibration.into(),
+        stiffness: args.stiffness.unwrap_or(usual),
+        restitution: args.restitution,
+        calibration: args.calibration.into(),
     };
     let collision = FreeCollision {
-        masses: [asked.masses[0], asked.masses[1]],
-        speed: asked.speed,
+        masses: [args.masses[0], args.masses[1]],
+        speed: args.speed,
     };
     let message = |error: CertificateError| error.to_string();
     let certificate = Certificate::new(&wanted, &collision).map_err(message)?;
-    let methods = match (asked.time_step, asked.method) {
+    let methods = match (args.time_step, args.method) {
         (None, _) => Vec::new(),
         (Some(step), Some(method)) => vec![line(&certificate, &collision, (method, step))],
         (Some(step), None) => StepMethod::differing(certificate.law.impulsive().is_some())
@@ -144,7 +144,7 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
             .collect(),
     };
     let facts = facts(&wanted, &collision, &certificate);
-    Ok(match asked.format() {
+    Ok(match args.format() {
         Format::Text => printed::text(wanted.calibration, &facts, &methods),
         Format::Csv => printed::csv(&facts, &methods),
         Format::Json => printed::json(&facts, &methods),

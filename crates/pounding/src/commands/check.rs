@@ -52,12 +52,12 @@ struct Expected {
 }
 
 /// Checks a scene; returns what would run.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let path = &asked.scene;
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let path = &args.scene;
     let prepared = super::prepare(path, true).map_err(|error| error.in_file(path).to_string())?;
     let _waiting = Waiting::new("running the exact method");
     let plan = Plan::of(&prepared);
-    Ok(if asked.json {
+    Ok(if args.json {
         json::of(&plan)
     } else {
         text(&plan)

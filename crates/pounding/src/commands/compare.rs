@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use pounding::report::Summary;
-use pounding::scene::{Error, Errors, Floor, PairOutcome, Quantity, Review, Simulation};
+use pounding::scene::{
+    Error, Errors, Floor, FloorQuantity, PairQuantity, Quantity, QuantityGroup, Review, Simulation,
+};
 use pounding::text::{digits, json_text};
 
 use crate::progress::Waiting;
@@ -50,12 +52,12 @@ struct Run {
 }
 
 /// Runs the scenes; returns a column for each.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let run = |path: &PathBuf| {
-        run(path, !asked.no_error).map_err(|error| error.in_file(path).to_string())
+        run_scene(path, !args.no_error).map_err(|error| error.in_file(path).to_string())
     };
-    let runs: Vec<Run> = asked.scenes.iter().map(run).collect::<Result<_, _>>()?;
-    if asked.json {
+    let runs: Vec<Run> = args.scenes.iter().map(run).collect::<Result<_, _>>()?;
+    if args.json {
         return Ok(json_of(&runs));
     }
     let mut names = names(&runs).into_iter();
@@ -121,7 +123,7 @@ fn pair_at(run: &Run, place: At) -> Option<usize> {
     pair_places(run).iter().position(|one| *one == place)
 }
 
-fn run(path: &Path, measure: bool) -> Result<Run, Error> {
+fn run_scene(path: &Path, measure: bool) -> Result<Run, Error> {
     let prepared = super::prepare(path, false)?;
     let _waiting = Waiting::new("running");
     let review = prepared.review(measure)?;
@@ -190,7 +192,7 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
             Errors::Exact => "exact".into(),
             Errors::NotMeasured => "not measured".into(),
             Errors::Doubtful | Errors::Unknown(_) => "not known".into(),
-            Errors::Measured(errors, _) => percent(errors.largest(Quantity::All).0),
+            Errors::Measured(errors, _) => percent(errors.largest(QuantityGroup::All).0),
         }),
         row("  warnings", runs, |run| {
             run.review.warnings.len().to_string()
@@ -198,49 +200,67 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
     ]
 }
 
+/// A number of a place, if the run has that place, in the unit of the table.
+fn number(run: &Run, quantity: impl Into<Quantity>, index: Option<usize>, unit: f64) -> String {
+    let value =
+        index.and_then(|index| run.review.outcome.values(&run.prepared).of(quantity, index));
+    value.map_or(NONE.into(), |value| short(value / unit))
+}
+
 fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
-    let number = |name: &str, value: &dyn Fn(&Run, usize, &Floor) -> Option<f64>| {
+    let of = |name: &str, quantity: FloorQuantity, unit: fn(&Run) -> f64| {
         row(name, runs, |run| {
-            let there = floor_at(run, place);
-            let value = there.and_then(|(index, floor)| value(run, index, floor));
-            value.map_or(NONE.into(), short)
+            number(
+                run,
+                quantity,
+                floor_at(run, place).map(|there| there.0),
+                unit(run),
+            )
         })
     };
-    let moves = |floor: &Floor| (!floor.is_wall()).then_some(());
     let mut rows = vec![
         row(heading, runs, |run| {
             floor_at(run, place).map_or(NONE.into(), |(_, floor)| floor.name.clone())
         }),
-        number("  period [s]", &|run, _, floor| {
-            Some(floor.oscillation(run.prepared.scene())?.0)
+        row("  period [s]", runs, |run| {
+            let floor = floor_at(run, place).map(|there| there.1);
+            let oscillation = floor.and_then(|floor| floor.oscillation(run.prepared.scene()));
+            oscillation.map_or(NONE.into(), |(period, _)| short(period))
         }),
-        number("  peak displacement [mm]", &|run, index, floor| {
-            moves(floor)?;
-            Some(1e3 * run.review.outcome.peaks.of(index).displacement.value)
-        }),
-        number("  residual at end [mm]", &|run, index, floor| {
-            moves(floor)?;
-            Some(1e3 * run.review.outcome.last.of(index))
-        }),
-        number("  peak acceleration [g]", &|run, index, floor| {
-            moves(floor)?;
-            let gravity = run.prepared.scene().record.gravity_m_per_s2;
-            Some(run.review.outcome.accelerations[index].value / gravity)
-        }),
-        number("  peak shear [kN]", &|run, index, floor| {
-            moves(floor)?;
-            Some(1e-3 * run.review.outcome.peaks.of(index).restoring_force.value)
-        }),
-        number("  transferred momentum [kN·s]", &|run, index, _| {
-            Some(1e-3 * run.review.outcome.momentum.of(index))
-        }),
+        of(
+            "  peak displacement [mm]",
+            FloorQuantity::PeakDisplacementM,
+            |_| 1e-3,
+        ),
+        of(
+            "  residual at end [mm]",
+            FloorQuantity::ResidualDisplacementAtEndM,
+            |_| 1e-3,
+        ),
+        of(
+            "  peak acceleration [g]",
+            FloorQuantity::PeakAccelerationMPerS2,
+            |run| run.prepared.scene().record.gravity_m_per_s2,
+        ),
+        of("  peak shear [kN]", FloorQuantity::PeakShearForceN, |_| 1e3),
+        of(
+            "  transferred momentum [kN·s]",
+            FloorQuantity::TransferredMomentumNS,
+            |_| 1e3,
+        ),
     ];
     let is_storey =
         |run: &Run| floor_at(run, place).is_some_and(|(_, floor)| floor.storey.is_some());
     if runs.iter().any(is_storey) {
-        let drifts = number("  peak storey drift [mm]", &|run, index, floor| {
-            floor.storey?;
-            Some(1e3 * run.review.outcome.peaks.of(index).drift().value)
+        let drifts = row("  peak storey drift [mm]", runs, |run| {
+            let there = floor_at(run, place).filter(|(_, floor)| floor.storey.is_some());
+            // On the ground the drift is the displacement.
+            let quantity = if there.is_some_and(|(_, floor)| floor.storey == Some(1)) {
+                FloorQuantity::PeakDisplacementM
+            } else {
+                FloorQuantity::PeakDriftM
+            };
+            number(run, quantity, there.map(|there| there.0), 1e-3)
         });
         rows.insert(3, drifts);
     }
@@ -249,16 +269,8 @@ fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
 
 fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
     let index = |run: &Run| pair_at(run, place);
-    let gap = |run: &Run| {
-        let contact = run.prepared.scene().contacts.iter().flatten().nth(place.0);
-        index(run).zip(contact).map(|(_, one)| 1e3 * one.gap_m)
-    };
-    let number = |name: &str, value: &dyn Fn(&PairOutcome) -> Option<f64>| {
-        row(name, runs, |run| {
-            let outcome = index(run).map(|index| run.review.outcome.of_pair(index));
-            let value = outcome.and_then(|outcome| value(&outcome));
-            value.map_or(NONE.into(), short)
-        })
+    let of = |name: &str, quantity: PairQuantity, unit: f64| {
+        row(name, runs, |run| number(run, quantity, index(run), unit))
     };
     vec![
         row(heading, runs, |run| {
@@ -266,31 +278,32 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
             names.map_or(NONE.into(), |[left, right]| format!("{left} – {right}"))
         }),
         row("  gap [mm]", runs, |run| {
-            gap(run).map_or(NONE.into(), short)
+            let gap = index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap);
+            gap.map_or(NONE.into(), short)
         }),
         row("  collisions", runs, |run| {
             index(run).map_or(NONE.into(), |index| collisions(run, index))
         }),
-        number("  first [s]", &|pair| Some(pair.first?.start)),
-        number("  largest impulse [kN·s]", &|pair| {
-            Some(1e-3 * pair.largest?.impulse)
+        of("  first [s]", PairQuantity::FirstStartS, 1.0),
+        of(
+            "  largest impulse [kN·s]",
+            PairQuantity::LargestImpulseNS,
+            1e3,
+        ),
+        of("  peak force [kN]", PairQuantity::PeakForceN, 1e3),
+        row("    at [s]", runs, |run| {
+            let force = index(run).and_then(|index| run.review.outcome.of_pair(index).peak_force);
+            force.map_or(NONE.into(), |force| short(force.time))
         }),
-        number("  peak force [kN]", &|pair| {
-            Some(1e-3 * pair.peak_force?.value)
-        }),
-        number("    at [s]", &|pair| Some(pair.peak_force?.time)),
     ]
 }
 
 /// Number of collisions, and that of the exact run where it is another.
 fn collisions(run: &Run, pair: usize) -> String {
     let found = run.review.outcome.of_pair(pair).collisions;
-    let errors = run
-        .review
-        .measured()
-        .and_then(|errors| errors.pairs.get(pair));
+    let errors = run.review.measured().map(|errors| &errors.pairs()[pair]);
     match errors.filter(|errors| errors.differ()) {
-        Some(errors) => format!("{found} (exact {})", errors.collisions.1),
+        Some(errors) => format!("{found} (exact {})", errors.collisions[1]),
         None => found.to_string(),
     }
 }

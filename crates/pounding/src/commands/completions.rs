@@ -17,9 +17,9 @@ pub(crate) struct Arguments {
 }
 
 /// The script for a shell.
-pub(crate) fn answer(asked: &Arguments) -> String {
+pub(crate) fn run(args: &Arguments) -> String {
     let mut script = Vec::new();
     let mut program = super::Program::command();
-    clap_complete::generate(asked.shell, &mut program, "pounding", &mut script);
+    clap_complete::generate(args.shell, &mut program, "pounding", &mut script);
     String::from_utf8_lossy(&script).into_owned()
 }

@@ -37,8 +37,8 @@ pub(crate) struct Arguments {
 }
 
 /// Writes and runs the scene; returns the summary.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let top = &asked.folder;
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let top = &args.folder;
     let results = top.join("results");
     folder::check(&results, false)?;
     fs::create_dir_all(top).map_err(|error| format!("{}: {error}", top.display()))?;

@@ -52,14 +52,14 @@ pub(crate) struct Arguments {
 }
 
 /// Writes the script, or returns it.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let path = &asked.scene;
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
     let mut scene: Scene = Scene::read(path).map_err(message)?;
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
     one_storey(&scene).map_err(|what| format!("{}: {what}", path.display()))?;
-    let materials = materials(&scene, asked)?;
+    let materials = materials(&scene, args)?;
     let _waiting = Waiting::new("running the exact method");
     let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;
     let exact = prepared.run(None).map_err(message)?;
@@ -67,14 +67,14 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
         prepared: &prepared,
         materials,
         exact: &exact,
-        time_step: asked
+        time_step: args
             .time_step
             .unwrap_or_else(|| time_step(&prepared, &exact)),
     });
-    let Some(out) = &asked.out else {
+    let Some(out) = &args.out else {
         return Ok(script);
     };
-    new_file::write(out, script.as_bytes(), asked.overwrite)?;
+    new_file::write(out, script.as_bytes(), args.overwrite)?;
     let out = out.display();
     Ok(format!(
         "wrote {out}\n\nnext:\n  pip install openseespy\n  python3 {out}\n"
@@ -106,7 +106,7 @@ fn one_storey(scene: &Scene) -> Result<(), String> {
 }
 
 /// The material of every contact of a scene.
-fn materials(scene: &Scene, asked: &Arguments) -> Result<Vec<Material>, String> {
+fn materials(scene: &Scene, args: &Arguments) -> Result<Vec<Material>, String> {
     let mass = |structure: &Structure| match structure {
         Structure::Sdof(sdof) => Some(sdof.mass_kg),
         Structure::Building(_) | Structure::Wall => None,
@@ -115,10 +115,10 @@ fn materials(scene: &Scene, asked: &Arguments) -> Result<Vec<Material>, String> 
     let material = |(index, contact): (usize, &Contact)| {
         let pair = scene.structures.get(index..index + 2).unwrap_or_default();
         let inverse: f64 = pair.iter().filter_map(mass).map(f64::recip).sum();
-        Material::of(contact, inverse.recip(), asked.approximate).map_err(|allowed| {
+        Material::of(contact, inverse.recip(), args.approximate).map_err(|allowed| {
             format!(
                 "{}: contacts[{index}].law: found {}, {allowed}",
-                asked.scene.display(),
+                args.scene.display(),
                 contact.law.name()
             )
         })

@@ -49,8 +49,8 @@ const WIDE: f64 = 1e6;
 type Line = suite::Line<Vec<Separation>>;
 
 /// The widths under every record.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let path = &asked.scene;
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
     let scene: Scene = Scene::read(path).map_err(message)?;
     if scene.structures.len() < 2 {
@@ -73,14 +73,14 @@ pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
     };
     let ran = suite::lines(
         &apart,
-        &asked.records,
+        &args.records,
         &[false, true],
         Simulation::separations,
     )?;
     let lines = &ran.lines;
-    ran.answer(if asked.json {
+    ran.answer(if args.json {
         json_of(&scene, lines)
-    } else if asked.csv {
+    } else if args.csv {
         csv_of(&scene, lines)
     } else {
         text(&scene, lines)

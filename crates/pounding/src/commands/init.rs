@@ -47,20 +47,20 @@ pub(crate) struct Arguments {
 }
 
 /// Writes the scene; returns what to do next.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let named = asked
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let named = args
         .record
         .as_ref()
-        .map(|record| Named::of(record, &asked.scene))
+        .map(|record| Named::of(record, &args.scene))
         .transpose()?;
     let motion = named
         .as_ref()
         .map_or_else(|| GENERATED.into(), Named::lines);
     let text = TEMPLATE.replace("RECORD", &motion);
-    let is_json = asked.scene.extension().is_some_and(|end| end == "json");
+    let is_json = args.scene.extension().is_some_and(|end| end == "json");
     let text = if is_json { json_of(&text)? } else { text };
-    let path = asked.scene.display();
-    new_file::write(&asked.scene, text.as_bytes(), asked.overwrite)?;
+    let path = args.scene.display();
+    new_file::write(&args.scene, text.as_bytes(), args.overwrite)?;
     let mut parts = vec![format!("wrote {path}\n")];
     if let Some(named) = &named {
         parts.push(paragraph("Record", &named.said(&path.to_string(), is_json)));

@@ -33,13 +33,13 @@ pub(crate) struct Arguments {
 }
 
 /// Joins the parts of a sweep.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let out = &asked.out;
-    new_file::check(out, asked.overwrite)?;
-    let folders = if asked.folders.is_empty() {
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let out = &args.out;
+    new_file::check(out, args.overwrite)?;
+    let folders = if args.folders.is_empty() {
         vec![Parts::folder_of(out)]
     } else {
-        asked.folders.clone()
+        args.folders.clone()
     };
     let joined = merge(out, &folders).map_err(|error| error.to_string())?;
     Ok(result(joined, out))

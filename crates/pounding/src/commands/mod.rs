@@ -97,23 +97,23 @@ impl Program {
     ///
     /// # Errors
     /// What is said on standard error, and what is printed nevertheless.
-    pub(crate) fn answer(&self) -> Result<String, Failure> {
+    pub(crate) fn run(&self) -> Result<String, Failure> {
         let text = match &self.command {
-            Command::Motion(asked) => return motion::answer(asked),
-            Command::Demo(asked) => demo::answer(asked),
-            Command::Init(asked) => init::answer(asked),
-            Command::Check(asked) => check::answer(asked),
-            Command::Run(asked) => run::answer(asked),
-            Command::Compare(asked) => compare::answer(asked),
-            Command::Sweep(asked) => sweep::answer(asked),
-            Command::Merge(asked) => merge::answer(asked),
-            Command::Gap(asked) => gap::answer(asked),
-            Command::Export(asked) => export::answer(asked),
-            Command::Advise(asked) => advise::answer(asked),
-            Command::Laws(asked) => Ok(laws::answer(asked)),
-            Command::Certify(asked) => certify::answer(asked),
-            Command::Schema(asked) => Ok(schema::answer(asked)),
-            Command::Completions(asked) => Ok(completions::answer(asked)),
+            Command::Motion(args) => return motion::run(args),
+            Command::Demo(args) => demo::run(args),
+            Command::Init(args) => init::run(args),
+            Command::Check(args) => check::run(args),
+            Command::Run(args) => run::run(args),
+            Command::Compare(args) => compare::run(args),
+            Command::Sweep(args) => sweep::run(args),
+            Command::Merge(args) => merge::run(args),
+            Command::Gap(args) => gap::run(args),
+            Command::Export(args) => export::run(args),
+            Command::Advise(args) => advise::run(args),
+            Command::Laws(args) => Ok(laws::run(args)),
+            Command::Certify(args) => certify::run(args),
+            Command::Schema(args) => Ok(schema::run(args)),
+            Command::Completions(args) => Ok(completions::run(args)),
         };
         Ok(text?)
     }

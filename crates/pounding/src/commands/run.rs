@@ -122,42 +122,42 @@ impl Arguments {
 }
 
 /// Runs a scene; returns the summary.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    if let Some(folder) = &asked.suite.records {
-        if asked.effects {
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    if let Some(folder) = &args.suite.records {
+        if args.effects {
             return Err(EFFECTS_OF_ONE.into());
         }
-        return batch::answer(asked, folder);
+        return batch::run(args, folder);
     }
-    let path = &asked.scene;
-    if let Some(out) = &asked.results.out {
-        folder::check(out, asked.results.overwrite)?;
+    let path = &args.scene;
+    if let Some(out) = &args.results.out {
+        folder::check(out, args.results.overwrite)?;
     }
     let refused = |error| hint(error, path);
-    let prepared = super::prepare(path, asked.model.force).map_err(refused)?;
-    let prepared = if asked.model.full {
+    let prepared = super::prepare(path, args.model.force).map_err(refused)?;
+    let prepared = if args.model.full {
         prepared.full().map_err(refused)?
     } else {
         prepared
     };
-    let measure = !asked.model.no_error;
+    let measure = !args.model.no_error;
     let _waiting = Waiting::new("running");
-    let effects = asked.effects.then(|| Effects::of(&prepared));
+    let effects = args.effects.then(|| Effects::of(&prepared));
     let effects = effects.transpose().map_err(|error| {
         let is_exact = prepared.scene().method.time_step().is_none();
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
         format!("{}{hint}", refused(error))
     })?;
-    let Some(out) = &asked.results.out else {
+    let Some(out) = &args.results.out else {
         let review = prepared.review(measure).map_err(refused)?;
-        return Ok(printed(asked.json, (&prepared, effects), &review));
+        return Ok(printed(args.json, &prepared, effects, &review));
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
     let report = report.with_effects(effects.clone());
     folder::write(out, &report.files())?;
-    let text = printed(asked.json, (&prepared, effects), report.review());
+    let text = printed(args.json, &prepared, effects, report.review());
     let page = out.join("report.html");
-    Ok(if asked.json {
+    Ok(if args.json {
         text
     } else {
         format!(
@@ -172,11 +172,7 @@ const EFFECTS_OF_ONE: &str = "--effects takes one record at a time, 24 runs of i
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// What is printed of a run.
-fn printed(
-    json: bool,
-    (prepared, effects): (&Simulation, Option<Effects>),
-    review: &Review,
-) -> String {
+fn printed(json: bool, prepared: &Simulation, effects: Option<Effects>, review: &Review) -> String {
     if json {
         let summary = Summary::of(prepared, review);
         return Summary { effects, ..summary }.to_json();

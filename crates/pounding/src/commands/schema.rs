@@ -22,8 +22,8 @@ pub(crate) struct Arguments {
 }
 
 /// The JSON Schema.
-pub(crate) fn answer(asked: &Arguments) -> String {
-    if asked.sweep {
+pub(crate) fn run(args: &Arguments) -> String {
+    if args.sweep {
         sweep_schema()
     } else {
         scene_schema()

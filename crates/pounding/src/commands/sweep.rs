@@ -24,7 +24,7 @@ Examples:
   pounding merge runs.csv
 
 A sweep is a TOML or JSON file: a scene, what of it varies and under which
-records. studies/README.md lists its fields.
+records. docs/reference/sweep.md lists its fields.
 
 The table has a row for each run, in SI units; a run that fails is a row with
 the reason in its last column. A name that ends in .zst is compressed
@@ -81,29 +81,29 @@ fn announce(accuracy: &SweepAccuracy) {
 }
 
 /// Runs a sweep, or what is missing of it.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, String> {
-    let shard = match asked.shard {
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let shard = match args.shard {
         Some(shard) => shard,
-        None => shard_of_task(asked.shards)?,
+        None => shard_of_task(args.shards)?,
     };
-    let out = match &asked.out {
+    let out = match &args.out {
         Some(out) => out.clone(),
-        None => asked.sweep.with_extension("csv"),
+        None => args.sweep.with_extension("csv"),
     };
-    new_file::check(&out, asked.overwrite)?;
+    new_file::check(&out, args.overwrite)?;
     let words = |error: SweepError| error.to_string();
-    let sweep = Sweep::read(&asked.sweep).map_err(words)?;
+    let sweep = Sweep::read(&args.sweep).map_err(words)?;
     if let Some(accuracy) = sweep.accuracy() {
         announce(accuracy);
     }
     // A shard would delete what another has just begun.
-    let overwritten = asked.overwrite && shard.is_whole();
+    let overwritten = args.overwrite && shard.is_whole();
     let parts = Parts::open(&sweep, &out, overwritten).map_err(words)?;
     let n_runs = parts.runs_of(shard);
     let before = parts.runs_there(shard);
-    let progress = Counter::new((before, n_runs));
+    let progress = Counter::new(before, n_runs);
     stop_when_asked();
-    let filled = parts.fill(&sweep, shard, (&STOPPED, &|runs| progress.add(runs)));
+    let filled = parts.fill(&sweep, shard, &STOPPED, &|runs| progress.add(runs));
     drop(progress);
     filled.map_err(words)?;
     let there = parts.runs_there(shard);

@@ -1,8 +1,8 @@
 //! The tables of a run: structures, what is left of their motion, storeys, pairs.
 
 use pounding::scene::{
-    Contact, Floor, Floors, PairErrors, PairOutcome, RunErrors, RunResult, Scene, Simulation,
-    StructureErrors,
+    Contact, Floor, FloorQuantity, Floors, PairOutcome, PairQuantity, RunErrors, RunResult, Scene,
+    Simulation,
 };
 use pounding::solver::Collision;
 use pounding::text::digits;
@@ -28,8 +28,8 @@ pub(super) fn structures(
     let floors = prepared.floors();
     let rows = floors.by_structure().flat_map(|index| {
         let floor = &floors.all()[index];
-        let errors = errors.map(|errors| structure_errors(errors.structures[index], floor));
-        let row = structure_row((prepared.scene(), floor), index, outcome);
+        let errors = errors.map(|errors| structure_errors(errors, index, floor));
+        let row = structure_row(prepared.scene(), floor, index, outcome);
         std::iter::once(row).chain(errors)
     });
     table(&header, &rows.collect::<Vec<_>>())
@@ -61,11 +61,12 @@ pub(super) fn motions(
             instant(peak.time),
         ];
         let error = |errors: &RunErrors| {
-            let errors = &errors.structures[index];
+            let error =
+                |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
             vec![
                 ERROR.into(),
-                percent(errors.last_displacement),
-                percent(errors.acceleration),
+                error(FloorQuantity::ResidualDisplacementAtEndM),
+                error(FloorQuantity::PeakAccelerationMPerS2),
                 String::new(),
             ]
         };
@@ -112,7 +113,7 @@ pub(super) fn storeys(floors: &Floors, outcome: &RunResult, errors: Option<&RunE
             short(1e-3 * peaks.restoring_force.value),
             number(floor.ductility(drift.value)),
         ];
-        let errors = errors.map(|errors| drift_errors(errors.structures[index], floor));
+        let errors = errors.map(|errors| drift_errors(errors, index, floor));
         Some(std::iter::once(row).chain(errors))
     };
     let rows: Vec<_> = floors.by_structure().filter_map(row).flatten().collect();
@@ -123,33 +124,33 @@ pub(super) fn storeys(floors: &Floors, outcome: &RunResult, errors: Option<&RunE
 }
 
 /// The errors of a storey, for the line below it.
-fn drift_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
+fn drift_errors(errors: &RunErrors, index: usize, floor: &Floor) -> Vec<String> {
+    let error = |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
     // On the ground the drift is the displacement.
-    let drift = percent(errors.drift.unwrap_or(errors.displacement));
-    let unless = |missing: bool| {
-        if missing {
-            String::new()
-        } else {
-            drift.clone()
-        }
+    let (peak, last) = if floor.storey.is_some_and(|storey| storey > 1) {
+        (
+            FloorQuantity::PeakDriftM,
+            FloorQuantity::ResidualDriftAtEndM,
+        )
+    } else {
+        (
+            FloorQuantity::PeakDisplacementM,
+            FloorQuantity::ResidualDisplacementAtEndM,
+        )
     };
-    let made_of = floor.made_of;
+    let drift = |printed: bool| if printed { error(peak) } else { String::new() };
     vec![
         ERROR.into(),
-        drift.clone(),
+        drift(true),
         String::new(),
-        percent(errors.last_drift.unwrap_or(errors.last_displacement)),
-        unless(made_of.is_none_or(|made| made.height_m.is_none())),
-        percent(errors.restoring_force),
-        unless(!floor.can_yield()),
+        error(last),
+        drift(floor.made_of.is_some_and(|made| made.height_m.is_some())),
+        error(FloorQuantity::PeakShearForceN),
+        drift(floor.can_yield()),
     ]
 }
 
-fn structure_row(
-    (scene, floor): (&Scene, &Floor),
-    index: usize,
-    outcome: &RunResult,
-) -> Vec<String> {
+fn structure_row(scene: &Scene, floor: &Floor, index: usize, outcome: &RunResult) -> Vec<String> {
     let momentum = short(outcome.momentum.of(index) / 1e3);
     let Some((period, damping_ratio)) = floor.oscillation(scene) else {
         let mut row = vec![floor.name.clone()];
@@ -173,23 +174,24 @@ fn structure_row(
 }
 
 /// The errors of a structure, for the line below it.
-fn structure_errors(errors: StructureErrors, floor: &Floor) -> Vec<String> {
-    let wall = floor.is_wall();
-    let peak = |text: String| if wall { String::new() } else { text };
+fn structure_errors(errors: &RunErrors, index: usize, floor: &Floor) -> Vec<String> {
+    let error = |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
+    let time = errors.at(FloorQuantity::PeakDisplacementTimeS, index);
     vec![
         ERROR.into(),
         String::new(),
         String::new(),
-        peak(percent(errors.displacement)),
-        peak(milliseconds(errors.displacement_time)),
-        peak(percent(errors.restoring_force)),
+        error(FloorQuantity::PeakDisplacementM),
+        time.map_or(String::new(), milliseconds),
+        error(FloorQuantity::PeakShearForceN),
         // A ductility is a peak drift over a given one.
         if floor.can_yield() {
-            percent(errors.drift.unwrap_or(errors.displacement))
+            let drift = errors.at(FloorQuantity::PeakDriftM, index);
+            drift.map_or_else(|| error(FloorQuantity::PeakDisplacementM), percent)
         } else {
             String::new()
         },
-        percent(errors.momentum),
+        error(FloorQuantity::TransferredMomentumNS),
     ]
 }
 
@@ -222,7 +224,7 @@ pub(super) fn pairs(
         let gap = contacts[floors.facing()[index].contact].gap_m;
         let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
         row.extend(pair_numbers(&outcome.of_pair(index)));
-        let errors = errors.map(|errors| pair_errors(&errors.pairs[index]));
+        let errors = errors.map(|errors| pair_errors(errors, index));
         std::iter::once(row).chain(errors)
     });
     let table = table(&header, &rows.collect::<Vec<_>>());
@@ -274,22 +276,23 @@ fn pair_numbers(pair: &PairOutcome) -> [String; 6] {
 }
 
 /// The errors of a pair, for the line below it.
-fn pair_errors(errors: &PairErrors) -> Vec<String> {
-    let relative = |error: Option<f64>| error.map_or(String::new(), percent);
+fn pair_errors(errors: &RunErrors, pair: usize) -> Vec<String> {
+    let error = |quantity: PairQuantity| errors.at(quantity, pair).map_or(String::new(), percent);
+    let of_pair = &errors.pairs()[pair];
     vec![
         ERROR.into(),
         String::new(),
-        if errors.rests {
+        if of_pair.rests {
             "rests".into()
-        } else if errors.differ() {
-            format!("exact {}", errors.collisions.1)
+        } else if of_pair.differ() {
+            format!("exact {}", of_pair.collisions[1])
         } else {
             "equal".into()
         },
-        errors.first_time.map_or(String::new(), milliseconds),
-        relative(errors.first_impulse),
-        relative(errors.largest_impulse),
-        relative(errors.peak_force),
+        of_pair.first_start_s.map_or(String::new(), milliseconds),
+        error(PairQuantity::FirstImpulseNS),
+        error(PairQuantity::LargestImpulseNS),
+        error(PairQuantity::PeakForceN),
         String::new(),
     ]
 }

@@ -4,6 +4,7 @@ mod batches;
 mod budgets;
 mod buildings;
 mod certificates;
+mod documents;
 mod errors;
 mod exports;
 mod finite;

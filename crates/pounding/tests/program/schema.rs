@@ -3,23 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::{folder, pounding};
 
-/// A JSON Schema, as far as the one of scenes goes; a keyword that is not known here fails the test, so that nothing is left
-/// unchecked.
-struct Schema(Value);
-
-/// Keywords that allow and forbid nothing.
-const WORDS_ONLY: [&str; 6] = [
-    "$defs",
-    "$schema",
-    "default",
-    "description",
-    "format",
-    "title",
-];
+/// The JSON Schema that a command prints.
+struct Schema(jsonschema::Validator);
 
 impl Schema {
     fn of_scenes() -> Self {
@@ -33,125 +22,16 @@ impl Schema {
             (0, ""),
             "it is printed"
         );
-        Self(serde_json::from_str(&ended.stdout).expect("the schema is JSON"))
+        let schema = serde_json::from_str(&ended.stdout).expect("the schema is JSON");
+        Self(jsonschema::validator_for(&schema).expect("it is a schema"))
     }
 
     /// What of a scene does not keep to the schema.
     fn faults(&self, scene: &Value) -> Vec<String> {
-        let mut faults = Vec::new();
-        self.check(&self.0, scene, "scene", &mut faults);
-        faults
+        let fault =
+            |error: jsonschema::ValidationError<'_>| format!("{}: {error}", error.instance_path());
+        self.0.iter_errors(scene).map(fault).collect()
     }
-
-    fn check(&self, schema: &Value, value: &Value, place: &str, faults: &mut Vec<String>) {
-        if *schema == json!(true) {
-            return;
-        }
-        let schema = schema.as_object().expect("a schema is an object");
-        for (keyword, rule) in schema {
-            let within = self.check_within((keyword, rule), value, place, faults);
-            let keeps = within || keeps((keyword, rule), value, schema);
-            if !keeps {
-                faults.push(format!(
-                    "{place}: {value} does not keep to {keyword} {rule}"
-                ));
-            }
-        }
-    }
-
-    /// Checks what lies within a value; whether the keyword is one that asks for that.
-    fn check_within(
-        &self,
-        (keyword, rule): (&str, &Value),
-        value: &Value,
-        place: &str,
-        faults: &mut Vec<String>,
-    ) -> bool {
-        match keyword {
-            "$ref" => self.check(self.referred(rule), value, place, faults),
-            "oneOf" | "anyOf" => {
-                let fits = |way: &&Value| {
-                    let mut of_way = Vec::new();
-                    self.check(way, value, place, &mut of_way);
-                    of_way.is_empty()
-                };
-                let n = rule.as_array().into_iter().flatten().filter(fits).count();
-                let keeps = n == 1 || (n > 1 && keyword == "anyOf");
-                if !keeps {
-                    faults.push(format!("{place}: {value} fits {n} of {keyword}"));
-                }
-            }
-            "items" => {
-                for (index, one) in value.as_array().into_iter().flatten().enumerate() {
-                    self.check(rule, one, &format!("{place}[{index}]"), faults);
-                }
-            }
-            "properties" => {
-                for (name, field) in rule.as_object().into_iter().flatten() {
-                    if let Some(value) = value.get(name) {
-                        self.check(field, value, &format!("{place}.{name}"), faults);
-                    }
-                }
-            }
-            _ => return false,
-        }
-        true
-    }
-
-    /// The schema that a reference names.
-    fn referred(&self, reference: &Value) -> &Value {
-        let pointer = reference.as_str().and_then(|text| text.strip_prefix('#'));
-        let found = pointer.and_then(|pointer| self.0.pointer(pointer));
-        found.unwrap_or_else(|| panic!("{reference} leads nowhere"))
-    }
-}
-
-/// Whether a value keeps to one keyword of a schema that looks at the value alone.
-fn keeps((keyword, rule): (&str, &Value), value: &Value, schema: &Map<String, Value>) -> bool {
-    match keyword {
-        "type" => is_of_type(rule, value),
-        "const" => rule == value,
-        "minimum" => value.as_f64() >= rule.as_f64() || !value.is_number(),
-        "minItems" => length(value).is_none_or(|n| Some(n) >= rule.as_u64()),
-        "maxItems" => length(value).is_none_or(|n| Some(n) <= rule.as_u64()),
-        "required" => {
-            let mut names = rule.as_array().into_iter().flatten();
-            let there = |name: &Value| name.as_str().is_some_and(|name| value.get(name).is_some());
-            !value.is_object() || names.all(there)
-        }
-        "additionalProperties" => {
-            assert_eq!(*rule, json!(false), "nothing else is understood");
-            let known = schema.get("properties").and_then(Value::as_object);
-            let known = |name: &String| known.is_some_and(|known| known.contains_key(name));
-            let mut found = value.as_object().into_iter().flat_map(Map::keys);
-            found.all(known)
-        }
-        other => {
-            assert!(WORDS_ONLY.contains(&other), "the keyword {other} is known");
-            true
-        }
-    }
-}
-
-fn is_of_type(rule: &Value, value: &Value) -> bool {
-    let is = |name: &Value| match name.as_str() {
-        Some("object") => value.is_object(),
-        Some("array") => value.is_array(),
-        Some("string") => value.is_string(),
-        Some("boolean") => value.is_boolean(),
-        Some("null") => value.is_null(),
-        Some("number") => value.is_number(),
-        Some("integer") => value.is_u64() || value.is_i64(),
-        _ => panic!("the type {name} is not known"),
-    };
-    match rule.as_array() {
-        Some(names) => names.iter().any(is),
-        None => is(rule),
-    }
-}
-
-fn length(value: &Value) -> Option<u64> {
-    value.as_array().map(|all| all.len() as u64)
 }
 
 /// The scene or scenes of a file.

@@ -115,7 +115,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
         let points = seen.curve(|row| 1e3 * (states[row].displacement + shift));
         let before = &seen.shown.floors[..position];
         let first = before.iter().all(|one| structure(*one) != structure(index));
-        let name = named(seen.prepared, (index, first));
+        let name = named(seen.prepared, index, first);
         let name = if shift > 0.0 {
             format!("{name} + {} mm", brief(1e3 * shift, 4))
         } else {
@@ -132,7 +132,7 @@ fn displacements(seen: &Seen<'_>) -> Panel {
     let curves: Vec<Curve> = structures.map(curve).collect();
     Panel {
         y: Axis {
-            range: around(heights(&curves), (0.04, 0.04)),
+            range: around(heights(&curves), 0.04, 0.04),
             ..Axis::auto("Displacement (mm)")
         },
         curves,
@@ -180,7 +180,7 @@ fn stems(seen: &Seen<'_>, pairs: &[usize], measure: Measure) -> Option<Panel> {
     Some(Panel {
         y: Axis {
             // Room for the note above.
-            range: around(heights(&curves), (0.05, 0.16)),
+            range: around(heights(&curves), 0.05, 0.16),
             ..Axis::auto(format!("{} ({unit})", measure.label))
         },
         levels: vec![0.0],

@@ -52,7 +52,7 @@ fn panel(seen: &Seen<'_>, pair: usize) -> Panel {
     Panel {
         title: format!("{left} – {right}, gap {} mm", brief(gap, 4)),
         y: Axis {
-            range: around(heights(&curves), (0.05, 0.08)),
+            range: around(heights(&curves), 0.05, 0.08),
             ..Axis::auto("Displacement (mm)")
         },
         levels: vec![0.0],

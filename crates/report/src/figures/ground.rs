@@ -98,13 +98,13 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let mut curves = vec![Curve::new(Kind::Line, Shade::Grey, all)];
     for (position, (&(index, _), value)) in own.iter().zip(of_structures).enumerate() {
         let curve = Curve::new(Kind::Points, Shade::nth(position), vec![point(value)]);
-        let label = named(seen.prepared, (index, true));
+        let label = named(seen.prepared, index, true);
         curves.push(curve.marked(MARKS[position % MARKS.len()]).named(label));
     }
     Some(Panel {
         x: Some(Axis::over("Natural period (s)", periods[0], longest).log()),
         y: Axis {
-            range: around(heights(&curves).chain([0.0]), (0.0, 0.08)),
+            range: around(heights(&curves).chain([0.0]), 0.0, 0.08),
             ..Axis::auto("Pseudo-acceleration (g)")
         },
         curves,

@@ -69,7 +69,8 @@ impl<'a> Seen<'a> {
 
 /// The pictures of a run; those that would show nothing are left out.
 pub(super) fn illustrations(
-    (motion, outcome): (Motion<'_>, &RunResult),
+    motion: Motion<'_>,
+    outcome: &RunResult,
     pairs: &[PairSummary],
     known: Option<&Effects>,
 ) -> Vec<Illustration> {
@@ -116,7 +117,7 @@ fn fitting(name: &str) -> String {
 }
 
 /// Name, and the period where the curve is the first of its building, for a legend; a wall stands for all of its levels.
-fn named(prepared: &Simulation, (index, first): (usize, bool)) -> String {
+fn named(prepared: &Simulation, index: usize, first: bool) -> String {
     let floor = &prepared.floors().all()[index];
     if floor.is_wall() {
         return fitting(prepared.scene().structures[floor.structure].name());
@@ -134,7 +135,7 @@ fn brief(value: f64, significant: usize) -> String {
 }
 
 /// What an axis shows of some values: all of them, with a margin in parts of their extent below and above.
-fn around(values: impl Iterator<Item = f64>, (below, above): (f64, f64)) -> Option<(f64, f64)> {
+fn around(values: impl Iterator<Item = f64>, below: f64, above: f64) -> Option<(f64, f64)> {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });

@@ -28,7 +28,7 @@ pub(super) fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
             .map(|index| {
                 (
                     index,
-                    distance(points[index], (points[first], points[last]), scale),
+                    distance(points[index], points[first], points[last], scale),
                 )
             })
             .fold(
@@ -49,7 +49,7 @@ pub(super) fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 /// Distance of a point from a stretch of a straight line, in parts of the extent.
-fn distance(point: (f64, f64), (from, to): ((f64, f64), (f64, f64)), scale: (f64, f64)) -> f64 {
+fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64), scale: (f64, f64)) -> f64 {
     let relative = |point: (f64, f64)| ((point.0 - from.0) / scale.0, (point.1 - from.1) / scale.1);
     let (x, y) = relative(point);
     let (dx, dy) = relative(to);

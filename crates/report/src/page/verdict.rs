@@ -3,7 +3,7 @@
 use super::markup::{digits, escaped, list, short};
 use super::tables::opening;
 use crate::summary::{CollisionSummary, PairSummary, Summary};
-use pounding_scene::{Errors, Quantity, Review};
+use pounding_scene::{Errors, QuantityGroup, Review};
 use pounding_text::percent;
 
 /// More pairs than this are counted, not named.
@@ -185,7 +185,7 @@ fn certainty(review: &Review) -> String {
                 .into()
         }
         Errors::Measured(errors, _) => {
-            let (largest, of) = errors.largest(Quantity::All);
+            let (largest, of) = errors.largest(QuantityGroup::All);
             if largest == 0.0 {
                 "Every number equals that of an exact run of the same scene.".into()
             } else if largest.is_finite() {

@@ -8,8 +8,8 @@ use super::{
 };
 use crate::sampling::Sampling;
 use pounding_scene::{
-    Errors, PairErrors, PairOutcome, Quantity, Review, RunErrors, Simulation, Source,
-    StructureErrors,
+    Errors, FloorQuantity, PairOutcome, PairQuantity, QuantityGroup, Review, RunErrors, Simulation,
+    Source,
 };
 
 impl Summary {
@@ -72,7 +72,7 @@ impl StructureSummary {
         let floors = 0..prepared.floors().all().len();
         let measured = review.measured();
         floors
-            .map(|index| structure(prepared, review, (index, measured)))
+            .map(|index| structure(prepared, review, index, measured))
             .collect()
     }
 }
@@ -94,7 +94,7 @@ fn method(prepared: &Simulation, errors: &Errors) -> MethodSummary {
         Errors::Exact => ("exact", None),
         Errors::NotMeasured => ("not_measured", None),
         Errors::Doubtful | Errors::Unknown(_) => ("unknown", None),
-        Errors::Measured(errors, _) => ("measured", finite(errors.largest(Quantity::All).0)),
+        Errors::Measured(errors, _) => ("measured", finite(errors.largest(QuantityGroup::All).0)),
     };
     MethodSummary {
         name: method.name().into(),
@@ -110,10 +110,11 @@ fn method(prepared: &Simulation, errors: &Errors) -> MethodSummary {
 fn structure(
     prepared: &Simulation,
     review: &Review,
-    (index, measured): (usize, Option<&RunErrors>),
+    index: usize,
+    measured: Option<&RunErrors>,
 ) -> StructureSummary {
     let floor = &prepared.floors().all()[index];
-    let errors = measured.map(|errors| structure_errors(&errors.structures[index]));
+    let errors = measured.map(|errors| structure_errors(errors, index));
     let common = StructureSummary {
         name: floor.name.clone(),
         storey: floor.storey,
@@ -122,18 +123,7 @@ fn structure(
         ..StructureSummary::default()
     };
     let Some((period, damping_ratio)) = floor.oscillation(prepared.scene()) else {
-        return StructureSummary {
-            errors: common.errors.map(|errors| StructureErrorSummary {
-                peak_displacement: None,
-                peak_displacement_time_s: None,
-                residual_displacement_at_end: None,
-                residual_drift_at_end: None,
-                peak_acceleration: None,
-                peak_shear_force: None,
-                ..errors
-            }),
-            ..common
-        };
+        return StructureSummary { ..common };
     };
     let peaks = review.outcome.peaks.of(index);
     let displacement = peaks.displacement.value;
@@ -164,16 +154,17 @@ fn structure(
     }
 }
 
-fn structure_errors(errors: &StructureErrors) -> StructureErrorSummary {
+fn structure_errors(errors: &RunErrors, floor: usize) -> StructureErrorSummary {
+    let known = |quantity: FloorQuantity| errors.at(quantity, floor).and_then(finite);
     StructureErrorSummary {
-        peak_displacement: finite(errors.displacement),
-        peak_displacement_time_s: finite(errors.displacement_time),
-        peak_drift: errors.drift.and_then(finite),
-        residual_displacement_at_end: finite(errors.last_displacement),
-        residual_drift_at_end: errors.last_drift.and_then(finite),
-        peak_acceleration: finite(errors.acceleration),
-        peak_shear_force: finite(errors.restoring_force),
-        transferred_momentum: finite(errors.momentum),
+        peak_displacement: known(FloorQuantity::PeakDisplacementM),
+        peak_displacement_time_s: known(FloorQuantity::PeakDisplacementTimeS),
+        peak_drift: known(FloorQuantity::PeakDriftM),
+        residual_displacement_at_end: known(FloorQuantity::ResidualDisplacementAtEndM),
+        residual_drift_at_end: known(FloorQuantity::ResidualDriftAtEndM),
+        peak_acceleration: known(FloorQuantity::PeakAccelerationMPerS2),
+        peak_shear_force: known(FloorQuantity::PeakShearForceN),
+        transferred_momentum: known(FloorQuantity::TransferredMomentumNS),
     }
 }
 
@@ -209,7 +200,7 @@ fn pair(
         leaning: found.leaning().as_ref().map(collision),
         least_opening_m: opening,
         least_opening_time_s: time,
-        errors: measured.map(|errors| pair_errors(&errors.pairs[index])),
+        errors: measured.map(|errors| pair_errors(errors, index)),
     }
 }
 
@@ -223,18 +214,19 @@ fn collision(one: &Collision) -> CollisionSummary {
     }
 }
 
-fn pair_errors(errors: &PairErrors) -> PairErrorSummary {
-    let known = |error: Option<f64>| error.and_then(finite);
+fn pair_errors(errors: &RunErrors, pair: usize) -> PairErrorSummary {
+    let known = |quantity: PairQuantity| errors.at(quantity, pair).and_then(finite);
+    let of_pair = &errors.pairs()[pair];
     PairErrorSummary {
-        exact_collisions: errors.collisions.1,
-        rests: errors.rests,
-        first_time_s: known(errors.first_time),
-        first_impulse: known(errors.first_impulse),
-        largest_impulse: known(errors.largest_impulse),
-        peak_force: known(errors.peak_force),
-        total_impulse: known(errors.total_impulse),
-        touching: known(errors.touching),
-        least_opening: known(errors.least_opening),
+        exact_collisions: of_pair.collisions[1],
+        rests: of_pair.rests,
+        first_time_s: of_pair.first_start_s.and_then(finite),
+        first_impulse: known(PairQuantity::FirstImpulseNS),
+        largest_impulse: known(PairQuantity::LargestImpulseNS),
+        peak_force: known(PairQuantity::PeakForceN),
+        total_impulse: known(PairQuantity::TotalImpulseNS),
+        touching: known(PairQuantity::TouchingS),
+        least_opening: known(PairQuantity::LeastOpeningM),
     }
 }
 

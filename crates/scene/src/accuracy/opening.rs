@@ -8,7 +8,7 @@ use pounding_motion::Accelerogram;
 use crate::accuracy::search::advise;
 use crate::ground_motion::SharedMotion;
 use crate::simulation::in_scene;
-use crate::{Error, Goal, GroundMotion, Method, Origin, Quantity, Scene, Simulation};
+use crate::{Error, Goal, GroundMotion, Method, Origin, QuantityGroup, Scene, Simulation};
 
 /// How a scene becomes a simulation.
 #[derive(Default)]
@@ -70,7 +70,7 @@ impl Simulation {
             };
             let goal = Goal {
                 error,
-                quantity: Quantity::All,
+                quantity: QuantityGroup::All,
             };
             let exact = Self::prepared(&exact, motion, stop)?;
             let advice = advise(&exact, goal, progress.unwrap_or(&|_| ()))?;

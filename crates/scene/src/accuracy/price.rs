@@ -11,7 +11,7 @@ use crate::accuracy::methods::is_compliant;
 use crate::simulation::Simulation;
 use crate::{EVALUATIONS_PER_PIECE, Method, Structure};
 
-/// Where scenes go side by side by a stepping method, how many of them cost as much as one alone: 29 to 60 (PERFORMANCE.md).
+/// Where scenes go side by side by a stepping method, how many of them cost as much as one alone: 29 to 60 (docs/performance.md).
 const BESIDE: f64 = 40.0;
 
 /// The price of a piece of motion of the exact method, by the kind of row.

@@ -4,7 +4,9 @@ use rayon::prelude::*;
 
 use crate::accuracy::ladder::{Ladder, entries};
 use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob};
-use crate::{Advice, Error, Goal, Quantity, RunErrors, RunResult, Simulation, StepSizes, Trial};
+use crate::{
+    Advice, Error, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial,
+};
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
 pub const LONGEST_STEP: f64 = 0.01;
@@ -75,7 +77,7 @@ fn trial(
     prepared: &Simulation,
     (contender, step): (&ComparedMethod, f64),
     exact: &RunResult,
-    quantity: Quantity,
+    quantity: QuantityGroup,
 ) -> Option<Trial> {
     let method = (contender.method)(step);
     let prepared = prepared.with_method(method).ok()?;

@@ -58,7 +58,7 @@ impl Certificate {
         let contact = impact.map_or(0.0, |impact| impact.duration);
         let scale = if impact.is_some() { contact } else { 1.0 };
         let exact = Integrator::Exact(Exact::default());
-        let run = collision.run(law, &exact, (scale, 0.5, contact))?;
+        let run = collision.run(law, &exact, scale, 0.5, contact)?;
         Ok(Self {
             by_formula: formula.transpose()?.as_ref().and_then(relation),
             by_relation: relation(&law),
@@ -79,7 +79,7 @@ impl Certificate {
         method: &Method,
     ) -> Result<Delivered, CertificateError> {
         let duration = self.impact.map(|impact| impact.duration);
-        Ok(collision.delivered(self.law, method, (self.by_exact, duration))?)
+        Ok(collision.delivered(self.law, method, self.by_exact, duration)?)
     }
 }
 

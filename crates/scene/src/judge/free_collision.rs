@@ -41,14 +41,15 @@ impl FreeCollision {
         &self,
         law: ContactLaw,
         method: &Method,
-        (right, duration): (f64, Option<f64>),
+        right: f64,
+        duration: Option<f64>,
     ) -> Result<Delivered, CollisionError> {
         let contact = duration.unwrap_or(0.0);
         let step = method.time_step().unwrap_or(duration.unwrap_or(1.0));
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for phase in 0..N_PHASES {
             let part = (f64::from(phase) + 0.5) / f64::from(N_PHASES);
-            let run = self.run(law, &method.integrator(), (step, part, contact))?;
+            let run = self.run(law, &method.integrator(), step, part, contact)?;
             let found = run.restitution(self.speed);
             range = [range[0].min(found), range[1].max(found)];
         }
@@ -95,7 +96,9 @@ impl FreeCollision {
         &self,
         law: ContactLaw,
         integrator: &Integrator,
-        (step, part, contact): (f64, f64, f64),
+        step: f64,
+        part: f64,
+        contact: f64,
     ) -> Result<Seen, CollisionError> {
         let until = (f64::from(BEFORE) + part) * step;
         let row = self.row(law, self.speed * until)?;

@@ -259,7 +259,8 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
     }
     storeys::doubt_the_yielding(
         &place("yield_drift_ratio"),
-        (&sdof.columns(), sdof.height_m),
+        &sdof.columns(),
+        sdof.height_m,
         doubts,
     );
     doubts.unless(

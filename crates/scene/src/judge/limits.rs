@@ -65,18 +65,14 @@ impl Simulation {
         let pairs = self.pairs().iter().enumerate();
         let contacts = pairs.filter_map(|(index, pair)| {
             let collisions: Vec<_> = expected.collisions_of(index).collect();
-            (!collisions.is_empty()).then(|| self.contact_limit((index, pair), &collisions))
+            (!collisions.is_empty()).then(|| self.contact_limit(index, pair, &collisions))
         });
         Limits {
             contacts: contacts.collect(),
         }
     }
 
-    fn contact_limit(
-        &self,
-        (index, pair): (usize, &Pair),
-        collisions: &[&Collision],
-    ) -> ContactLimit {
+    fn contact_limit(&self, index: usize, pair: &Pair, collisions: &[&Collision]) -> ContactLimit {
         let masses = self.masses(pair);
         let own = [pair.left, pair.right].map(|index| self.angular_frequency(index));
         let expected = collisions
@@ -108,7 +104,7 @@ impl Simulation {
         let steps = duration.and_then(steps);
         let asked = method.time_step().is_some() && steps.is_none_or(|steps| steps < MANY_STEPS);
         let delivered = restitution.filter(|_| asked).and_then(|right| {
-            let delivered = collision.delivered(*law, &method, (right, duration));
+            let delivered = collision.delivered(*law, &method, right, duration);
             delivered.ok()
         });
         FreeLimit {

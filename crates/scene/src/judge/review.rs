@@ -6,8 +6,8 @@ use pounding_solver::{Collision, Work};
 use crate::judge::limits::{ContactLimit, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 use crate::simulation::{Audited, Extras};
 use crate::{
-    Balance, Delivered, Error, Method, Number, Place, RunErrors, RunResult, Simulation, Structure,
-    Warning,
+    Balance, Delivered, Error, Method, Place, Quantity, RunErrors, RunResult, Simulation,
+    Structure, Warning,
 };
 
 /// Where rounding leaves a whole number of steps.
@@ -160,7 +160,7 @@ impl Simulation {
     pub fn warnings(&self, run: &RunResult, exact: &RunResult) -> (RunErrors, Vec<Warning>) {
         let errors = RunErrors::between(run, exact, self);
         let mut warnings = self.warnings_before(exact);
-        let pairs = errors.pairs.iter().enumerate();
+        let pairs = errors.pairs().iter().enumerate();
         let rests = pairs.filter(|(_, pair)| pair.rests);
         warnings.extend(rests.map(|(pair, _)| Warning::Rests {
             names: self.names(pair),
@@ -265,9 +265,9 @@ impl Simulation {
 impl RunErrors {
     /// What is far from the exact run.
     fn warnings(&self) -> impl Iterator<Item = Warning> {
-        Number::ALL.into_iter().filter_map(|number| {
-            let error = self.of(number);
-            (error > DOUBTFUL).then_some(Warning::Error { number, error })
+        Quantity::COMPARED.into_iter().filter_map(|quantity| {
+            let error = self.of(quantity);
+            (error > DOUBTFUL).then_some(Warning::Error { quantity, error })
         })
     }
 }
@@ -324,8 +324,8 @@ mod tests {
         insta::assert_snapshot!(wrong, @r#"scene "two": energy: found 4.0e-5 of it unexplained, allowed 1.0e-11, which rounding leaves of a right run; some number of this run is wrong, which is a fault of the method: use another one, and report it"#);
         let forced = forced.told(broken(4e-5)).expect("it is forced");
         assert!(matches!(forced, Warning::Broken { .. }), "{forced:?}");
-        for number in Number::ALL {
-            assert!(doubt.concerns(number) && forced.concerns(number));
+        for quantity in Quantity::COMPARED {
+            assert!(doubt.concerns(quantity) && forced.concerns(quantity));
         }
     }
 }

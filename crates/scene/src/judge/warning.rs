@@ -6,7 +6,7 @@ use pounding_contact::SLOWEST_APPROACH;
 use pounding_solver::LedgerError;
 
 use crate::judge::limits::{STEPS_PER_CONTACT, STEPS_PER_PERIOD};
-use crate::{Delivered, Number};
+use crate::{Delivered, PairQuantity, Quantity};
 use pounding_text::digits;
 
 /// What a user should know before believing a run.
@@ -66,7 +66,7 @@ pub enum Warning {
     /// A printed number is far from that of the exact run.
     Error {
         /// The number.
-        number: Number,
+        quantity: Quantity,
         /// Its largest relative error \[–\].
         error: f64,
     },
@@ -98,7 +98,7 @@ impl Warning {
     /// Whether it says that a printed number is not to be believed.
     ///
     /// What is said of a pair's collisions concerns their impulses and forces.
-    pub fn concerns(&self, asked: Number) -> bool {
+    pub fn concerns(&self, asked: Quantity) -> bool {
         match self {
             Self::BeyondFreeLimit { .. }
             | Self::Broken { .. }
@@ -108,13 +108,15 @@ impl Warning {
             Self::BeyondContactLimit { .. } | Self::UnderResolved { .. } | Self::Rests { .. } => {
                 matches!(
                     asked,
-                    Number::PoundingForce
-                        | Number::FirstImpulse
-                        | Number::LargestImpulse
-                        | Number::TotalImpulse
+                    Quantity::Pair(
+                        PairQuantity::PeakForceN
+                            | PairQuantity::FirstImpulseNS
+                            | PairQuantity::LargestImpulseNS
+                            | PairQuantity::TotalImpulseNS
+                    )
                 )
             }
-            Self::Error { number, .. } => asked == *number,
+            Self::Error { quantity, .. } => asked == *quantity,
             // Of the model, which every method shares.
             Self::SlowTouches { .. } => false,
         }
@@ -170,7 +172,7 @@ impl fmt::Display for Warning {
                      impact in every step; their number and impulses depend on the step and are not compared"
                 )
             }
-            Self::Error { number, error } => off(*number, *error, to),
+            Self::Error { quantity, error } => off(*quantity, *error, to),
             Self::SlowTouches {
                 contact,
                 names,
@@ -222,9 +224,9 @@ fn under_resolved(
 }
 
 /// A number that is far from the exact run's.
-fn off(number: Number, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
-    let of = number.words();
-    if number == Number::Collisions {
+fn off(quantity: Quantity, error: f64, to: &mut Formatter<'_>) -> fmt::Result {
+    let of = quantity.words();
+    if quantity == PairQuantity::Collisions.into() {
         write!(to, "{of}: not as many as in the exact run")
     } else if error.is_finite() {
         let decimals = usize::from(error < 0.1);

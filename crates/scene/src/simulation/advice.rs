@@ -1,6 +1,6 @@
 //! Which method and time step reach an accuracy at the least cost: what was found.
 
-use crate::{Method, Quantity};
+use crate::{Method, QuantityGroup};
 
 /// The accuracy asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -8,7 +8,7 @@ pub struct Goal {
     /// Largest relative error \[–\], > 0 and < 1.
     pub error: f64,
     /// Of what.
-    pub quantity: Quantity,
+    pub quantity: QuantityGroup,
 }
 
 /// A run of the ladder.

@@ -128,7 +128,7 @@ impl Simulation {
     pub fn full(self) -> Result<Self, Error> {
         let (scene, floors) = (&self.scene, &self.floors);
         let model = Model::full(scene, floors)
-            .map_err(|error| in_scene(scene, SceneError::of_model(error, (scene, floors))))?;
+            .map_err(|error| in_scene(scene, SceneError::of_model(error, scene, floors)))?;
         Ok(Self { model, ..self })
     }
 
@@ -171,7 +171,7 @@ impl Simulation {
         };
         let floors = self.floors.apart();
         let model = Model::new(&scene, &floors)
-            .map_err(|error| in_scene(&scene, SceneError::of_model(error, (&scene, &floors))))?;
+            .map_err(|error| in_scene(&scene, SceneError::of_model(error, &scene, &floors)))?;
         Ok(Self {
             scene,
             floors,
@@ -324,8 +324,8 @@ impl Simulation {
 /// The floors of a checked scene, and the leanest row of them.
 fn modelled(scene: &Scene) -> Result<(Floors, Model), SceneError> {
     let floors = Floors::of(scene)?;
-    let model = Model::new(scene, &floors)
-        .map_err(|error| SceneError::of_model(error, (scene, &floors)))?;
+    let model =
+        Model::new(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
     Ok((floors, model))
 }
 

@@ -7,7 +7,7 @@ use crate::{Scene, SceneError, Structure};
 
 impl SceneError {
     /// Says in the words of the scene why the solver refuses its row.
-    pub(crate) fn of_model(error: ModelError, (scene, floors): (&Scene, &Floors)) -> Self {
+    pub(crate) fn of_model(error: ModelError, scene: &Scene, floors: &Floors) -> Self {
         let contact = |pair: usize| floors.facing().get(pair).map_or(0, |one| one.contact);
         if let ModelError::OverlapsAtStart { pair, overlap } = error {
             let index = contact(pair);
@@ -23,7 +23,7 @@ impl SceneError {
                 contact: contact(pair),
             }
         } else if let ModelError::Node { node, field, .. } = error {
-            Self::of_node(&floors.all()[node], scene, (field, error))
+            Self::of_node(&floors.all()[node], scene, field, error)
         } else if let ModelError::Pair {
             pair,
             field,
@@ -49,7 +49,7 @@ impl SceneError {
     }
 
     /// What is wrong with a floor, by the field of the scene that it comes from.
-    fn of_node(floor: &Floor, scene: &Scene, (field, error): (&str, ModelError)) -> Self {
+    fn of_node(floor: &Floor, scene: &Scene, field: &str, error: ModelError) -> Self {
         let (ModelError::Node { found, .. }, Some(made)) = (&error, floor.made_of) else {
             return Self::Model(error);
         };

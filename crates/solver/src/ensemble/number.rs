@@ -1,4 +1,6 @@
 //! Numbers of several scenes side by side.
+//!
+//! Loops over lanes are written out: a closure that is not inlined has no instructions on lanes.
 
 use std::fmt;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};

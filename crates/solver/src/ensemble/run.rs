@@ -1,5 +1,7 @@
 //! Groups of scenes, two in step where rows are short: what one computes does not wait for the other, as it waits for its own step
 //! before.
+//!
+//! Two groups instead of one of twice the lanes: a group in which no lane touches makes the plain step.
 
 use fearless_simd::Simd;
 use pounding_contact::Number;
@@ -41,14 +43,15 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
             first: index * in_step,
             tallies,
         };
-        run_in_step((simd, n_groups), method, task);
+        run_in_step(simd, n_groups, method, task);
     }
 }
 
 /// Runs as many rows as the groups have lanes, or fewer, and tells what happened in them.
 #[inline(always)]
 fn run_in_step<S: Simd, Column: SideBySideColumn>(
-    (simd, n_groups): (S, usize),
+    simd: S,
+    n_groups: usize,
     method: &Shaken<'_, CentralDifference>,
     task: Task<'_, Column>,
 ) {
@@ -126,10 +129,10 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             let group = &groups[lane / Lanes::<S>::N];
             let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
             for (node, structure) in group.structures.iter().enumerate() {
-                tallies.take_structure((scene, node), structure.motion.peak(lane));
+                tallies.take_structure(scene, node, structure.motion.peak(lane));
             }
             for pair in group.pairs.iter().flatten() {
-                tallies.take_pair((scene, pair.index), pair.tally.lane(lane));
+                tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
             }
         }
     }

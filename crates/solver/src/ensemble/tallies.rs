@@ -55,14 +55,14 @@ impl SceneSums {
     }
 
     /// Takes the displacement of largest magnitude of a structure of a scene \[m\]; without one the scene is not told.
-    pub(super) fn take_structure(&mut self, (scene, node): (usize, usize), peak: Option<f64>) {
+    pub(super) fn take_structure(&mut self, scene: usize, node: usize, peak: Option<f64>) {
         self.displacements[scene * self.n_structures + node] = peak.unwrap_or(f64::NAN);
         // The first of a scene says, and any other may take it back.
         self.told[scene] = peak.is_some() && (node == 0 || self.told[scene]);
     }
 
     /// Takes what happened to a pair of a scene.
-    pub(super) fn take_pair(&mut self, (scene, pair): (usize, usize), tally: PairSums) {
+    pub(super) fn take_pair(&mut self, scene: usize, pair: usize, tally: PairSums) {
         self.pairs[scene * self.n_pairs + pair] = tally;
     }
 

@@ -114,7 +114,7 @@ impl<R: Recorder> Run<'_, R> {
         self.count_pieces(first, time)?;
         let (power, len) = self.expand_corrected(first, time);
         for place in self.groups.nodes_of(first) {
-            self.fill_start(self.groups.node(place), time, (power, len))?;
+            self.fill_start(self.groups.node(place), time, power, len)?;
         }
         let nodes = self.groups.of(first).nodes();
         let wall = nodes.iter().all(|node| self.members[*node].is_wall());
@@ -129,7 +129,7 @@ impl<R: Recorder> Run<'_, R> {
             .root(series::radius(&self.members, nodes))
             .min(power.root(stop - time));
         self.work.segments += nodes.len() as u64;
-        length = length.min(self.converged(first, (power, len), length, time)?);
+        length = length.min(self.converged(first, power, len, length, time)?);
         let whole = length >= power.root(stop - time);
         let mut watch = Watch {
             start: self.clock.absolute(time),
@@ -167,7 +167,8 @@ impl<R: Recorder> Run<'_, R> {
     fn converged(
         &self,
         first: usize,
-        (power, len): (Power, usize),
+        power: Power,
+        len: usize,
         longest: f64,
         time: f64,
     ) -> Result<f64, RunError> {
@@ -273,7 +274,8 @@ impl<R: Recorder> Run<'_, R> {
         &mut self,
         node: usize,
         time: f64,
-        (power, len): (Power, usize),
+        power: Power,
+        len: usize,
     ) -> Result<(), RunError> {
         let (left, right) = self.forces_on(node);
         // As at its end: what rounding leaves of a force that fades does not pull.

@@ -377,7 +377,7 @@ impl Contact {
             return 0.0;
         }
         let m = n - shift;
-        self.spring[m] = self.coefficient(spring.power, &self.spring, (leading, m));
+        self.spring[m] = self.coefficient(spring.power, &self.spring, leading, m);
         spring.coefficient * self.spring[m]
     }
 
@@ -398,7 +398,7 @@ impl Contact {
             return 0.0;
         }
         let last = n - shift - behind;
-        self.damper[last] = self.coefficient(damper.power, &self.damper, (leading, last));
+        self.damper[last] = self.coefficient(damper.power, &self.damper, leading, last);
         let rates = self.rates[behind..=n - shift].iter().rev();
         let products = self.damper[..=last].iter().zip(rates);
         damper.coefficient * products.map(|(root, rate)| root * rate).sum::<f64>()
@@ -409,7 +409,8 @@ impl Contact {
         &self,
         exponent: Exponent,
         before: &[f64; CAPACITY],
-        (leading, m): (usize, usize),
+        leading: usize,
+        m: usize,
     ) -> f64 {
         if exponent == Exponent::One {
             return self.deformations[leading + m];

@@ -10,7 +10,7 @@ use crate::exact::body::in_flight;
 use crate::exact::contact::Link;
 use crate::exact::look_ahead::CARRIED;
 use crate::exact::member::{Branch, Member};
-use crate::exact::roots::{CAPACITY, first_rise};
+use crate::exact::roots::{CAPACITY, first_root};
 use crate::span::{Expansion, rise, value};
 use crate::{Flight, Path, Recorder, Span, State};
 
@@ -121,8 +121,8 @@ impl Leap {
         let hysteretic_force = member.hysteretic_force + member.hysteretic_stiffness * change;
         let displacement = start.displacement + change;
         let restoring_force = member.with_hardening(displacement, hysteretic_force);
-        let acceleration = flight.acceleration((velocity, restoring_force), ground.last);
-        let before = flight.acceleration((start.velocity, start.restoring_force), ground.value);
+        let acceleration = flight.acceleration(velocity, restoring_force, ground.last);
+        let before = flight.acceleration(start.velocity, start.restoring_force, ground.value);
         let fastest = start.velocity.abs().max(velocity.abs());
         let load = self.stiffness * fastest + ground.slope.abs();
         let most = self.growth * (before.abs().max(acceleration.abs()) + half * load);
@@ -191,7 +191,7 @@ impl Interval {
         for (rate, coefficient) in rates.iter_mut().zip(room.velocity(flight.len)) {
             *rate = -flight.velocity.signum() * coefficient;
         }
-        let x = first_rise(rates, self.to - self.from)?;
+        let x = first_root(rates, self.to - self.from)?;
         let time = self.from + x;
         let change = rise(room.displacement(flight.len), x);
         let displacement = flight.displacement + change;
@@ -205,7 +205,7 @@ impl Interval {
         };
         let ground = self.value + self.slope * x;
         let after = State {
-            acceleration: flight.acceleration((0.0, before.restoring_force), ground),
+            acceleration: flight.acceleration(0.0, before.restoring_force, ground),
             ..before
         };
         (time > self.from && time < self.to).then_some(Turn {
@@ -331,7 +331,7 @@ impl<R: Recorder> Run<'_, R> {
                 ..
             } = member.state;
             let start = State {
-                acceleration: flight.acceleration((velocity, restoring_force), interval.value),
+                acceleration: flight.acceleration(velocity, restoring_force, interval.value),
                 ..member.state
             };
             let (from, to) = (interval.from, interval.to);

@@ -36,7 +36,7 @@ impl<R: Recorder> Run<'_, R> {
                 None => self.end_state(node, x, if full { &events } else { &[] }),
             };
             if advanced {
-                self.report(node, (first, time), x, end);
+                self.report(node, first, time, x, end);
             }
             if later {
                 let member = &mut self.members[node];
@@ -110,7 +110,7 @@ impl<R: Recorder> Run<'_, R> {
         (end, hysteretic)
     }
 
-    fn report(&mut self, node: usize, (first, time): (usize, f64), x: f64, end: State) {
+    fn report(&mut self, node: usize, first: usize, time: f64, x: f64, end: State) {
         let body = &self.bodies[first];
         let (left, right) = self.forces_on(node);
         let member = &self.members[node];

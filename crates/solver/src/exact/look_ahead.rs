@@ -9,7 +9,7 @@ use crate::exact::Run;
 use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
 use crate::exact::contact::{Contact, Gap, Link};
-use crate::exact::roots::{CAPACITY, first_rise, shift, value_and_slope};
+use crate::exact::roots::{CAPACITY, first_root, shift, value_and_slope};
 use crate::exact::rounding::noise;
 use crate::span::{Power, value};
 use crate::{Motion, Recorder};
@@ -237,7 +237,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let members = &self.members[left..left + 2];
         let contact = &mut self.contacts[pair];
-        contact.begin_series(&mut coefficients[..len], (power, offset));
+        contact.begin_series(&mut coefficients[..len], power, offset);
         if contact.deformation == 0.0 && contact.rate == 0.0 {
             // What rounding leaves of two equal motions touches nothing.
             let rounding = |n: usize| noise(members, [sides[0][n], sides[1][n]], power.order(), n);
@@ -254,7 +254,7 @@ impl<R: Recorder> Run<'_, R> {
         (contact.series.offset, contact.series.power) = (offset, power);
         let length = power.root(self.clock.past(end).since(origin)) - offset;
         let origin = self.clock.shown(origin);
-        let touch = first_rise(&coefficients[..len], length);
+        let touch = first_root(&coefficients[..len], length);
         contact.meets_at = touch.unwrap_or(length);
         contact.meets = match touch {
             Some(x) if x >= length => end,
@@ -286,7 +286,7 @@ impl Contact {
     }
 
     /// Puts the carried deformation and rate at the head of the series, and clears what is known to be zero.
-    fn begin_series(&self, coefficients: &mut [f64], (power, offset): (Power, f64)) {
+    fn begin_series(&self, coefficients: &mut [f64], power: Power, offset: f64) {
         coefficients[0] = self.deformation;
         if offset > 0.0 {
             return;

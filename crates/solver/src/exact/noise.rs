@@ -56,12 +56,12 @@ pub(super) fn clean(
     }
     share(group, members);
     for block in group.blocks() {
-        clear_rounding(block, (members, contacts), p);
+        clear_rounding(block, members, contacts, p);
     }
 }
 
 /// Clears the first coefficients of the forces at rest of a block that are rounding, of each pair all when the first ones are.
-fn clear_rounding(block: &Block, (members, contacts): (&[Member], &mut [Contact]), p: usize) {
+fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p: usize) {
     let tied = members[block.first..=block.last]
         .iter()
         .any(Member::is_tied);

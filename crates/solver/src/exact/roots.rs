@@ -24,18 +24,18 @@ const FAST: f64 = 1e-2;
 ///
 /// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
 /// is positive from the start rises at 0; one beyond the range of numbers nowhere.
-pub(crate) fn first_rise(coefficients: &[f64], length: f64) -> Option<f64> {
-    first_rise_by(rise_of_monotone, coefficients, length)
+pub(crate) fn first_root(coefficients: &[f64], length: f64) -> Option<f64> {
+    first_root_by(root_of_monotone, coefficients, length)
 }
 
 /// The same for scenes side by side, which are free of the bits of results that were made one by one.
-pub(crate) fn quick_first_rise(coefficients: &[f64], length: f64) -> Option<f64> {
-    first_rise_by(quick_rise_of_monotone, coefficients, length)
+pub(crate) fn quick_first_root(coefficients: &[f64], length: f64) -> Option<f64> {
+    first_root_by(quick_root_of_monotone, coefficients, length)
 }
 
 /// The same with a function that finds the zero of a polynomial that grows from ≤ 0 at 0 to > 0 at a width.
 #[inline]
-fn first_rise_by(
+fn first_root_by(
     rise: impl Fn(&[f64], f64) -> f64,
     coefficients: &[f64],
     length: f64,
@@ -102,7 +102,7 @@ fn lower_bound_of_slope(coefficients: &[f64], width: f64) -> f64 {
 }
 
 /// Zero of a polynomial that grows from ≤ 0 at 0 to > 0 at `width`: Newton's method kept in a bracket.
-fn rise_of_monotone(coefficients: &[f64], width: f64) -> f64 {
+fn root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
     let (mut low, mut high) = (0.0, width);
     let mut x = width;
     for _ in 0..MOST_STEPS {
@@ -128,7 +128,7 @@ fn rise_of_monotone(coefficients: &[f64], width: f64) -> f64 {
 }
 
 /// The same from where the first three coefficients have it, in three steps instead of eight; other bits.
-fn quick_rise_of_monotone(coefficients: &[f64], width: f64) -> f64 {
+fn quick_root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
     let (mut low, mut high) = (0.0, width);
     let mut x = rise_of_parabola(coefficients, width);
     let mut before = 0.0;
@@ -214,7 +214,7 @@ mod tests {
     fn reference_double_crossings_are_found() {
         for separation in [1e-1, 1e-3, 1e-5, 1e-6] {
             let zeros = [0.6, 0.6 + separation];
-            for search in [first_rise, quick_first_rise] {
+            for search in [first_root, quick_first_root] {
                 let found = search(&with_zeros(&zeros), 1.0).unwrap();
                 assert!(
                     (found - 0.6).abs() < 1e-15 / separation,
@@ -223,7 +223,7 @@ mod tests {
             }
         }
         assert_eq!(
-            first_rise(&[-1.0 - 1e-12, 2.0, -1.0], 2.0),
+            first_root(&[-1.0 - 1e-12, 2.0, -1.0], 2.0),
             None,
             "a near miss"
         );
@@ -233,7 +233,7 @@ mod tests {
     #[test]
     fn issue_no_number_rises_nowhere() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for search in [first_rise, quick_first_rise] {
+            for search in [first_root, quick_first_root] {
                 assert_eq!(search(&[-1.0, 0.0, bad, 1.0], 0.01), None, "{bad}");
             }
         }
@@ -241,11 +241,11 @@ mod tests {
 
     #[test]
     fn limit_known_zeros_at_the_start_are_left_out() {
-        let half = first_rise(&[0.0, -1.0, 2.0], 1.0).unwrap();
+        let half = first_root(&[0.0, -1.0, 2.0], 1.0).unwrap();
         assert!((half - 0.5).abs() < 2e-16, "{half}");
-        assert_eq!(first_rise(&[0.0, 0.0, 3.0], 1.0), Some(0.0));
-        assert_eq!(first_rise(&[0.0, 0.0, -3.0], 1.0), None);
-        assert_eq!(first_rise(&[0.0; 4], 1.0), None);
+        assert_eq!(first_root(&[0.0, 0.0, 3.0], 1.0), Some(0.0));
+        assert_eq!(first_root(&[0.0, 0.0, -3.0], 1.0), None);
+        assert_eq!(first_root(&[0.0; 4], 1.0), None);
     }
 
     proptest! {
@@ -256,7 +256,7 @@ mod tests {
             }
             zeros.sort_by(f64::total_cmp);
             prop_assume!(zeros[1] - zeros[0] > 1e-3);
-            for found in [first_rise, quick_first_rise].map(|search| search(&with_zeros(&zeros), 1.0)) {
+            for found in [first_root, quick_first_root].map(|search| search(&with_zeros(&zeros), 1.0)) {
                 if zeros[0] < 1.0 {
                     let found = found.expect("there is a rise");
                     prop_assert!((found - zeros[0]).abs() < 1e-8, "{found} of {zeros:?}");

@@ -36,7 +36,7 @@ pub(super) fn expand(
     storey::begin(members, followed);
     for n in 0..len {
         if !followed.is_empty() {
-            storey::follow(members, followed, (p, n));
+            storey::follow(members, followed, p, n);
         }
         for joined in pairs {
             let contact = &mut contacts[joined.pair];
@@ -49,7 +49,7 @@ pub(super) fn expand(
         for block in blocks {
             let force = |pair: Option<usize>| pair.map_or(0.0, |pair| contacts[pair].force[n]);
             let outside = (force(block.left), force(block.right));
-            accelerate(members, block, outside.0 - outside.1, (p, n));
+            accelerate(members, block, outside.0 - outside.1, p, n);
             for member in &mut members[block.first..=block.last] {
                 member.velocity[n + p] = member.acceleration[n] * once;
                 member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
@@ -61,7 +61,7 @@ pub(super) fn expand(
 
 /// Coefficient `n` of the acceleration that members at rest against each other share under a net force from outside: each
 /// has it over its own ground.
-fn accelerate(members: &mut [Member], block: &Block, force: f64, (p, n): (usize, usize)) {
+fn accelerate(members: &mut [Member], block: &Block, force: f64, p: usize, n: usize) {
     let nodes = block.first..=block.last;
     let shared = match &members[nodes.clone()] {
         [alone] if alone.is_wall() => alone.ground.coefficient(n, p),
@@ -93,7 +93,7 @@ fn resting_forces(
 ) {
     let side = |node: usize| Side {
         weight: members[node].mass,
-        need: storey::need(members, node, (p, n)),
+        need: storey::need(members, node, p, n),
     };
     block.tell_lighter_sides(side, |index, found| {
         contacts[block.within + index].force[n] = match found {

@@ -17,7 +17,7 @@ pub(super) fn begin(members: &mut [Member], nodes: &[usize]) {
 }
 
 /// Finds coefficient `n` of the drifts of these nodes, and of what bends with them; that of the motion is known.
-pub(super) fn follow(members: &mut [Member], nodes: &[usize], (p, n): (usize, usize)) {
+pub(super) fn follow(members: &mut [Member], nodes: &[usize], p: usize, n: usize) {
     for node in nodes {
         let (lower, upper) = members.split_at_mut(*node);
         let Some(member) = upper.first_mut() else {
@@ -64,7 +64,7 @@ pub(super) fn own_force(members: &[Member], node: usize, n: usize) -> f64 {
 }
 
 /// Coefficient `n` of the force that a node needs to move as it does.
-pub(super) fn need(members: &[Member], node: usize, (p, n): (usize, usize)) -> f64 {
+pub(super) fn need(members: &[Member], node: usize, p: usize, n: usize) -> f64 {
     let member = &members[node];
     let ground = member.ground.coefficient(n, p);
     let inertia = member.mass * (member.acceleration[n] + ground);

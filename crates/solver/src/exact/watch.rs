@@ -4,7 +4,7 @@ use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{Branch, Member};
-use crate::exact::roots::{CAPACITY, LOST, SHORTEST_WAY, first_rise};
+use crate::exact::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 
 /// What ends a piece, besides samples of the record and the reach of the series.
@@ -56,7 +56,7 @@ impl Watch {
         for (n, place) in polynomial[..len].iter_mut().enumerate() {
             *place = coefficient(n);
         }
-        if let Some(x) = first_rise(&polynomial[..len], self.reach) {
+        if let Some(x) = first_root(&polynomial[..len], self.reach) {
             self.take(x, event);
         }
     }
@@ -83,7 +83,7 @@ impl Watch {
             for coefficient in polynomial.iter_mut() {
                 *coefficient *= sign;
             }
-            let Some(x) = first_rise(polynomial, self.reach) else {
+            let Some(x) = first_root(polynomial, self.reach) else {
                 return;
             };
             let at_start = self.start + self.power.time(x) <= self.start;
@@ -120,7 +120,7 @@ impl<R: Recorder> Run<'_, R> {
             if self.leader(node) == node {
                 watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
             }
-            watch_columns(watch, (node, member), len);
+            watch_columns(watch, node, member, len);
             if let (Some(left), Some(right)) = self.forces_on(node) {
                 let net = |n: usize| self.contacts[left].force[n] - self.contacts[right].force[n];
                 watch.change_of(len, member.balanced, net, Event::Balance(node));
@@ -221,7 +221,7 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 /// Finds when the columns of a node turn, yield, or pass through zero.
-fn watch_columns(watch: &mut Watch, (node, member): (usize, &Member), len: usize) {
+fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
     if let Some(storey) = &member.storey {
         watch.change_of(len, false, |n| storey.rate[n], Event::TurnOfDrift(node));
     }

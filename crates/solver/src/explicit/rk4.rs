@@ -100,7 +100,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         let ground = [2 * step - 2, 2 * step - 1, 2 * step].map(|half| shaking.at(half));
         scratch.advance(row, ground, clock.time_step);
         let instant = (ground[2], clock.time(step));
-        scratch.finish(row, instant.0, (clock, step), recorder)?;
+        scratch.finish(row, instant.0, clock, step, recorder)?;
         work.touching_steps += row.n_overlaps(&scratch.states, instant.0);
         impacts.after_step(row, &mut scratch.states, instant, recorder);
         work.steps += 1;
@@ -177,7 +177,8 @@ impl<Memory: Copy> Scratch<Memory> {
         &mut self,
         row: &Row<Column>,
         ground: Ground<'_>,
-        (clock, step): (Clock, usize),
+        clock: Clock,
+        step: usize,
         recorder: &mut R,
     ) -> Result<(), RunError> {
         let times = (clock.time(step - 1), clock.time(step));

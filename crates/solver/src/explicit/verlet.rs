@@ -128,7 +128,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             body.due = true;
         }
         scratch.predict(step.duration);
-        scratch.finish(row, (step, step.duration), &mut work, recorder)?;
+        scratch.finish(row, step, step.duration, &mut work, recorder)?;
         for body in &mut scratch.bodies {
             body.since = 0.0;
         }
@@ -189,8 +189,8 @@ impl<Memory: Copy> Scratch<Memory> {
                 return Ok(());
             }
             self.predict(instant);
-            self.gather(row.pairs(), (instant, step.at(instant).0));
-            self.finish(row, (step, instant), work, recorder)?;
+            self.gather(row.pairs(), instant, step.at(instant).0);
+            self.finish(row, step, instant, work, recorder)?;
             for (touching, closing) in self.impacts.touching.iter().zip(&mut self.closings) {
                 if *touching {
                     *closing = f64::NAN;
@@ -213,7 +213,7 @@ impl<Memory: Copy> Scratch<Memory> {
     }
 
     /// Chooses the structures that need a state at this instant: those hit, and whom they touch, with all their floors.
-    fn gather(&mut self, pairs: &[Pair], (instant, ground): (f64, Ground<'_>)) {
+    fn gather(&mut self, pairs: &[Pair], instant: f64, ground: Ground<'_>) {
         for body in &mut self.bodies {
             body.due = false;
         }
@@ -254,7 +254,8 @@ impl<Memory: Copy> Scratch<Memory> {
     fn finish<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        (step, instant): (Step<'_>, f64),
+        step: Step<'_>,
+        instant: f64,
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {
@@ -262,7 +263,7 @@ impl<Memory: Copy> Scratch<Memory> {
         row.push(&mut self.ends, &mut self.approaches, ground);
         self.share(row.pairs(), instant);
         if self.storeys.is_some() {
-            return self.finish_storeys(row, (step, instant), work, recorder);
+            return self.finish_storeys(row, step, instant, work, recorder);
         }
         for (structure, node) in row.nodes().iter().enumerate() {
             let body = &mut self.bodies[structure];

@@ -4,6 +4,9 @@
 //! away at least the demand of every pair, 0 ≤ W P − demand ⟂ P ≥ 0. W has no positive element off its diagonal (a
 //! push on a structure drives it into its other neighbour), so that growing the set of pushing pairs is enough: a pair
 //! once taken in never has to leave (R. Chandrasekaran, *Opsearch* 7 (1970) 263).
+//!
+//! `exact/impacts.rs` solves the same problem in another way on purpose: it keeps rates of deformation that are no differences of
+//! velocities. This one takes mobilities, which Moreau–Jean stepping changes from step to step.
 
 #![expect(
     clippy::inline_always,

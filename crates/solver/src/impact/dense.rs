@@ -2,7 +2,7 @@
 //!
 //! Asked is P with 0 ≤ W P − demand ⟂ P ≥ 0. A push on one storey helps the pairs of the same two buildings on others, so
 //! that W has positive elements off its diagonal, and a pair once taken in may have to leave: growing the set, as
-//! `together.rs` does, is not enough. W is symmetric and positive definite; P then is the one minimum of ½ Pᵀ W P − demandᵀ P
+//! `chain.rs` does, is not enough. W is symmetric and positive definite; P then is the one minimum of ½ Pᵀ W P − demandᵀ P
 //! over P ≥ 0.
 //!
 //! Source: C. L. Lawson & R. J. Hanson, *Solving Least Squares Problems* (1974), ch. 23: pairs enter one by one, those

@@ -115,13 +115,14 @@ impl Impacts {
     pub(crate) fn impose<Column: RestoringForce, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        (states, impulses): (&mut [State], &[f64]),
+        states: &mut [State],
+        impulses: &[f64],
         instant: (Ground<'_>, f64),
         recorder: &mut R,
     ) {
         self.impulses.copy_from_slice(impulses);
         self.remember(states);
-        strike(row, impulses, (&mut self.net, states));
+        strike(row, impulses, &mut self.net, states);
         self.settle(row, states, instant, recorder);
     }
 
@@ -139,7 +140,7 @@ impl Impacts {
         (ground, time): (Ground<'_>, f64),
         recorder: &mut R,
     ) {
-        self.report(row.pairs(), states, (ground, time), recorder);
+        self.report(row.pairs(), states, ground, time, recorder);
         for node in 0..states.len() {
             if self.feels_jump(row, node, states) {
                 states[node].acceleration = row.acceleration(node, states, ground.under(node));
@@ -163,7 +164,8 @@ impl Impacts {
         &self,
         pairs: &[Pair],
         states: &[State],
-        (ground, time): (Ground<'_>, f64),
+        ground: Ground<'_>,
+        time: f64,
         recorder: &mut R,
     ) {
         for (index, (pair, &impulse)) in pairs.iter().zip(&self.impulses).enumerate() {
@@ -194,7 +196,8 @@ impl Impacts {
 fn strike<Column: RestoringForce>(
     row: &Row<Column>,
     impulses: &[f64],
-    (net, states): (&mut [f64], &mut [State]),
+    net: &mut [f64],
+    states: &mut [State],
 ) {
     net.fill(0.0);
     for (pair, impulse) in row.pairs().iter().zip(impulses) {

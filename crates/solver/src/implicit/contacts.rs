@@ -53,7 +53,8 @@ impl Contacts {
         &mut self,
         row: &Row<Column>,
         scratch: &Scratch<Column::Memory>,
-        (dt, ground): (f64, Ground<'_>),
+        dt: f64,
+        ground: Ground<'_>,
     ) {
         self.impulses.fill(0.0);
         for (pair, closed) in row.pairs().iter().zip(&mut self.closed) {

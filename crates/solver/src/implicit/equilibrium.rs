@@ -35,7 +35,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
                 );
                 evaluate(node, trial, drift, (slopes, ground.under(index)));
                 let carrying = &row.nodes()[floor.below];
-                stand((node, trial), (carrying, below), &floor, slopes);
+                stand(node, trial, carrying, below, &floor, slopes);
             }
             Support::Ground | Support::Floor(_) => {
                 let trial = &mut trials[index];
@@ -48,7 +48,7 @@ pub(crate) fn residual<Column: RestoringForce, C: Cluster>(
     }
     work.force_evaluations += n_nodes;
     for pair in cluster.pairs() {
-        couple(row, &row.pairs()[pair], trials, (slopes, ground));
+        couple(row, &row.pairs()[pair], trials, slopes, ground);
     }
     let mut sum = 0.0;
     for index in cluster.nodes() {
@@ -109,8 +109,10 @@ fn extent<Memory>(trial: &Trial<Memory>) -> (f64, f64) {
 /// Adds what a storey does to the floor below it, and what standing on a floor adds to its own.
 #[inline]
 fn stand<Column: RestoringForce>(
-    (node, trial): (&Node<Column>, &mut Trial<Column::Memory>),
-    (carrying, below): (&Node<Column>, &mut Trial<Column::Memory>),
+    node: &Node<Column>,
+    trial: &mut Trial<Column::Memory>,
+    carrying: &Node<Column>,
+    below: &mut Trial<Column::Memory>,
     floor: &Floor,
     slopes: Slopes,
 ) {
@@ -143,7 +145,8 @@ fn couple<Column: RestoringForce>(
     row: &Row<Column>,
     pair: &Pair,
     trials: &mut [Trial<Column::Memory>],
-    (slopes, ground): (Slopes, Ground<'_>),
+    slopes: Slopes,
+    ground: Ground<'_>,
 ) {
     let (left, right) = (&trials[pair.left], &trials[pair.right]);
     let deformation = ground.deformation(pair, left.displacement - right.displacement);

@@ -69,9 +69,9 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
                 alpha * slopes.inertia * row.acceleration(node, states, at_ends[0].under(node));
         }
         let time = clock.time(step);
-        balance(row, &mut scratch, (slopes, at_ends), time, &mut work)?;
-        arrive(&mut scratch, (clock, step))?;
-        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+        balance(row, &mut scratch, slopes, at_ends, time, &mut work)?;
+        arrive(&mut scratch, clock, step)?;
+        commit(row, &mut scratch, clock, step, recorder, |node, ends| {
             let load = |at: usize| load::<_, R>(row, node, ends[at], at_ends[at].under(node));
             let (start, end) = (load(0), load(1));
             // m ü at the start is (1+α) times its own load less α times the one before; at t = 0 its own.

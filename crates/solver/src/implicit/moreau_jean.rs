@@ -87,18 +87,18 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
         let instant = (at_ends[1], clock.time(step));
         solution.solve(row, &mut scratch, (slopes, (at_ends, instant.1)), &mut work)?;
         let contacts = &solution.contacts;
-        arrive(&mut scratch, (clock, step))?;
+        arrive(&mut scratch, clock, step)?;
         let hit = contacts.impulses.iter().any(|impulse| *impulse > 0.0);
         if hit {
             contacts.release(row, &mut scratch.ends, at_ends[1]);
         }
-        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+        commit(row, &mut scratch, clock, step, recorder, |node, ends| {
             // The smooth forces at the end are those of the velocities after the impulses.
             let after = |node: usize| {
                 ends[1][node].velocity + row.nodes()[node].inverse_mass * contacts.net[node]
             };
             let start = load::<_, R>(row, node, ends[0], at_ends[0].under(node));
-            let end = load_at::<_, R>(row, node, ends[1], (at_ends[1].under(node), after));
+            let end = load_at::<_, R>(row, node, ends[1], at_ends[1].under(node), after);
             ((dt, [1.0 - theta, theta]), [start, end])
         });
         work.touching_steps += contacts.n_touching(row, &scratch, at_ends[1]);
@@ -106,7 +106,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             let Scratch {
                 states, impacts, ..
             } = &mut scratch;
-            impacts.impose(row, (states, &contacts.impulses), instant, recorder);
+            impacts.impose(row, states, &contacts.impulses, instant, recorder);
         }
         work.steps += 1;
     }
@@ -134,14 +134,14 @@ impl Solution {
         work: &mut Work,
     ) -> Result<(), RunError> {
         self.contacts
-            .choose(row, scratch, (slopes.time_step, ground[0]));
+            .choose(row, scratch, slopes.time_step, ground[0]);
         for (rate, pair) in self.contacts.opening_rates.iter_mut().zip(row.pairs()) {
             *rate = ground[1].opening(pair).velocity;
         }
         for iterations in 0..=MAX_ITERATIONS {
             self.contacts.solution = iterations;
             self.contacts.predict(row, scratch, slopes);
-            balance(row, scratch, (slopes, ground), time, work)?;
+            balance(row, scratch, slopes, ground, time, work)?;
             if iterations == 0 {
                 self.contacts.approach(row, scratch, ground[0]);
             }

@@ -109,9 +109,9 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
             );
         }
         let time = clock.time(step);
-        balance(row, &mut scratch, (slopes, at_ends), time, &mut work)?;
-        arrive(&mut scratch, (clock, step))?;
-        commit(row, &mut scratch, (clock, step), recorder, |node, ends| {
+        balance(row, &mut scratch, slopes, at_ends, time, &mut work)?;
+        arrive(&mut scratch, clock, step)?;
+        commit(row, &mut scratch, clock, step, recorder, |node, ends| {
             let load =
                 |index: usize| load::<_, R>(row, node, ends[index], at_ends[index].under(node));
             (weights, [load(0), load(1)])
@@ -152,7 +152,8 @@ pub(crate) fn begin<Column: RestoringForce>(
 pub(crate) fn balance<Column: RestoringForce>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-    (slopes, ground): (Slopes, [Ground<'_>; 2]),
+    slopes: Slopes,
+    ground: [Ground<'_>; 2],
     time: f64,
     work: &mut Work,
 ) -> Result<(), RunError> {
@@ -192,7 +193,7 @@ pub(crate) fn balance<Column: RestoringForce>(
         }
     }
     touching.fill(false);
-    while mark_overlaps(row, equation.trials, (touching, ground[1])) {
+    while mark_overlaps(row, equation.trials, touching, ground[1]) {
         match clusters {
             None => equation.solve_lines(touching)?,
             Some(clusters) => equation.solve_clusters(clusters, touching)?,
@@ -300,7 +301,8 @@ pub(crate) fn marked<Column: RestoringForce>(
 fn mark_overlaps<Column: RestoringForce>(
     row: &Row<Column>,
     trials: &mut [Trial<Column::Memory>],
-    (touching, ground): (&mut [bool], Ground<'_>),
+    touching: &mut [bool],
+    ground: Ground<'_>,
 ) -> bool {
     let mut grown = false;
     for (pair, touching) in row.pairs().iter().zip(touching) {
@@ -320,7 +322,8 @@ fn mark_overlaps<Column: RestoringForce>(
 /// Takes over the states at the end of a step.
 pub(crate) fn arrive<Memory: Copy>(
     scratch: &mut Scratch<Memory>,
-    (clock, step): (Clock, usize),
+    clock: Clock,
+    step: usize,
 ) -> Result<(), RunError> {
     let ends = scratch.ends.iter_mut().zip(&scratch.trials);
     for (structure, (end, trial)) in ends.enumerate() {
@@ -345,7 +348,7 @@ pub(crate) fn load<Column: RestoringForce, R: Recorder>(
     ground: f64,
 ) -> Load {
     let velocity = |index: usize| states[index].velocity;
-    load_at::<_, R>(row, node, states, (ground, velocity))
+    load_at::<_, R>(row, node, states, ground, velocity)
 }
 
 /// The same with damping at other velocities than those of the states.
@@ -354,7 +357,8 @@ pub(crate) fn load_at<Column: RestoringForce, R: Recorder>(
     row: &Row<Column>,
     node: usize,
     states: &[State],
-    (ground, velocity): (f64, impl Fn(usize) -> f64),
+    ground: f64,
+    velocity: impl Fn(usize) -> f64,
 ) -> Load {
     let state = &states[node];
     let forces = if !R::READS_WEIGHED {
@@ -385,7 +389,8 @@ fn storeys<Column: RestoringForce>(
 pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,
-    (clock, step): (Clock, usize),
+    clock: Clock,
+    step: usize,
     recorder: &mut R,
     mut weighed: impl FnMut(usize, [&[State]; 2]) -> ((f64, [f64; N]), [Load; N]),
 ) {

@@ -79,8 +79,8 @@ impl Closings {
     }
 
     /// A piece of the motion of a structure, for the gaps on both sides.
-    fn follow(&mut self, (structure, travel): (usize, Option<&Travel>), piece: Cubic) {
-        let wall = |node: usize| self.walls[node].then(|| piece.of_ground((node, travel)));
+    fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: Cubic) {
+        let wall = |node: usize| self.walls[node].then(|| piece.of_ground(node, travel));
         if let Some(left) = structure.checked_sub(1) {
             self.gaps[left].follow(1, piece, wall(left));
         }
@@ -129,11 +129,11 @@ impl Recorder for Closings {
             let share = f64::from(look) / f64::from(looks);
             let time = span.start_time + share * span.duration();
             let end = node(time, span.at(time));
-            self.follow((span.structure, travel.as_ref()), Cubic { start, end });
+            self.follow(span.structure, travel.as_ref(), Cubic { start, end });
             start = end;
         }
         let end = node(span.end_time, span.end);
-        self.follow((span.structure, travel.as_ref()), Cubic { start, end });
+        self.follow(span.structure, travel.as_ref(), Cubic { start, end });
         self.travel = travel;
     }
 
@@ -188,7 +188,7 @@ impl Node {
 
 impl Cubic {
     /// The ground of a node over the same interval.
-    fn of_ground(self, (node, travel): (usize, Option<&Travel>)) -> Self {
+    fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
         let at = |time: f64| {
             let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
             Node::new(time, ground)

@@ -66,7 +66,7 @@ impl Flight {
         let mut force = self.restoring_force;
         for n in 0..self.len {
             let ground = self.ground.get(n).copied().unwrap_or(0.0);
-            let a = self.acceleration((v, force), ground);
+            let a = self.acceleration(v, force, ground);
             (room.displacement[n], room.velocity[n], room.acceleration[n]) = (u, v, a);
             let next = 1.0 / (n + 1) as f64;
             (u, v) = (v * next, a * next);
@@ -84,7 +84,7 @@ impl Flight {
 
     /// Acceleration over the ground at this velocity and restoring force, under this ground acceleration.
     #[inline]
-    pub(crate) fn acceleration(&self, (velocity, force): (f64, f64), ground: f64) -> f64 {
+    pub(crate) fn acceleration(&self, velocity: f64, force: f64, ground: f64) -> f64 {
         self.inverse_mass * (0.0 - (self.damping * velocity + force)) - ground
     }
 

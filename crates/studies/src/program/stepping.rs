@@ -97,7 +97,7 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
             self.advance(acceleration);
             self.check(loaded.time(step + 1))?;
             let times = [step.saturating_sub(1), step].map(|step| loaded.time(step));
-            self.report(times, (seen, momentum));
+            self.report(times, seen, momentum);
             self.hit(loaded.time(step + 1));
             for body in &mut self.bodies {
                 let [_, here, next] = body.displacements;
@@ -240,7 +240,8 @@ impl<'a, Column: RestoringForce> Run<'a, Column> {
     fn report<R: Recorder>(
         &mut self,
         [start_time, end_time]: [f64; 2],
-        (seen, momentum): (&mut R, &mut TransferredMomentum),
+        seen: &mut R,
+        momentum: &mut TransferredMomentum,
     ) {
         let (dt, row) = (self.time_step, self.row);
         for (structure, (body, node)) in self.bodies.iter_mut().zip(row.nodes()).enumerate() {

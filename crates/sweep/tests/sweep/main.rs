@@ -279,7 +279,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
     let sweep = sweep(&folder, &words);
     let fill = |out: &str, shard: Shard, stop: &'static AtomicBool| {
         let parts = Parts::open(&sweep, &folder.join(out), false).expect("parts");
-        parts.fill(&sweep, shard, (stop, &|_| ())).expect("a disk");
+        parts.fill(&sweep, shard, stop, &|_| ()).expect("a disk");
         parts
     };
     let whole = fill("whole.csv", Shard::WHOLE, &GO);
@@ -337,7 +337,7 @@ fn limit_a_compressed_table_is_the_same_table() {
     let (plain, compressed) = (folder.join("runs.csv"), folder.join("runs.csv.zst"));
     let parts = Parts::open(&sweep, &plain, false).expect("parts");
     parts
-        .fill(&sweep, Shard::WHOLE, (&GO, &|_| ()))
+        .fill(&sweep, Shard::WHOLE, &GO, &|_| ())
         .expect("a disk");
     let folders = [parts.folder().to_path_buf()];
     for out in [&plain, &compressed] {

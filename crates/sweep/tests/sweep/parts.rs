@@ -30,7 +30,7 @@ fn limit_a_table_cut_otherwise_has_the_same_bytes() {
         }
         for shard in [Shard::new(2, 2).expect("a shard"), Shard::WHOLE] {
             let parts = Parts::open(&sweep, &out, false).expect("they go on");
-            parts.fill(&sweep, shard, (&GO, &|_| ())).expect("a disk");
+            parts.fill(&sweep, shard, &GO, &|_| ()).expect("a disk");
             assert_eq!(parts.runs_there(shard), parts.runs_of(shard));
         }
         let first = parts.folder().join("part-000000000.csv");

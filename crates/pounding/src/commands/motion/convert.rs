@@ -76,28 +76,28 @@ struct Motion {
 }
 
 /// Writes the CSV, and beside it where it comes from; returns what was written.
-pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
+pub(super) fn run(args: &Arguments) -> Result<String, String> {
     let _waiting = Waiting::new("processing");
-    let ending = asked.file.extension().unwrap_or_default();
+    let ending = args.file.extension().unwrap_or_default();
     let motion = if ending == "toml" || ending == "json" {
-        of_scene(asked)?
+        of_scene(args)?
     } else {
-        of_file(asked)?
+        of_file(args)?
     };
-    let beside = asked.out.with_extension("provenance.json");
+    let beside = args.out.with_extension("provenance.json");
     let origin = motion.origin.as_ref().map(|origin| origin.path.as_path());
-    let read_from: Vec<&Path> = origin.into_iter().chain([asked.file.as_path()]).collect();
-    for written in [&asked.out, &beside] {
+    let read_from: Vec<&Path> = origin.into_iter().chain([args.file.as_path()]).collect();
+    for written in [&args.out, &beside] {
         keep(&read_from, written)?;
-        new_file::check(written, asked.overwrite)?;
+        new_file::check(written, args.overwrite)?;
     }
-    let text = csv_of(&motion, asked.to);
-    let out = asked.out.display();
+    let text = csv_of(&motion, args.to);
+    let out = args.out.display();
     // What cannot be read again is not written.
     read(text.as_bytes()).map_err(|error| format!("{out}: not written: {error}"))?;
-    new_file::write(&asked.out, text.as_bytes(), asked.overwrite)?;
-    let said = provenance::json_of(asked, &motion);
-    new_file::write(&beside, said.as_bytes(), asked.overwrite)?;
+    new_file::write(&args.out, text.as_bytes(), args.overwrite)?;
+    let said = provenance::json_of(args, &motion);
+    new_file::write(&beside, said.as_bytes(), args.overwrite)?;
     let record = &motion.record;
     let (time, peak) = record.peak();
     Ok(format!(
@@ -127,22 +127,22 @@ fn keep(read_from: &[&Path], written: &Path) -> Result<(), String> {
     }
 }
 
-fn of_file(asked: &Arguments) -> Result<Motion, String> {
+fn of_file(args: &Arguments) -> Result<Motion, String> {
     let record = RecordUse {
-        detrend: asked.processing.detrend(),
-        band_pass: asked.processing.band_pass(),
-        resample_s: asked.processing.resample,
-        scale_to: asked.processing.scale_to()?,
-        scale: asked.processing.scale,
-        reversed: asked.processing.reverse,
-        ..asked.declared.use_of(&asked.file)
+        detrend: args.processing.detrend(),
+        band_pass: args.processing.band_pass(),
+        resample_s: args.processing.resample,
+        scale_to: args.processing.scale_to()?,
+        scale: args.processing.scale,
+        reversed: args.processing.reverse,
+        ..args.declared.use_of(&args.file)
     };
-    let opened = processed(&asked.file, &record)?;
+    let opened = processed(&args.file, &record)?;
     Ok(Motion {
         record: opened.record,
-        gravity: asked.declared.gravity,
+        gravity: args.declared.gravity,
         origin: Some(Origin {
-            path: asked.file.clone(),
+            path: args.file.clone(),
             sha256: opened.sha256,
             file: opened.file,
         }),
@@ -151,9 +151,9 @@ fn of_file(asked: &Arguments) -> Result<Motion, String> {
     })
 }
 
-fn of_scene(asked: &Arguments) -> Result<Motion, String> {
-    let path = &asked.file;
-    if !asked.processing.is_empty() || !asked.declared.is_empty() {
+fn of_scene(args: &Arguments) -> Result<Motion, String> {
+    let path = &args.file;
+    if !args.processing.is_empty() || !args.declared.is_empty() {
         return Err(format!(
             "{}: found options for its record, allowed are --to and --overwrite: a scene says itself how its record is \
              used; change its `record`",

@@ -60,16 +60,16 @@ struct Found {
 }
 
 /// What the files hold.
-pub(super) fn answer(asked: &Arguments) -> Result<String, Failure> {
-    let files = files(&asked.files)?;
+pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
+    let files = files(&args.files)?;
     let strict = files.len() == 1;
     let motions: Vec<_> = files
         .iter()
-        .flat_map(|file| motions(file, &asked.declared))
+        .flat_map(|file| motions(file, &args.declared))
         .collect();
     let progress = Progress::new();
     let line = |(file, component): &(Named, Option<String>)| {
-        let declared = asked.declared.of_component(component.clone());
+        let declared = args.declared.of_component(component.clone());
         let opened = if strict {
             declared.open(&file.path)
         } else {
@@ -80,7 +80,7 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, Failure> {
         Line {
             file: file.clone(),
             // What is asked for may be a part of the name.
-            component: component.clone().map(|asked| spelt.unwrap_or(asked)),
+            component: component.clone().map(|args| spelt.unwrap_or(args)),
             found: opened.map(|opened| Found {
                 orientation: Orientation::of(
                     opened.file.component(),
@@ -95,12 +95,12 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, Failure> {
     let lines: Vec<Line> = motions.par_iter().map(line).collect();
     drop(progress);
     all_refused(&lines)?;
-    let printed = if asked.json {
-        printed::json_of(&lines, asked.declared.gravity)
-    } else if asked.csv {
-        printed::csv_of(&lines, asked.declared.gravity)
+    let printed = if args.json {
+        printed::json_of(&lines, args.declared.gravity)
+    } else if args.csv {
+        printed::csv_of(&lines, args.declared.gravity)
     } else {
-        printed::text(&lines, asked.declared.gravity)
+        printed::text(&lines, args.declared.gravity)
     };
     match named_refused(&lines) {
         None => Ok(printed),
@@ -115,7 +115,7 @@ fn motions(file: &Named, declared: &Declared) -> Vec<(Named, Option<String>)> {
         components(&bytes).ok().filter(|names| names.len() > 1)
     };
     let components = match &declared.component {
-        Some(asked) => vec![Some(asked.clone())],
+        Some(args) => vec![Some(args.clone())],
         None => match names() {
             Some(names) => names.into_iter().map(Some).collect(),
             None => vec![None],

@@ -35,10 +35,10 @@ enum Command {
 }
 
 /// Runs the subcommand; returns what is printed.
-pub(crate) fn answer(asked: &Arguments) -> Result<String, Failure> {
-    match &asked.command {
-        Command::Info(asked) => info::answer(asked),
-        Command::Convert(asked) => Ok(convert::answer(asked)?),
-        Command::Spectrum(asked) => Ok(spectrum::answer(asked)?),
+pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
+    match &args.command {
+        Command::Info(args) => info::run(args),
+        Command::Convert(args) => Ok(convert::run(args)?),
+        Command::Spectrum(args) => Ok(spectrum::run(args)?),
     }
 }

@@ -94,17 +94,17 @@ const COUNT: u32 = 100;
 const DRAWN: u32 = 400;
 
 /// The spectra.
-pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
-    let opened = asked.declared.open(&asked.file)?;
-    let periods = periods(asked)?;
-    let drawn = asked.figure.as_ref().map(|_| between(asked, &periods));
+pub(super) fn run(args: &Arguments) -> Result<String, String> {
+    let opened = args.declared.open(&args.file)?;
+    let periods = periods(args)?;
+    let drawn = args.figure.as_ref().map(|_| between(args, &periods));
     let progress = Progress::new();
     let n_drawn = drawn.as_ref().map_or(0, Vec::len);
-    let runs = (periods.len() + n_drawn) * asked.damping.len();
+    let runs = (periods.len() + n_drawn) * args.damping.len();
     let values = |periods: &[f64], damping_ratio: f64| {
         let done = || progress.step(runs);
         response_spectrum_watched(&opened.record, periods, damping_ratio, &done)
-            .map_err(|error| format!("{}: {error}", asked.file.display()))
+            .map_err(|error| format!("{}: {error}", args.file.display()))
     };
     let spectra = |periods: &[f64]| -> Result<Vec<Spectrum>, String> {
         let spectrum = |&damping_ratio: &f64| {
@@ -113,37 +113,37 @@ pub(super) fn answer(asked: &Arguments) -> Result<String, String> {
                 values: values(periods, damping_ratio)?,
             })
         };
-        asked.damping.iter().map(spectrum).collect()
+        args.damping.iter().map(spectrum).collect()
     };
     let listed = spectra(&periods)?;
     let curves = drawn.map(|periods| spectra(&periods)).transpose()?;
     drop(progress);
-    if let (Some(path), Some(curves)) = (&asked.figure, curves) {
-        draw(asked, &opened, &with(curves, &listed), path)?;
+    if let (Some(path), Some(curves)) = (&args.figure, curves) {
+        draw(args, &opened, &with(curves, &listed), path)?;
     }
-    Ok(if asked.json {
-        json_of(asked, &opened, &listed)
-    } else if asked.csv {
+    Ok(if args.json {
+        json_of(args, &opened, &listed)
+    } else if args.csv {
         csv_of(&listed)
     } else {
-        text(asked, &opened, &listed)
+        text(args, &opened, &listed)
     })
 }
 
 /// The periods that are asked for.
-fn periods(asked: &Arguments) -> Result<Vec<f64>, String> {
-    if !asked.periods.is_empty() {
-        return Ok(asked.periods.clone());
+fn periods(args: &Arguments) -> Result<Vec<f64>, String> {
+    if !args.periods.is_empty() {
+        return Ok(args.periods.clone());
     }
-    let (from, to) = (asked.from, asked.to);
-    if from >= to && asked.count != Some(1) {
+    let (from, to) = (args.from, args.to);
+    if from >= to && args.count != Some(1) {
         return Err(format!(
             "--from: found {from}, allowed less than --to, which is {to}; exchange them, or ask for --count 1",
         ));
     }
-    Ok(match asked.count {
+    Ok(match args.count {
         Some(count) => pounding::scene::periods_between(from, to, count),
-        None if asked.csv || asked.json => pounding::scene::periods_between(from, to, COUNT),
+        None if args.csv || args.json => pounding::scene::periods_between(from, to, COUNT),
         None => {
             let inside = TABLE
                 .into_iter()
@@ -154,14 +154,14 @@ fn periods(asked: &Arguments) -> Result<Vec<f64>, String> {
 }
 
 /// Periods of a figure, from the shortest to the longest of a table; of a table with fewer than two the usual ones.
-fn between(asked: &Arguments, periods: &[f64]) -> Vec<f64> {
+fn between(args: &Arguments, periods: &[f64]) -> Vec<f64> {
     let positive = || periods.iter().copied().filter(|period| *period > 0.0);
     let (mut from, mut to) = (
         positive().fold(f64::INFINITY, f64::min),
         positive().fold(0.0, f64::max),
     );
     if from >= to {
-        (from, to) = (asked.from.min(from), asked.to.max(to));
+        (from, to) = (args.from.min(from), args.to.max(to));
     }
     pounding::scene::periods_between(from, to, DRAWN)
 }
@@ -178,39 +178,39 @@ fn with(mut curves: Vec<Spectrum>, listed: &[Spectrum]) -> Vec<Spectrum> {
 }
 
 fn draw(
-    asked: &Arguments,
+    args: &Arguments,
     opened: &Opened,
     spectra: &[Spectrum],
     path: &Path,
 ) -> Result<(), String> {
-    let name = asked.file.file_name().unwrap_or_default();
-    let title = match component(asked, opened) {
+    let name = args.file.file_name().unwrap_or_default();
+    let title = match component(args, opened) {
         Some(component) => format!("{} {component}", name.to_string_lossy()),
         None => name.to_string_lossy().into_owned(),
     };
     let shown = SpectraLabels {
         title: &title,
-        gravity: asked.declared.gravity,
+        gravity: args.declared.gravity,
     };
     let (svg, png) = spectra_figure(spectra, shown)
         .map_err(|error| format!("--figure {}: {error}", path.display()))?;
     let is_png = path.extension().is_some_and(|ending| ending == "png");
     let bytes = if is_png { &png } else { svg.as_bytes() };
-    new_file::write(path, bytes, asked.overwrite)
+    new_file::write(path, bytes, args.overwrite)
 }
 
 /// The component that was asked for, as the file spells it.
-fn component(asked: &Arguments, opened: &Opened) -> Option<String> {
-    let declared = asked.declared.component.clone()?;
+fn component(args: &Arguments, opened: &Opened) -> Option<String> {
+    let declared = args.declared.component.clone()?;
     Some(opened.component().unwrap_or(declared))
 }
 
-fn text(asked: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
-    let gravity = asked.declared.gravity;
+fn text(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
+    let gravity = args.declared.gravity;
     let (time, peak) = opened.record.peak();
     let record = format!(
         "{}\n{}, {} samples, {} s apart, peak {} g at {} s",
-        asked.file.display(),
+        args.file.display(),
         opened.file.format().name(),
         opened.record.samples().len(),
         opened.record.time_step(),
@@ -220,7 +220,7 @@ fn text(asked: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
     let mut parts = vec![paragraph("Record", &record)];
     parts.extend(spectra.iter().map(|spectrum| table_of(spectrum, gravity)));
     parts.push(paragraph("Notes", NOTES));
-    if let Some(path) = &asked.figure {
+    if let Some(path) = &args.figure {
         parts.push(paragraph("Figure", &path.display().to_string()));
     }
     parts.join("\n")
@@ -278,7 +278,7 @@ fn csv_of(spectra: &[Spectrum]) -> String {
     csv_text(&header, rows)
 }
 
-fn json_of(asked: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
+fn json_of(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
     let values = |values: &SpectralValues| -> Value {
         let numbers = numbers(values).map(|(name, value)| (name.to_string(), json!(value)));
         numbers
@@ -293,9 +293,9 @@ fn json_of(asked: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
         })
     };
     let all = json!({
-        "file": asked.file.display().to_string(),
-        "component": component(asked, opened),
-        "gravity_m_per_s2": asked.declared.gravity,
+        "file": args.file.display().to_string(),
+        "component": component(args, opened),
+        "gravity_m_per_s2": args.declared.gravity,
         "spectra": spectra.iter().map(spectrum).collect::<Vec<_>>(),
     });
     json_text(&all)

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use pounding::report::{CollisionSummary, PairSummary, StructureSummary};
 use pounding::scene::{
-    Error, Errors, Implausible, PairOutcome, Quantity, Review, Scene, Simulation,
+    Error, Errors, Implausible, PairOutcome, QuantityGroup, Review, Scene, Simulation,
 };
 use pounding::text::digits;
 
@@ -41,7 +41,7 @@ struct Found {
 impl Found {
     fn new(prepared: &Simulation, review: &Review) -> Self {
         let (error, why) = match &review.errors {
-            Errors::Measured(errors, _) => (Some(errors.largest(Quantity::All).0), ""),
+            Errors::Measured(errors, _) => (Some(errors.largest(QuantityGroup::All).0), ""),
             Errors::Exact => (None, "exact"),
             Errors::Doubtful | Errors::NotMeasured | Errors::Unknown(_) => (None, NONE),
         };
@@ -88,30 +88,30 @@ impl Found {
 }
 
 /// The scene under every record of a folder.
-pub(super) fn answer(asked: &Arguments, folder: &Path) -> Result<String, String> {
-    let path = &asked.scene;
+pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
+    let path = &args.scene;
     let scene: Scene = Scene::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
-    let directions: &[bool] = if asked.suite.both {
+    let directions: &[bool] = if args.suite.both {
         &[false, true]
     } else {
         &[scene.record.reversed]
     };
-    if let Some(out) = &asked.results.out {
-        folder::check(out, asked.results.overwrite)?;
+    if let Some(out) = &args.results.out {
+        folder::check(out, args.results.overwrite)?;
     }
     let ran = suite::lines(&scene, folder, directions, |prepared| {
-        let review = prepared.review(!asked.model.no_error)?;
+        let review = prepared.review(!args.model.no_error)?;
         Ok(Found::new(prepared, &review))
     })?;
     let lines = &ran.lines;
-    let mut answer = match asked.printed() {
+    let mut answer = match args.printed() {
         Printed::Text => text(&scene, lines),
         Printed::Csv => data::csv(lines),
         Printed::Json => data::json(&scene, lines),
     };
-    if let Some(out) = &asked.results.out {
+    if let Some(out) = &args.results.out {
         folder::write(out, &files(&scene, lines))?;
-        if asked.printed() == Printed::Text {
+        if args.printed() == Printed::Text {
             let results = paragraph("Results", &out.display().to_string());
             answer = format!("{answer}\n{results}");
         }

@@ -26,7 +26,7 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
                 "up to 2 m; it is in metres",
             ),
         );
-        doubt_the_law(prepared, (index, contact), doubts);
+        doubt_the_law(prepared, index, contact, doubts);
     }
     let arrivals = scene.arrivals_s.as_deref().unwrap_or_default();
     for (index, two) in arrivals.windows(2).enumerate() {
@@ -43,7 +43,7 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
 }
 
 /// A compliant law so soft that collisions last as long as vibrations.
-fn doubt_the_law(prepared: &Simulation, (index, contact): (usize, &Contact), doubts: &mut Doubts) {
+fn doubt_the_law(prepared: &Simulation, index: usize, contact: &Contact, doubts: &mut Doubts) {
     let floors = prepared.floors();
     let mut facing = floors.facing().iter().filter(|one| one.contact == index);
     let Some(facing) = facing.next() else {

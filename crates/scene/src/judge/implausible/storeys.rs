@@ -42,7 +42,8 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
         );
         doubt_the_yielding(
             &place("yield_drift_ratio"),
-            (&one.columns, one.height_m),
+            &one.columns,
+            one.height_m,
             doubts,
         );
     }
@@ -53,7 +54,8 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
 /// Columns that yield at an unusual part of their height, however that is given.
 pub(super) fn doubt_the_yielding(
     place: &str,
-    (columns, height): (&Columns, Option<f64>),
+    columns: &Columns,
+    height: Option<f64>,
     doubts: &mut Doubts,
 ) {
     let Some((force, height)) = columns.yield_force_n.zip(height) else {

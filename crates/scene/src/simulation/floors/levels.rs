@@ -17,9 +17,9 @@ pub(super) fn of(scene: &Scene) -> Result<Levels, SceneError> {
     for (contact, one) in scene.contacts.iter().flatten().enumerate() {
         let facing = facing(scene, &levels, contact);
         match &one.levels {
-            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, (chosen, facing))?,
+            Some(chosen) if !facing.is_empty() => check_chosen(scene, contact, chosen, facing)?,
             _ if known == Heights::Known => {
-                check_heights(scene, &elevations, (contact, facing))?;
+                check_heights(scene, &elevations, contact, facing)?;
             }
             _ => {}
         }
@@ -102,7 +102,8 @@ fn names(scene: &Scene, two: [usize; 2]) -> [String; 2] {
 fn check_chosen(
     scene: &Scene,
     contact: usize,
-    (chosen, allowed): (&[usize], Vec<usize>),
+    chosen: &[usize],
+    allowed: Vec<usize>,
 ) -> Result<(), SceneError> {
     let names = names(scene, [contact, contact + 1]).into();
     if chosen.is_empty() {
@@ -128,7 +129,8 @@ fn check_chosen(
 fn check_heights(
     scene: &Scene,
     elevations: &[Option<Vec<f64>>],
-    (contact, facing): (usize, Vec<usize>),
+    contact: usize,
+    facing: Vec<usize>,
 ) -> Result<(), SceneError> {
     let (Some(left), Some(right)) = (&elevations[contact], &elevations[contact + 1]) else {
         return Ok(());

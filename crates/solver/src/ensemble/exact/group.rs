@@ -41,7 +41,7 @@ pub(super) fn run<S: Simd>(
             if alone.is_empty() {
                 continue;
             }
-            go_alone(simd, interval, &mut scenes, (&alone, &mut waiting));
+            go_alone(simd, interval, &mut scenes, &alone, &mut waiting);
             for scene in &alone {
                 let group = &mut groups[scene / Lanes::<S>::N];
                 group.take(scene % Lanes::<S>::N, &scenes[*scene]);
@@ -64,7 +64,8 @@ fn go_alone<S: Simd>(
     simd: S,
     interval: &Interval,
     scenes: &mut [Scene],
-    (alone, waiting): (&[usize], &mut Vec<usize>),
+    alone: &[usize],
+    waiting: &mut Vec<usize>,
 ) {
     for scene in alone {
         scenes[*scene].set_out();

@@ -32,7 +32,7 @@ pub(super) fn press<S: Simd>(
                 && let Some(scene) = waiting.next()
                 && let Some(contact) = scenes[*scene].contact.take()
             {
-                pressing.take(lane, &scenes[*scene], (&contact, interval));
+                pressing.take(lane, &scenes[*scene], &contact, interval);
                 *inside = Some((*scene, contact));
                 refilled = true;
             }

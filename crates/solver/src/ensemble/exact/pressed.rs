@@ -69,7 +69,7 @@ impl<N: Number> Point<N> {
 impl<N: Number> Half<N> {
     /// Acceleration over the ground \[m/s²\] at a displacement and velocity, pushed by a force \[N\].
     #[inline(always)]
-    fn acceleration(&self, [u, v]: [N; 2], (force, ground): (N, N)) -> N {
+    fn acceleration(&self, [u, v]: [N; 2], force: N, ground: N) -> N {
         let force = force - (self.damping * v + self.stiffness * u);
         self.inverse_mass * force - self.mobile * ground
     }
@@ -96,8 +96,8 @@ impl<N: Number> Pressed<N> {
         let [value, slope] = self.ground;
         let ground = value + slope * fourth_power(s);
         let force = self.force(state);
-        let left = self.left.acceleration([u, v], (-force, ground));
-        let right = self.right.acceleration([w, z], (force, ground));
+        let left = self.left.acceleration([u, v], -force, ground);
+        let right = self.right.acceleration([w, z], force, ground);
         let factor = s.like(4.0) * s * s * s;
         let mut rates = [v, left, z, right, force];
         for rate in &mut rates {

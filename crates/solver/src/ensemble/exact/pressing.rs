@@ -117,7 +117,8 @@ impl<S: Simd> Pressing<S> {
         &mut self,
         lane: usize,
         scene: &Scene,
-        (contact, interval): (&Contact, &Interval),
+        contact: &Contact,
+        interval: &Interval,
     ) {
         let since = fourth_power(contact.s);
         let ahead = interval.after(scene.at);

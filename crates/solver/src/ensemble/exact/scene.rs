@@ -5,7 +5,7 @@ use pounding_contact::Action;
 use super::Interval;
 use super::contact::Contact;
 use super::pair::{GivenUp, Scene, Stage};
-use crate::exact::roots::{CAPACITY, quick_first_rise};
+use crate::exact::roots::{CAPACITY, quick_first_root};
 use crate::span::{Expansion, value};
 
 /// Events of a scene between two samples; with more of them bounces come to rest.
@@ -104,7 +104,7 @@ impl Scene {
         } else {
             deformation[0] - self.gap
         };
-        if let Some(touch) = quick_first_rise(deformation, length) {
+        if let Some(touch) = quick_first_root(deformation, length) {
             (length, event) = (touch, Event::Touch);
         }
         for (index, (side, room)) in self.sides.iter().zip(&rooms).enumerate() {
@@ -123,7 +123,7 @@ impl Scene {
             for (rate, coefficient) in falling.iter_mut().zip(rates) {
                 *rate = -first.signum() * coefficient;
             }
-            if let Some(turn) = quick_first_rise(falling, length) {
+            if let Some(turn) = quick_first_root(falling, length) {
                 (length, event) = (turn, Event::Turn(index));
             }
         }

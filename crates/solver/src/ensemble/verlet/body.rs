@@ -122,7 +122,9 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
     pub(super) fn finish_span(
         &self,
         motion: &mut Motion<S, Column>,
-        (length, goes, push): (&Length<Lanes<S>>, Mask<S>, Push<S>),
+        length: &Length<Lanes<S>>,
+        goes: Mask<S>,
+        push: Push<S>,
         ground: Lanes<S>,
     ) {
         let before = *motion;

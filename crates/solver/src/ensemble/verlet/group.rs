@@ -132,7 +132,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         ];
         let all = Mask::splat(ground.token(), true);
         for ((constants, motion), push) in constants.iter().zip(motions).zip(pushes) {
-            constants.finish_span(motion, (&constants.step, all, push), ground);
+            constants.finish_span(motion, &constants.step, all, push, ground);
         }
     }
 
@@ -154,18 +154,18 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
             let moves = closes & instant.exceeds(zero);
             for (constants, motion) in self.constants.iter().zip(&mut self.motions) {
                 let length = constants.span(instant);
-                constants.finish_span(motion, (&length, moves, nothing), ground);
+                constants.finish_span(motion, &length, moves, nothing, ground);
             }
-            self.strike((closes, law), ground);
+            self.strike(closes, law, ground);
             (rest, touched) = (duration - instant, true);
         }
         for (constants, motion) in self.constants.iter().zip(&mut self.motions) {
             let length = constants.span(rest);
-            constants.finish_span(motion, (&length, all, nothing), to);
+            constants.finish_span(motion, &length, all, nothing, to);
         }
         let touches = self.touches();
         self.touching_steps += u64::from(touched | Lanes::any(touches));
-        self.strike((touches, law), to);
+        self.strike(touches, law, to);
     }
 
     /// In which lanes the gap closes within the step, and when \[s\], 0 in others; nothing where it does in none.
@@ -200,7 +200,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
 
     /// Lets velocities jump in the lanes that touch and approach.
     #[inline(always)]
-    fn strike(&mut self, (touches, law): (Mask<S>, Impulsive<S>), ground: Lanes<S>) {
+    fn strike(&mut self, touches: Mask<S>, law: Impulsive<S>, ground: Lanes<S>) {
         let [left, right] = &mut self.motions;
         let mobilities = [
             self.constants[0].inverse_mass,

@@ -2,6 +2,8 @@
 //!
 //! An instant of impact is that of a lane: where some lane has one, all go there by spans of their own lengths, those without one
 //! by a span of length 0.
+//!
+//! Rows of three and more structures run alone: side by side they would need the order of the impacts in every lane.
 
 mod body;
 mod group;
@@ -71,10 +73,10 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             let group = &groups[index / Lanes::<S>::N];
             let (lane, scene) = (index % Lanes::<S>::N, first + index);
             for (node, motion) in group.motions.iter().enumerate() {
-                tallies.take_structure((scene, node), motion.peak(lane));
+                tallies.take_structure(scene, node, motion.peak(lane));
             }
             if let Some(pair) = &group.pair {
-                tallies.take_pair((scene, pair.index), pair.tally.lane(lane));
+                tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
             }
         }
     }

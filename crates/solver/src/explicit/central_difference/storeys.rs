@@ -87,7 +87,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
                 building.excess(&mut storeys.dashpots.values[range.clone()]);
                 building.give_back(storeys.dashpots.solve(range, self.steps[0]));
             }
-            building.go_on((node.time, ground), met_late, recorder);
+            building.go_on(node.time, ground, met_late, recorder);
             self.work.force_evaluations += floors.len() as u64;
         }
         Ok(())
@@ -208,7 +208,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
     /// From the top down: reports the spans that end at a node, and lets the bodies go on from it.
     ///
     /// Accelerations may be `settled` already.
-    fn go_on<R: Recorder>(&mut self, (time, ground): (f64, f64), settled: bool, recorder: &mut R) {
+    fn go_on<R: Recorder>(&mut self, time: f64, ground: f64, settled: bool, recorder: &mut R) {
         let (mut above, n) = (Above::default(), self.floors.len());
         // The lengths are told once, so that no floor has to be checked against them.
         let coefficients = &self.coefficients[..n];
@@ -233,12 +233,7 @@ impl<Column: RestoringForce> Building<'_, Column> {
             };
             if time > body.start_time {
                 let instant = (time, ground);
-                self.report(
-                    level,
-                    (end, below_velocity),
-                    (instant, &mut above),
-                    recorder,
-                );
+                self.report(level, end, below_velocity, instant, &mut above, recorder);
             }
             above.velocity = velocity;
             let body = &mut self.bodies[index];
@@ -255,8 +250,10 @@ impl<Column: RestoringForce> Building<'_, Column> {
     fn report<R: Recorder>(
         &self,
         level: usize,
-        (end, below_velocity): (State, f64),
-        ((time, ground), above): ((f64, f64), &mut Above),
+        end: State,
+        below_velocity: f64,
+        (time, ground): (f64, f64),
+        above: &mut Above,
         recorder: &mut R,
     ) {
         let index = self.floors[level];

@@ -45,7 +45,8 @@ impl<Memory: Copy> Scratch<Memory> {
     pub(super) fn finish_storeys<Column: RestoringForce<Memory = Memory>, R: Recorder>(
         &mut self,
         row: &Row<Column>,
-        (step, instant): (Step<'_>, f64),
+        step: Step<'_>,
+        instant: f64,
         work: &mut Work,
         recorder: &mut R,
     ) -> Result<(), RunError> {

@@ -146,7 +146,7 @@ impl Account {
     }
 
     /// Books an impact: the impulse on the floor \[N·s\], its velocities before and after \[m/s\].
-    pub(super) fn impact(&mut self, impulse: f64, (before, after): (f64, f64)) {
+    pub(super) fn impact(&mut self, impulse: f64, before: f64, after: f64) {
         if self.mass > 0.0 {
             if !self.open {
                 self.start(before, self.first_strain);
@@ -241,7 +241,7 @@ impl Account {
             let segment = excitation.segment(from, self.arrival);
             let to = segment.end.min(span.end_time);
             let [force, damping, ground, left, right, works_of @ ..] =
-                span.integrate_between((from, to), |time, state, drift| {
+                span.integrate_between(from, to, |time, state, drift| {
                     let (v, rate) = (state.velocity, drift.velocity);
                     let (force, damping) = (-state.restoring_force, -self.damping * rate);
                     let outside = -to_ground * v;

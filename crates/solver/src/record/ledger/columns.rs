@@ -125,13 +125,12 @@ impl Columns {
         let Knee::Smooth(smoothness) = self.knee else {
             return 0.0;
         };
-        let [taken] =
-            span.integrate_between((span.start_time, span.end_time), |_, state, drift| {
-                let h = self.hysteretic(state.restoring_force, drift.displacement);
-                let direction = if drift.velocity < 0.0 { -1.0 } else { 1.0 };
-                let slip = 1.0 - smoothness.slope(h / self.limit, direction);
-                [h * drift.velocity * slip]
-            });
+        let [taken] = span.integrate_between(span.start_time, span.end_time, |_, state, drift| {
+            let h = self.hysteretic(state.restoring_force, drift.displacement);
+            let direction = if drift.velocity < 0.0 { -1.0 } else { 1.0 };
+            let slip = 1.0 - smoothness.slope(h / self.limit, direction);
+            [h * drift.velocity * slip]
+        });
         taken
     }
 

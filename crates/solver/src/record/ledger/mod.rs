@@ -376,8 +376,8 @@ impl Recorder for Ledger<'_> {
     fn impact(&mut self, impact: &Impact) {
         let (before, after) = (impact.before, impact.after);
         let impulse = impact.impulse;
-        self.accounts[impact.left].impact(-impulse, (before.left, after.left));
-        self.accounts[impact.right].impact(impulse, (before.right, after.right));
+        self.accounts[impact.left].impact(-impulse, before.left, after.left);
+        self.accounts[impact.right].impact(impulse, before.right, after.right);
         let rates = impact.rates();
         let loss = 0.5 * impulse * (rates[0] + rates[1]);
         for structure in [impact.left, impact.right] {

@@ -94,7 +94,7 @@ fn book(fault: Fault) -> ([f64; 3], Terms) {
         let end_time = TIME_STEP * f64::from(step);
         let segment = excitation.segment(start_time, 0.0);
         let floors = expand(starts, (segment.value, segment.slope), fault);
-        starts = report(&mut ledger, &floors, (start_time, end_time));
+        starts = report(&mut ledger, &floors, start_time, end_time);
         start_time = end_time;
     }
     let balances = [ledger.identity(), ledger.momentum(), ledger.residual()];
@@ -105,7 +105,8 @@ fn book(fault: Fault) -> ([f64; 3], Terms) {
 fn report(
     ledger: &mut Ledger<'_>,
     floors: &[Motions; 2],
-    (start_time, end_time): (f64, f64),
+    start_time: f64,
+    end_time: f64,
 ) -> [Motion; 2] {
     let span = |index: usize| {
         let [displacement, velocity, acceleration] = &floors[index];

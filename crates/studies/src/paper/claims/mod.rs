@@ -191,7 +191,8 @@ impl Default for ClaimCounts {
 
 /// The claims as CSV text: by the paper's program, and by the method that it describes, without slips.
 pub fn claims_csv(
-    (claims, without_slips): (&[Claim], &[Claim]),
+    claims: &[Claim],
+    without_slips: &[Claim],
     survivals: &[Survival],
     beyond: &[ClaimCounts],
 ) -> String {

@@ -4,7 +4,7 @@ use super::entry::{Entry, key, label, mark, shade};
 use super::scenes::{Item, Played, items};
 use crate::paper::figures::capital;
 use crate::paper::tables::to_csv;
-use crate::research::work_precision::Quantity;
+use crate::research::work_precision::MethodQuantity;
 use crate::study::laws::{is_linear, is_spring};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
 use pounding_text::digits;
@@ -154,17 +154,17 @@ pub(super) fn table(played: &[Played], entries: &[Entry]) -> String {
 }
 
 /// Panels, and their heights.
-const SHOWN: [(Quantity, f64); 4] = [
-    (Quantity::FirstImpulse, 8.0),
-    (Quantity::ContactPeak, 8.0),
-    (Quantity::Momentum, 22.0),
-    (Quantity::Displacement, 22.0),
+const SHOWN: [(MethodQuantity, f64); 4] = [
+    (MethodQuantity::FirstImpulse, 8.0),
+    (MethodQuantity::ContactPeak, 8.0),
+    (MethodQuantity::Momentum, 22.0),
+    (MethodQuantity::Displacement, 22.0),
 ];
 
 /// Every law over the mean of the compliant laws.
 pub(super) fn figure(played: &[Played], entries: &[Entry]) -> Figure {
     let all = compare(played, entries);
-    let panel = |(quantity, weight): (Quantity, f64)| {
+    let panel = |(quantity, weight): (MethodQuantity, f64)| {
         let shown = |compared: &&Compared<'_>| compared.item.quantity == quantity.key();
         let rows: Vec<_> = all.iter().filter(shown).collect();
         let names = rows.iter().map(|compared| name(compared)).collect();

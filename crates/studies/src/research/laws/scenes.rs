@@ -3,7 +3,7 @@
 use super::entry::{Entry, N_LAWS};
 use crate::Completed;
 use crate::paper::tables::to_csv;
-use crate::research::work_precision::{Quantities, Quantity};
+use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::laws::AtlasSettings;
 use pounding_contact::{Calibration, FreePair, reduced_mass};
 use pounding_scene::{Scene, Simulation, Structure};
@@ -102,12 +102,12 @@ impl Item {
     }
 }
 
-/// Key of the one number that is no [`Quantity`].
+/// Key of the one number that is no [`MethodQuantity`].
 const COUNT: &str = "number_of_collisions";
 
 /// The numbers of a scene under a law, in the order of tables.
 pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
-    let item = |quantity: Quantity, (value, number): (&f64, usize)| {
+    let item = |quantity: MethodQuantity, (value, number): (&f64, usize)| {
         let of_row = found.values(quantity).len() == 1;
         Item {
             quantity: quantity.key(),
@@ -116,7 +116,7 @@ pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
             value: *value,
         }
     };
-    let values = |quantity: Quantity| {
+    let values = |quantity: MethodQuantity| {
         let numbered = found.values(quantity).iter().zip(1..);
         numbered.map(move |value| item(quantity, value))
     };
@@ -126,7 +126,7 @@ pub(super) fn items(found: &Quantities, compliant: bool) -> Vec<Item> {
         unit: "1",
         value: found.n_collisions as f64,
     };
-    let items = Quantity::ALL.into_iter().flat_map(values);
+    let items = MethodQuantity::ALL.into_iter().flat_map(values);
     items.chain([count]).collect()
 }
 

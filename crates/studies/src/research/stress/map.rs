@@ -43,7 +43,7 @@ fn drawing(map: &Map, methods: &[&str], own: &[&Measured]) -> Drawing {
         COLUMNS as f64 * width + 2.0,
         n_rows as f64 * height + LEGEND,
     );
-    let mut shapes = legend(paper);
+    let mut shapes = legend(paper.0, paper.1);
     for (index, method) in methods.iter().enumerate() {
         let (column, row) = (index % COLUMNS, index / COLUMNS);
         let corner = (
@@ -174,7 +174,7 @@ fn square(class: Class, corner: (f64, f64), shapes: &mut Vec<Shape>) {
 }
 
 /// The classes in two rows, from good to bad.
-fn legend((width, height): (f64, f64)) -> Vec<Shape> {
+fn legend(width: f64, height: f64) -> Vec<Shape> {
     let mut shapes = Vec::new();
     let column = (width - 6.0) / 5.0;
     for (index, class) in ORDER.into_iter().enumerate() {

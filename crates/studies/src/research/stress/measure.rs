@@ -1,11 +1,12 @@
 //! The runs of one scene at the edge: every method, the exact one, and the second route.
 
 use super::class::{ACCURATE, Class};
-use crate::research::work_precision::{Quantities, Quantity};
+use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::axis::Pushed;
 use pounding_reference::Fineness;
 use pounding_scene::{
-    AT_ONCE, Audited, Method, Number, RunResult, Simulation, StepMethod, Warning,
+    AT_ONCE, Audited, FloorQuantity, Method, PairQuantity, Quantity, RunResult, Simulation,
+    StepMethod, Warning,
 };
 use pounding_solver::Collision;
 
@@ -27,7 +28,7 @@ pub(super) struct Run {
     /// Time step \[s\]; nothing for the exact method.
     pub(super) time_step: Option<f64>,
     /// Of every quantity.
-    pub(super) numbers: [Judged; Quantity::ALL.len()],
+    pub(super) numbers: [Judged; MethodQuantity::ALL.len()],
     /// Largest part of the energy that the balance of the run leaves unexplained \[–\].
     pub(super) residual: Option<f64>,
     /// Why it was refused or caught.
@@ -119,7 +120,7 @@ pub(super) fn measure(base: &Simulation, pushed: &Pushed) -> Measured {
     };
     let methods = StepMethod::differing(is_impulsive(&exact)).map(|method| {
         let scheme = method.at(pushed.time_step);
-        of_method(&exact, (method.name(), scheme), reference.as_ref().ok())
+        of_method(&exact, method.name(), scheme, reference.as_ref().ok())
     });
     Measured {
         runs: std::iter::once(match &reference {
@@ -154,7 +155,7 @@ fn of_exact(exact: &Simulation, reference: Option<&RunResult>) -> Run {
     });
     match known {
         Some(Ok((own, second))) => Run {
-            numbers: Quantity::ALL.map(|quantity| {
+            numbers: MethodQuantity::ALL.map(|quantity| {
                 let error = own.distance(&second, quantity);
                 let class = Class::of(error, false);
                 Judged {
@@ -184,7 +185,8 @@ fn hits_at_once(outcome: &RunResult) -> bool {
 /// A stepping method by the exact run.
 fn of_method(
     exact: &Simulation,
-    (name, method): (&'static str, Method),
+    name: &'static str,
+    method: Method,
     reference: Option<&RunResult>,
 ) -> Run {
     let time_step = method.time_step();
@@ -216,7 +218,7 @@ fn of_method(
     };
     let reason = refusal.or(broken.map(|error| error.to_string()));
     Run {
-        numbers: judge(&prepared, (&outcome, reference), wrong),
+        numbers: judge(&prepared, &outcome, reference, wrong),
         residual: Some(balance.residual),
         ..stopped(Class::Nothing, reason.unwrap_or_default())
     }
@@ -225,9 +227,10 @@ fn of_method(
 /// What becomes of every number of a run that ends; `wrong` where none of them is printed.
 fn judge(
     prepared: &Simulation,
-    (outcome, reference): (&RunResult, Option<&RunResult>),
+    outcome: &RunResult,
+    reference: Option<&RunResult>,
     wrong: Option<Class>,
-) -> [Judged; Quantity::ALL.len()] {
+) -> [Judged; MethodQuantity::ALL.len()] {
     let before = prepared.warnings_before(outcome);
     let warnings = match reference {
         Some(reference) => prepared.warnings(outcome, reference).1,
@@ -235,7 +238,7 @@ fn judge(
     };
     let quantities = |of: &RunResult| Quantities::of_outcome(of, prepared.scene().structures.len());
     let (found, truth) = (quantities(outcome), reference.map(quantities));
-    Quantity::ALL.map(|quantity| {
+    MethodQuantity::ALL.map(|quantity| {
         let asked = number(quantity, !is_impulsive(prepared));
         let concerns = |all: &[Warning]| all.iter().any(|warning| warning.concerns(asked));
         let (warned, warned_unmeasured) = (concerns(&warnings), concerns(&before));
@@ -256,15 +259,15 @@ fn judge(
 }
 
 /// The printed number that a quantity is.
-fn number(quantity: Quantity, compliant: bool) -> Number {
+fn number(quantity: MethodQuantity, compliant: bool) -> Quantity {
     match quantity {
-        Quantity::FirstTime => Number::FirstTouch,
-        Quantity::FirstImpulse => Number::FirstImpulse,
-        Quantity::Momentum => Number::Momentum,
-        Quantity::ContactPeak if compliant => Number::PoundingForce,
-        Quantity::ContactPeak => Number::LargestImpulse,
-        Quantity::Displacement => Number::Displacement,
-        Quantity::Shear => Number::ShearForce,
+        MethodQuantity::FirstTime => PairQuantity::FirstStartS.into(),
+        MethodQuantity::FirstImpulse => PairQuantity::FirstImpulseNS.into(),
+        MethodQuantity::Momentum => FloorQuantity::TransferredMomentumNS.into(),
+        MethodQuantity::ContactPeak if compliant => PairQuantity::PeakForceN.into(),
+        MethodQuantity::ContactPeak => PairQuantity::LargestImpulseNS.into(),
+        MethodQuantity::Displacement => FloorQuantity::PeakDisplacementM.into(),
+        MethodQuantity::Shear => FloorQuantity::PeakShearForceN.into(),
     }
 }
 
@@ -281,7 +284,7 @@ impl Run {
         Self {
             method,
             time_step,
-            numbers: [judged; Quantity::ALL.len()],
+            numbers: [judged; MethodQuantity::ALL.len()],
             residual: None,
             reason,
         }

@@ -3,7 +3,7 @@
 use super::class::Class;
 use super::measure::{Judged, Measured, Run};
 use crate::paper::tables::to_csv;
-use crate::research::work_precision::Quantity;
+use crate::research::work_precision::MethodQuantity;
 use crate::study::stress::Cell;
 use pounding_text::digits;
 
@@ -21,7 +21,7 @@ pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) 
     ]
     .map(String::from)
     .to_vec();
-    for quantity in Quantity::ALL {
+    for quantity in MethodQuantity::ALL {
         header.push(quantity.key().into());
         header.push(format!("{}_error", quantity.key()));
     }
@@ -47,7 +47,7 @@ fn row(cell: &Cell, run: &Run) -> Vec<String> {
         row.push(number.error.map_or(String::new(), short));
     }
     let warned = |of: fn(&Judged) -> bool| {
-        let quantities = Quantity::ALL.iter().zip(&run.numbers);
+        let quantities = MethodQuantity::ALL.iter().zip(&run.numbers);
         let warned = quantities.filter(|(_, number)| of(number));
         let keys: Vec<_> = warned.map(|(quantity, _)| quantity.key()).collect();
         keys.join(" ")
@@ -82,7 +82,7 @@ pub(super) fn summary(measured: &[Measured]) -> String {
     let numbers = || {
         let runs = measured.iter().flat_map(|measured| &measured.runs);
         runs.flat_map(|run| {
-            let numbers = Quantity::ALL.into_iter().zip(&run.numbers);
+            let numbers = MethodQuantity::ALL.into_iter().zip(&run.numbers);
             numbers.map(|(quantity, number)| (run.method, quantity, number))
         })
     };
@@ -101,7 +101,7 @@ pub(super) fn summary(measured: &[Measured]) -> String {
         ));
     }
     let stepping = || numbers().filter(|(method, ..)| *method != "exact");
-    for quantity in Quantity::ALL {
+    for quantity in MethodQuantity::ALL {
         let own = stepping().filter(|(_, other, _)| *other == quantity);
         rows.push(counts(
             ["quantity", quantity.key()],

@@ -107,14 +107,16 @@ impl Heat {
                     shapes.push(Shape::text(at, &*self.titles[column], TEXT, Align::Middle));
                 }
                 self.numbers(
-                    (corner, side),
-                    (column == 0, row + 1 == self.rows.len()),
+                    corner,
+                    side,
+                    column == 0,
+                    row + 1 == self.rows.len(),
                     &mut shapes,
                 );
             }
             let at = (3.2, bottom + 0.5 * side);
             shapes.push(upright(at, &self.y));
-            scale((WIDTH - SCALE + 3.0, bottom + side), of_row, &mut shapes);
+            scale(WIDTH - SCALE + 3.0, bottom + side, of_row, &mut shapes);
         }
         let middle = left + 0.5 * (WIDTH - left - SCALE);
         shapes.push(Shape::text((middle, 2.6), &*self.x, TEXT, Align::Middle));
@@ -159,8 +161,10 @@ impl Heat {
     /// Ticks, with numbers on the left and below where asked for.
     fn numbers(
         &self,
-        (corner, side): ((f64, f64), f64),
-        (beside, under): (bool, bool),
+        corner: (f64, f64),
+        side: f64,
+        beside: bool,
+        under: bool,
         shapes: &mut Vec<Shape>,
     ) {
         let n = self.axis.len();
@@ -186,7 +190,7 @@ impl Heat {
 }
 
 /// The classes of a quantity from above to below, under its name.
-fn scale((x, top): (f64, f64), row: &HeatRow, shapes: &mut Vec<Shape>) {
+fn scale(x: f64, top: f64, row: &HeatRow, shapes: &mut Vec<Shape>) {
     let lines: Vec<&str> = row.label.lines().collect();
     for (index, line) in lines.iter().enumerate() {
         let at = (x, top - 1.6 - 3.3 * index as f64);

@@ -3,6 +3,8 @@
 //! Each is a study file with scenes as templates and what to vary of them; its tables and figures have a folder of their own,
 //! made by `cargo xtask studies` and committed with their SHA-256. All runs are by the exact method, so that nothing in
 //! a table is an error of integration.
+//!
+//! They are no sweeps: what varies depends on other runs, such as a gap as a part of what one pair requires.
 
 mod cases;
 mod fragility;

@@ -40,12 +40,12 @@ impl Campaign {
     }
 
     fn watched(&self, index: usize) -> Checked {
-        self.check((index, self.scene(index)), &self.studies)
+        self.check(index, &self.scene(index), &self.studies)
     }
 
     /// Runs a scene, which need not be the campaign's, in a thread of its own, which is told to stop, and left behind, where it does not
     /// end; `base` is the folder from which it names its record.
-    pub fn check(&self, (index, scene): (usize, Scene), base: &Path) -> Checked {
+    pub fn check(&self, index: usize, scene: &Scene, base: &Path) -> Checked {
         let (sender, receiver) = mpsc::channel();
         let (own, base) = (scene.clone(), base.to_path_buf());
         // A byte for each scene: whoever is left behind may look at it for as long as the program runs.
@@ -65,10 +65,10 @@ impl Campaign {
                 Ok(Message::Ends(checked)) => return *checked,
                 Err(RecvTimeoutError::Timeout) => {
                     stop.store(true, Ordering::Relaxed);
-                    return Checked::new(index, &scene, Verdict::Hangs(stage));
+                    return Checked::new(index, scene, Verdict::Hangs(stage));
                 }
                 Err(RecvTimeoutError::Disconnected) => {
-                    return Checked::new(index, &scene, Verdict::Panics(stage));
+                    return Checked::new(index, scene, Verdict::Panics(stage));
                 }
             }
         }

@@ -189,7 +189,7 @@ impl Checked {
             vec![Condition::default(); all.len()]
         } else {
             begin(Stage::Condition);
-            data.conditions((&exact, &all), begin)
+            data.conditions(&exact, &all, begin)
         };
         let judged = all.iter().zip(conditions);
         let judged = judged.map(|(two, condition)| Disagreement {
@@ -203,7 +203,7 @@ impl Checked {
             begin(Stage::SecondRoute);
             own_rounding(data.prepared, &exact, &mut judged);
         }
-        self.story = story(data.prepared, (&exact, &second), &judged);
+        self.story = story(data.prepared, &exact, &second, &judged);
         judged.extend(residual);
         for (largest, what) in self.largest.iter_mut().zip(Compared::ALL) {
             let own = judged.iter().filter(|one| one.two.what == what);
@@ -242,7 +242,8 @@ impl Disagreement {
 /// Where touches first differ, and what each route says of them.
 fn story(
     prepared: &Simulation,
-    (exact, second): (&Numbers, &Numbers),
+    exact: &Numbers,
+    second: &Numbers,
     judged: &[Disagreement],
 ) -> Vec<String> {
     // A number that one route does not have says more than one that is a little off.
@@ -264,7 +265,7 @@ fn story(
         law.name()
     );
     let of = |name: &str, numbers: &Numbers| {
-        let near = numbers.near((pair, time)).into_iter();
+        let near = numbers.near(pair, time).into_iter();
         let near = near.map(|words| format!("  {name} {words}"));
         near.collect::<Vec<_>>()
     };

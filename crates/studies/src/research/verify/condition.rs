@@ -65,7 +65,8 @@ impl Data<'_> {
     /// where it does.
     pub(super) fn conditions(
         &self,
-        (truth, all): (&Numbers, &[Two]),
+        truth: &Numbers,
+        all: &[Two],
         begin: &dyn Fn(Stage),
     ) -> Vec<Condition> {
         let mut found = vec![Condition::default(); all.len()];

@@ -108,11 +108,7 @@ impl Meeting {
     /// Its numbers beside those of the same touch in another run, all of them infinitely far from none. A number that a touch of
     /// its kind does not have is no distance away, and neither is the force of one that rests: whether the impact that rest began
     /// with has an impulse at all may be rounding, and the impulse of both is compared.
-    pub(super) fn beside(
-        &self,
-        other: Option<&Self>,
-        (place, largest): (Place, Largest),
-    ) -> [Two; 4] {
+    pub(super) fn beside(&self, other: Option<&Self>, place: Place, largest: Largest) -> [Two; 4] {
         let two = |what, value: fn(&Self) -> Option<f64>, scale: f64| {
             let (first, second) = (value(self), other.and_then(value));
             Two {

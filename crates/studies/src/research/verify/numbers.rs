@@ -110,7 +110,7 @@ impl Numbers {
         let momenta = self.floors.iter().map(|floor| floor.momentum);
         let largest = momenta.fold(0.0, f64::max);
         for (index, (first, second)) in self.floors.iter().zip(&other.floors).enumerate() {
-            let mut numbers = first.beside(second, (Place::Floor(index), largest));
+            let mut numbers = first.beside(second, Place::Floor(index), largest);
             if self.pinched[index] || other.pinched[index] {
                 let [.., momentum] = &mut numbers;
                 momentum.distance = 0.0;
@@ -127,7 +127,7 @@ impl Numbers {
                     largest
                 };
                 let place = Place::Touch { pair, touch };
-                all.extend(one.beside(same.map(|same| &second[same]), (place, scale)));
+                all.extend(one.beside(same.map(|same| &second[same]), place, scale));
             }
             let (n_first, n_second) = (first.len() as f64, second.len() as f64);
             all.push(Two {
@@ -164,7 +164,7 @@ impl Numbers {
     }
 
     /// The touches of a pair from the last before an instant to the third after it, in words.
-    pub(super) fn near(&self, (pair, time): (usize, f64)) -> Vec<String> {
+    pub(super) fn near(&self, pair: usize, time: f64) -> Vec<String> {
         let touches = &self.pairs[pair];
         let from = touches.iter().rposition(|one| one.start < time);
         let near = touches
@@ -205,7 +205,7 @@ impl Numbers {
 }
 
 impl OfFloor {
-    fn beside(&self, other: &Self, (place, largest): (Place, f64)) -> [Two; 5] {
+    fn beside(&self, other: &Self, place: Place, largest: f64) -> [Two; 5] {
         let two = |what, first: f64, second: f64, scale: f64| Two {
             what,
             place,

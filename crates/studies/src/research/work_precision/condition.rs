@@ -1,6 +1,6 @@
 //! How far the results of a scene move with its record, and whether the two routes are as close as that allows.
 
-use super::quantities::{Quantities, Quantity};
+use super::quantities::{MethodQuantity, Quantities};
 use super::run::Run;
 use crate::noise::Noise;
 use pounding_reference::Response;
@@ -55,7 +55,7 @@ pub(super) struct Meeting {
 #[derive(Debug)]
 pub(super) struct Knowledge {
     /// For each quantity, the worst structure; nothing where nothing collides.
-    quantities: [Option<Known>; Quantity::ALL.len()],
+    quantities: [Option<Known>; MethodQuantity::ALL.len()],
     /// The collisions of every pair in their order.
     pub(super) pairs: Vec<Vec<Meeting>>,
     /// Whether the two routes count the same collisions.
@@ -84,7 +84,7 @@ impl Knowledge {
             condition: near.iter().map(distance).fold(0.0, f64::max) / CHANGE,
             distance: second.as_ref().map_or(f64::INFINITY, distance),
         };
-        let quantities = Quantity::ALL.map(|quantity| {
+        let quantities = MethodQuantity::ALL.map(|quantity| {
             let distance = |other: &Results| {
                 let distance = other.quantities.distance(&truth.quantities, quantity);
                 distance.unwrap_or(0.0)
@@ -117,7 +117,7 @@ impl Knowledge {
     }
 
     /// How well a quantity is known; nothing where nothing collides.
-    pub(super) fn of(&self, quantity: Quantity) -> Option<Known> {
+    pub(super) fn of(&self, quantity: MethodQuantity) -> Option<Known> {
         self.quantities[quantity as usize]
     }
 }

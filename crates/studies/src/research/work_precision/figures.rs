@@ -5,7 +5,7 @@ use crate::lines::line_of;
 use std::path::Path;
 
 use super::measure::{Entrant, Race, Rung};
-use super::quantities::Quantity;
+use super::quantities::MethodQuantity;
 use crate::paper::figures::capital;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, render_png};
 
@@ -26,17 +26,17 @@ pub(super) fn all(races: &[Race], path: &Path) -> Result<Vec<(String, Vec<u8>)>,
     let (mut layouts, mut others) = (Vec::new(), Vec::new());
     for race in races {
         if race.scene.starts_with(OWN) {
-            let panels = Quantity::ALL.map(|quantity| {
+            let panels = MethodQuantity::ALL.map(|quantity| {
                 let title = quantity.words(race.compliant);
                 panel(race, quantity, [title, "Relative error"])
             });
             figures.push((file_name(&race.scene), figure(panels.into())));
         } else if race.scene.starts_with(LAYOUTS) {
             let words = [&capital(&race.scene), "Error of momentum"];
-            layouts.push(panel(race, Quantity::Momentum, words));
+            layouts.push(panel(race, MethodQuantity::Momentum, words));
         } else {
             let words = [&capital(&race.scene), "Error of peak displacement"];
-            others.push(panel(race, Quantity::Displacement, words));
+            others.push(panel(race, MethodQuantity::Displacement, words));
         }
     }
     figures.push(("layouts-transferred-momentum.png".into(), figure(layouts)));
@@ -75,7 +75,7 @@ fn figure(mut panels: Vec<Panel>) -> Figure {
     }
 }
 
-fn panel(race: &Race, quantity: Quantity, [title, error]: [&str; 2]) -> Panel {
+fn panel(race: &Race, quantity: MethodQuantity, [title, error]: [&str; 2]) -> Panel {
     let mut curves: Vec<_> = race
         .entrants
         .iter()
@@ -92,7 +92,7 @@ fn panel(race: &Race, quantity: Quantity, [title, error]: [&str; 2]) -> Panel {
     }
 }
 
-fn curve(entrant: &Entrant, quantity: Quantity) -> Option<Curve> {
+fn curve(entrant: &Entrant, quantity: MethodQuantity) -> Option<Curve> {
     let (shade, kind, mark) = line_of(entrant.contender.key)?;
     let point = |rung: &Rung| {
         let measured = rung.outcome.as_ref().ok()?;

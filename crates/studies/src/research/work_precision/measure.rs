@@ -1,7 +1,7 @@
 //! The runs.
 
 use super::condition::Knowledge;
-use super::quantities::{Quantities, Quantity};
+use super::quantities::{MethodQuantity, Quantities};
 use super::run::{Ended, Run};
 use crate::{Completed, StudyError};
 use pounding_reference::Fineness;
@@ -51,7 +51,7 @@ pub(crate) struct Measured {
     /// Whether it has as many collisions as the truth.
     pub(crate) same_count: bool,
     /// Relative error of each quantity; nothing where there is nothing to compare.
-    errors: [Option<f64>; Quantity::ALL.len()],
+    errors: [Option<f64>; MethodQuantity::ALL.len()],
     pub(crate) energy: Energy,
 }
 
@@ -70,12 +70,12 @@ pub(crate) struct Energy {
 
 impl Measured {
     /// Relative error of a quantity \[–\]; nothing where neither the run nor the truth has a collision.
-    pub(crate) fn error(&self, quantity: Quantity) -> Option<f64> {
+    pub(crate) fn error(&self, quantity: MethodQuantity) -> Option<f64> {
         self.errors[quantity as usize]
     }
 
     /// The largest relative error of some quantities \[–\].
-    pub(crate) fn worst(&self, quantities: &[Quantity]) -> f64 {
+    pub(crate) fn worst(&self, quantities: &[MethodQuantity]) -> f64 {
         let errors = quantities
             .iter()
             .filter_map(|quantity| self.error(*quantity));
@@ -90,18 +90,18 @@ impl Measured {
 
 impl Race {
     /// Distance of the two routes to the truth \[–\]; nothing where there is nothing to compare.
-    pub(crate) fn distance(&self, quantity: Quantity) -> Option<f64> {
+    pub(crate) fn distance(&self, quantity: MethodQuantity) -> Option<f64> {
         self.knowledge.of(quantity).map(|known| known.distance)
     }
 
     /// Digits on which the two routes agree, 0 to 16.
-    pub(crate) fn digits(&self, quantity: Quantity) -> Option<u32> {
+    pub(crate) fn digits(&self, quantity: MethodQuantity) -> Option<u32> {
         self.distance(quantity).map(digits)
     }
 
     /// The fewest digits on which the two routes agree, of all quantities.
     pub(crate) fn fewest_digits(&self) -> Option<u32> {
-        let digits = Quantity::ALL
+        let digits = MethodQuantity::ALL
             .into_iter()
             .filter_map(|quantity| self.digits(quantity));
         digits.min()
@@ -207,7 +207,7 @@ impl Race {
             Some((_, Err(reason))) => return Err(reason.clone()),
             None => unreachable!("the reference is among the contenders"),
         };
-        let distances = Quantity::ALL.map(|quantity| Some(knowledge.of(quantity)?.distance));
+        let distances = MethodQuantity::ALL.map(|quantity| Some(knowledge.of(quantity)?.distance));
         let mut entrants: Vec<Entrant> = Vec::new();
         for ((contender, setting), outcome) in rungs {
             let outcome = outcome.map(|found| Measured::new(&found, &truth, &distances));
@@ -239,9 +239,9 @@ impl Measured {
     fn new(
         (found, ledger, work): &(Quantities, Ledger<'_>, Work),
         (truth, true_ledger): &(Quantities, Ledger<'_>),
-        distances: &[Option<f64>; Quantity::ALL.len()],
+        distances: &[Option<f64>; MethodQuantity::ALL.len()],
     ) -> Self {
-        let error = |quantity: Quantity| {
+        let error = |quantity: MethodQuantity| {
             let error = found.distance(truth, quantity)?;
             // The truth is not known better than that.
             Some(error.max(distances[quantity as usize].unwrap_or(0.0)))
@@ -250,7 +250,7 @@ impl Measured {
             work: *work,
             n_collisions: found.n_collisions,
             same_count: found.n_collisions == truth.n_collisions,
-            errors: Quantity::ALL.map(error),
+            errors: MethodQuantity::ALL.map(error),
             energy: Energy {
                 identity: ledger.identity(),
                 residual: ledger.residual(),

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use condition::{Known, under};
 use measure::Race;
-pub(crate) use quantities::{Quantities, Quantity};
+pub(crate) use quantities::{MethodQuantity, Quantities};
 pub use timing::Timed;
 
 /// The runs of a trade study and what they are measured by.

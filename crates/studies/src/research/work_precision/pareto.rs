@@ -1,7 +1,7 @@
 //! Which method is cheapest for an error.
 
 use super::measure::{Entrant, Measured, Race, Rung};
-use super::quantities::Quantity;
+use super::quantities::MethodQuantity;
 use super::table::{agreed, setting};
 use crate::paper::tables::to_csv;
 use pounding_scene::{COMPARED_METHODS, holding};
@@ -47,7 +47,7 @@ pub(super) fn table(races: &[Race]) -> String {
         .collect();
     let mut rows = Vec::new();
     for race in races {
-        for quantity in Quantity::ALL {
+        for quantity in MethodQuantity::ALL {
             if race.truth.values(quantity).is_empty() {
                 continue;
             }

@@ -6,7 +6,7 @@ use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
 
 /// A quantity in which methods are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Quantity {
+pub(crate) enum MethodQuantity {
     FirstTime,
     FirstImpulse,
     Momentum,
@@ -15,7 +15,7 @@ pub(crate) enum Quantity {
     Shear,
 }
 
-impl Quantity {
+impl MethodQuantity {
     pub(crate) const ALL: [Self; 6] = [
         Self::FirstTime,
         Self::FirstImpulse,
@@ -66,7 +66,7 @@ impl Quantity {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Quantities {
     /// For each quantity a value, or one for each structure; none where nothing collides.
-    values: [Vec<f64>; Quantity::ALL.len()],
+    values: [Vec<f64>; MethodQuantity::ALL.len()],
     /// Number of collisions of all pairs; of an impulsive law, of impacts.
     pub(crate) n_collisions: usize,
 }
@@ -92,7 +92,7 @@ impl Quantities {
         (peaks, collisions, momentum, _): &Recorders<L>,
         n_structures: usize,
     ) -> Self {
-        Self::of_parts((peaks, collisions, momentum), n_structures)
+        Self::of_parts(peaks, collisions, momentum, n_structures)
     }
 
     /// The quantities of an outcome.
@@ -103,11 +103,13 @@ impl Quantities {
             momentum,
             ..
         } = outcome;
-        Self::of_parts((peaks, collisions, momentum), n_structures)
+        Self::of_parts(peaks, collisions, momentum, n_structures)
     }
 
     fn of_parts(
-        (peaks, collisions, momentum): (&Peaks, &Collisions, &TransferredMomentum),
+        peaks: &Peaks,
+        collisions: &Collisions,
+        momentum: &TransferredMomentum,
         n_structures: usize,
     ) -> Self {
         let met = |collision: &Collision| Met {
@@ -148,16 +150,16 @@ impl Quantities {
             .min_by(|one, other| one.start.total_cmp(&other.start));
         let one = |value: Option<f64>| value.into_iter().collect();
         let hit: &[Moved] = if met.is_empty() { &[] } else { moved };
-        let values = Quantity::ALL.map(|quantity| match quantity {
-            Quantity::FirstTime => one(first.map(|first| first.start)),
-            Quantity::FirstImpulse => one(first.map(|first| first.impulse)),
-            Quantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
-            Quantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
-            Quantity::Displacement => moved
+        let values = MethodQuantity::ALL.map(|quantity| match quantity {
+            MethodQuantity::FirstTime => one(first.map(|first| first.start)),
+            MethodQuantity::FirstImpulse => one(first.map(|first| first.impulse)),
+            MethodQuantity::ContactPeak => one(met.iter().map(|met| met.peak).reduce(f64::max)),
+            MethodQuantity::Momentum => hit.iter().map(|structure| structure.momentum).collect(),
+            MethodQuantity::Displacement => moved
                 .iter()
                 .map(|structure| structure.displacement)
                 .collect(),
-            Quantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
+            MethodQuantity::Shear => moved.iter().map(|structure| structure.shear).collect(),
         });
         Self {
             values,
@@ -166,7 +168,7 @@ impl Quantities {
     }
 
     /// Values of a quantity: one, or one for each structure from the left; none where nothing collides.
-    pub(crate) fn values(&self, quantity: Quantity) -> &[f64] {
+    pub(crate) fn values(&self, quantity: MethodQuantity) -> &[f64] {
         &self.values[quantity as usize]
     }
 
@@ -174,20 +176,20 @@ impl Quantities {
     ///
     /// That of a first collision at t = 0 is relative to 1 s. Infinite where only one of both has a collision, or a structure is hit in one of both; nothing where neither
     /// has one.
-    pub(crate) fn distance(&self, truth: &Self, quantity: Quantity) -> Option<f64> {
+    pub(crate) fn distance(&self, truth: &Self, quantity: MethodQuantity) -> Option<f64> {
         let (found, wanted) = (self.values(quantity), truth.values(quantity));
         if found.len() != wanted.len() {
             return Some(f64::INFINITY);
         }
         let largest = wanted.iter().copied().fold(0.0, f64::max);
         let scale = |wanted: f64| match quantity {
-            Quantity::FirstTime if wanted < AT_ONCE => 1.0,
-            Quantity::Momentum => wanted.max(ZERO * largest),
-            Quantity::FirstTime
-            | Quantity::FirstImpulse
-            | Quantity::ContactPeak
-            | Quantity::Displacement
-            | Quantity::Shear => wanted.abs(),
+            MethodQuantity::FirstTime if wanted < AT_ONCE => 1.0,
+            MethodQuantity::Momentum => wanted.max(ZERO * largest),
+            MethodQuantity::FirstTime
+            | MethodQuantity::FirstImpulse
+            | MethodQuantity::ContactPeak
+            | MethodQuantity::Displacement
+            | MethodQuantity::Shear => wanted.abs(),
         };
         let pairs = found.iter().zip(wanted);
         let distances = pairs.map(|(found, wanted)| relative_to(*found, *wanted, scale(*wanted)));

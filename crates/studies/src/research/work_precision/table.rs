@@ -2,7 +2,7 @@
 
 use super::condition::Known;
 use super::measure::{Race, Rung};
-use super::quantities::Quantity;
+use super::quantities::MethodQuantity;
 use crate::paper::tables::to_csv;
 use pounding_scene::{ComparedMethod, Knob};
 use pounding_text::digits;
@@ -23,7 +23,7 @@ pub(super) fn references(races: &[Race]) -> String {
     ];
     let mut rows = Vec::new();
     for race in races {
-        for quantity in Quantity::ALL {
+        for quantity in MethodQuantity::ALL {
             let values = race.truth.values(quantity);
             for (value, number) in values.iter().zip(1..) {
                 let structure = if values.len() == 1 {
@@ -112,7 +112,7 @@ fn known_as(known: Known, race: &Race) -> [String; 4] {
 
 /// Every run: what it cost and how far off it is.
 pub(super) fn runs(races: &[Race]) -> String {
-    let errors = Quantity::ALL.map(|quantity| format!("error_of_{}", quantity.key()));
+    let errors = MethodQuantity::ALL.map(|quantity| format!("error_of_{}", quantity.key()));
     let mut header: Vec<_> = BEFORE.into_iter().map(String::from).collect();
     header.extend(errors);
     header.extend(AFTER.map(String::from));
@@ -180,7 +180,7 @@ fn row(race: &Race, contender: &ComparedMethod, rung: &Rung) -> Vec<String> {
         row.extend(counts.map(|count| count.to_string()));
         row.push(measured.n_collisions.to_string());
         row.push(if measured.same_count { "yes" } else { "no" }.into());
-        row.extend(Quantity::ALL.map(|quantity| error(measured.error(quantity))));
+        row.extend(MethodQuantity::ALL.map(|quantity| error(measured.error(quantity))));
         row.push(agreed(race.fewest_digits()));
         let energy = &measured.energy;
         row.extend([energy.identity, energy.residual, energy.error].map(|part| error(Some(part))));

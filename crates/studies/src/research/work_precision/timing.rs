@@ -3,7 +3,7 @@
 use super::Trade;
 use super::measure::{Entrant, Measured, Rung};
 use super::pareto::cheapest;
-use super::quantities::Quantity;
+use super::quantities::MethodQuantity;
 use super::run::Run;
 use super::table::setting;
 use super::verdict::{EXACT, STEPPING};
@@ -79,7 +79,7 @@ impl Trade {
                     scene: &race.scene,
                     method: entrant.contender.key,
                     setting: setting(entrant.contender, rung.setting),
-                    error: measured.worst(&Quantity::ALL),
+                    error: measured.worst(&MethodQuantity::ALL),
                     holds,
                     work: measured.cost(),
                     is_base: entrant.contender.key == RIVAL,
@@ -102,7 +102,7 @@ fn choose(entrant: &Entrant) -> Option<(&Rung, &Measured, bool)> {
     let exact = entrant.contender.key == REFERENCE;
     let allowed = if exact { EXACT } else { STEPPING };
     let accurate = cheapest(entrant, |measured| {
-        measured.worst(&Quantity::ALL) <= allowed
+        measured.worst(&MethodQuantity::ALL) <= allowed
     });
     let finest = || entrant.rungs.iter().rfind(|rung| rung.outcome.is_ok());
     let rung = accurate.map(|(rung, _)| rung).or_else(finest)?;

@@ -2,7 +2,7 @@
 
 use super::measure::Race;
 use super::pareto::cheapest;
-use super::quantities::Quantity;
+use super::quantities::MethodQuantity;
 use super::table::setting;
 use crate::paper::tables::to_csv;
 use pounding_scene::{EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, price};
@@ -30,7 +30,7 @@ pub(super) fn table(races: &[Race]) -> String {
     ];
     let mut rows = Vec::new();
     for race in races {
-        let present = Quantity::ALL
+        let present = MethodQuantity::ALL
             .map(|quantity| (!race.truth.values(quantity).is_empty()).then_some(quantity));
         let present: Vec<_> = present.into_iter().flatten().collect();
         for quantity in &present {
@@ -49,7 +49,7 @@ struct Need {
     price: u64,
 }
 
-fn need(race: &Race, key: &str, quantities: &[Quantity], allowed: f64) -> Option<Need> {
+fn need(race: &Race, key: &str, quantities: &[MethodQuantity], allowed: f64) -> Option<Need> {
     let entrant = race.of(key)?;
     let (rung, work) = cheapest(entrant, |measured| measured.worst(quantities) <= allowed)?;
     let run = rung.outcome.as_ref().ok()?;
@@ -60,7 +60,7 @@ fn need(race: &Race, key: &str, quantities: &[Quantity], allowed: f64) -> Option
     })
 }
 
-fn row(race: &Race, name: &str, quantities: &[Quantity]) -> Vec<String> {
+fn row(race: &Race, name: &str, quantities: &[MethodQuantity]) -> Vec<String> {
     let exact = need(race, REFERENCE, quantities, EXACT);
     let stepping = need(race, RIVAL, quantities, STEPPING);
     let both = exact.as_ref().zip(stepping.as_ref());

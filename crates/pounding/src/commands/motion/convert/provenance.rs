@@ -9,20 +9,20 @@ use super::{Arguments, Motion, To};
 use pounding::text::json_text;
 
 /// File, component, digits by which the file is known, and every step, as JSON.
-pub(super) fn json_of(asked: &Arguments, motion: &Motion) -> String {
+pub(super) fn json_of(args: &Arguments, motion: &Motion) -> String {
     let record = &motion.record;
-    let unit = match asked.to {
+    let unit = match args.to {
         To::MPerS2 => "m_per_s2",
         To::G => "g",
     };
     let said = json!({
-        "file": name(&asked.out),
+        "file": name(&args.out),
         "unit": unit,
         "gravity_m_per_s2": motion.gravity,
         "n_samples": record.samples().len(),
         "time_step_s": record.time_step(),
         "from": motion.origin.as_ref().map(from),
-        "scene": motion.scene.as_ref().map(|scene| json!({"file": name(&asked.file), "name": scene})),
+        "scene": motion.scene.as_ref().map(|scene| json!({"file": name(&args.file), "name": scene})),
         "processing": motion.processing,
         "says": record.source().lines().collect::<Vec<_>>(),
         "program": concat!("pounding ", env!("CARGO_PKG_VERSION")),

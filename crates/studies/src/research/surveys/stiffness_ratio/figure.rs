@@ -15,7 +15,7 @@ impl Survey<'_> {
         let ratios = &self.settings.stiffness_ratios;
         let n_scenes = lines.len() / self.settings.keeps.len().max(1);
         let panel = |(index, (line, of_line)): (usize, (&Line<'_>, &&[Vec<Middle>]))| {
-            let marked = self.last_fall(turns, (index, of_line));
+            let marked = self.last_fall(turns, index, of_line);
             let note = |ratio: f64| Note::new((ratio, 1.0), short(ratio));
             let label = if index % COLUMNS.min(n_scenes) == 0 {
                 "Middle / alone (–)"
@@ -43,7 +43,7 @@ impl Survey<'_> {
     }
 
     /// The last ratio at which the median of the peaks of a line falls below that alone, if it is noticeably less beyond.
-    fn last_fall(&self, turns: &[Turn], (index, of_line): (usize, &[Vec<Middle>])) -> Option<f64> {
+    fn last_fall(&self, turns: &[Turn], index: usize, of_line: &[Vec<Middle>]) -> Option<f64> {
         let falls = |turn: &&Turn| {
             turn.line == index && !turn.of_paper && turn.quantity == Quantity::Peak && !turn.rises
         };
