@@ -57,6 +57,28 @@ impl FreeImpact {
 }
 
 impl ContactLaw {
+    /// The law with so many times its stiffness, and its other parameters as they are: of laws whose damping is a ratio or a factor \[–\]
+    /// the same restitution. The damping of [`KuwabaraKono`] grows with the stiffness; an impulsive law has none.
+    #[must_use]
+    pub fn stiffened(mut self, factor: f64) -> Self {
+        match &mut self {
+            Self::Stereomechanical(_) => {}
+            Self::LinearSpring(law) => law.impact_stiffness *= factor,
+            Self::Hertz(law) => law.impact_stiffness *= factor,
+            Self::KelvinVoigt(law) => law.impact_stiffness *= factor,
+            Self::ModifiedLinearViscoelastic(law) => law.impact_stiffness *= factor,
+            Self::NonlinearViscoelastic(law) => law.impact_stiffness *= factor,
+            Self::HertzDamp(law) => law.impact_stiffness *= factor,
+            Self::ModifiedKelvin(law) => law.impact_stiffness *= factor,
+            Self::PantWijeyewickrema(law) => law.impact_stiffness *= factor,
+            Self::KuwabaraKono(law) => {
+                law.impact_stiffness *= factor;
+                law.impact_damping *= factor;
+            }
+        }
+        self
+    }
+
     /// Name as scene files spell it.
     pub const fn name(&self) -> &'static str {
         match self {

@@ -6,14 +6,14 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use pounding::report::Report;
+use pounding::report::{AssessmentReport, Report};
 
 /// The files of a run under a folder of records.
 pub(crate) const OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
 
 /// Whether results can have a file of this name.
 fn is_result(name: &str) -> bool {
-    Report::has_file(name) || OF_RECORDS.contains(&name)
+    Report::has_file(name) || AssessmentReport::has_file(name) || OF_RECORDS.contains(&name)
 }
 
 /// What lies where a folder is to be written.

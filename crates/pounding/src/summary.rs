@@ -28,8 +28,7 @@ pub(crate) fn of(prepared: &Simulation, review: &Review) -> String {
         tables::storeys(prepared.floors(), outcome, measured),
         tables::pairs(prepared, outcome, measured),
         paragraph("Errors", &error_lines(scene, errors)),
-        unusual(prepared),
-        warnings(&of_run(&review.warnings)),
+        warnings(&of_run(prepared, review)),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
     ]
     .into_iter()
@@ -47,24 +46,23 @@ pub(crate) fn warnings(found: &[String]) -> String {
     }
 }
 
-/// What looks wrong in the scene, a line each; nothing where nothing does.
-fn unusual(prepared: &Simulation) -> String {
-    let mut lines: Vec<String> = prepared.doubts().iter().map(Implausible::brief).collect();
-    if lines.is_empty() {
-        return String::new();
-    }
-    lines.push("`pounding check SCENE` says what is usual".into());
-    paragraph("Unusual", &lines.join("\n"))
-}
-
-/// The warnings of a run, and what helps.
-fn of_run(warnings: &[Warning]) -> Vec<String> {
-    let mut lines: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+/// What to know before using a run, the most harmful first: what its response says of the model, what looks wrong in the scene, and what
+/// its numbers are worth; and what helps.
+fn of_run(prepared: &Simulation, review: &Review) -> Vec<String> {
+    let unusual: Vec<String> = prepared.doubts().iter().map(Implausible::brief).collect();
+    let hint = (!unusual.is_empty()).then(|| "`pounding check SCENE` says what is usual".into());
     let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
-    if warnings.iter().any(is_error) {
-        lines.push("`pounding advise SCENE --error 3%` finds a method and time step".into());
-    }
-    lines
+    let advice = review.warnings.iter().any(is_error);
+    let advice =
+        advice.then(|| "`pounding advise SCENE --error 3%` finds a method and time step".into());
+    let excesses = review.excesses.iter().map(ToString::to_string);
+    let warnings = review.warnings.iter().map(ToString::to_string);
+    excesses
+        .chain(unusual)
+        .chain(hint)
+        .chain(warnings)
+        .chain(advice)
+        .collect()
 }
 
 /// The method, its settings and how it was chosen.

@@ -2,6 +2,7 @@
 //!
 //! They tell nothing of the machine or the day: the same scene gives the same bytes.
 
+mod assessment;
 mod figures;
 mod history;
 mod impacts;
@@ -13,6 +14,7 @@ mod summary;
 
 use std::collections::BTreeMap;
 
+pub use assessment::{AssessedMotion, AssessmentReport, rough, times};
 use history::Motion;
 use pounding_scene::{Effects, Error, Review, Simulation};
 use sampling::Sampling;

@@ -23,7 +23,18 @@ pub use accuracy::methods::{
 };
 pub use accuracy::opening::Options;
 pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
+pub use assess::FloorPeaks;
+pub use assess::assessment::{
+    Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RuleAssessment,
+    WORSE,
+};
+pub use assess::design::{DesignSpectrum, DesignSpectrumError, Eurocode8Ground};
+pub use assess::distribution::Distribution;
 pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
+pub use assess::run::{
+    AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTORS, StiffnessFactors,
+};
+pub use assess::scaling::Scaling;
 pub use assess::separation::{Rule, Separation};
 pub use file::error::{Error, Vertical};
 pub use file::fault::Fault;
@@ -39,15 +50,18 @@ pub use file::{
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateError, CertificateRequest};
 pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
-pub use judge::implausible::Implausible;
+pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
+pub use judge::response::{
+    Excess, ExcessKind, MOST_DRIFT, MOST_DUCTILITY, MOST_RESIDUAL, MOST_STABILITY,
+};
 pub use judge::review::{DOUBTFUL, Errors, Review};
 pub use judge::warning::{Place, Warning};
-pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup, Values};
+pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties};
 pub use simulation::{
     Advice, AllRecorders, Audited, Balance, Extras, Goal, OnRow, PairOutcome, Recorders, RunResult,
-    Simulation, StepSizes, Trial, holding, in_scene, side_by_side,
+    Simulation, StepSizes, Trial, Values, holding, in_scene, side_by_side,
 };
 pub use spectrum::{
     SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,

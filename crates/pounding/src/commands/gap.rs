@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use pounding::scene::{Contact, Error, Method, Rule, Scene, Separation, Simulation, Structure};
+use pounding::scene::{
+    Contact, Distribution, Error, Method, Rule, Scene, Separation, Simulation, Structure,
+};
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
 
@@ -183,7 +185,7 @@ fn widths(rows: &[(String, Separation)], levels: bool) -> String {
         row.extend(levels.then(|| one.at_level.to_string()));
         row.push(format!("{} ", millimetres(one.required)));
         row.push(digits((one.time * 1e3).round() * 1e-3));
-        row.extend(Rule::ALL.map(|rule| marked(rule.width(one), one.required)));
+        row.extend(Rule::COMMON.map(|rule| marked(width(rule, one), one.required)));
         row
     };
     table(&header, &rows.iter().map(row).collect::<Vec<_>>())
@@ -214,8 +216,16 @@ fn enough(width: f64) -> String {
 /// The width that is enough for all, and how the rules and the scene's own gap do.
 fn result(all: &[Separation], own: Option<f64>) -> String {
     let widest = all.iter().map(|one| one.required).fold(0.0, f64::max);
+    let widths = Distribution::of(all.iter().map(|one| one.required));
+    let part = widths.map_or(String::new(), |widths| {
+        format!(
+            "; {} mm for half of them, {} mm for 84 %",
+            enough(widths.median()),
+            enough(widths.most())
+        )
+    });
     let mut lines = vec![format!(
-        "{} mm are enough for all {} motions",
+        "{} mm are enough for all {} motions{part}",
         enough(widest),
         all.len()
     )];
@@ -229,7 +239,7 @@ fn result(all: &[Separation], own: Option<f64>) -> String {
     let rule = |rule: Rule| {
         let narrow: Vec<f64> = all
             .iter()
-            .map(|one| rule.width(one) / one.required)
+            .map(|one| width(rule, one) / one.required)
             .filter(|share| *share < 1.0)
             .collect();
         let worst = narrow.iter().copied().fold(1.0, f64::min);
@@ -243,8 +253,13 @@ fn result(all: &[Separation], own: Option<f64>) -> String {
         };
         format!("{}: too narrow under {}{by}", rule.name(), narrow.len())
     };
-    lines.extend(Rule::ALL.map(rule));
+    lines.extend(Rule::COMMON.map(rule));
     lines.join("\n")
+}
+
+/// Width of a rule that asks for no heights \[m\].
+fn width(rule: Rule, one: &Separation) -> f64 {
+    rule.width(one).unwrap_or(f64::NAN)
 }
 
 /// Numbers of a gap with their names, SI units.
@@ -255,7 +270,7 @@ fn numbers(one: &Separation) -> impl Iterator<Item = (&'static str, f64)> {
         ("peak_left_m", one.peaks[0]),
         ("peak_right_m", one.peaks[1]),
     ];
-    let rules = Rule::ALL.map(|rule| (rule.key(), rule.width(one)));
+    let rules = Rule::COMMON.map(|rule| (rule.key(), width(rule, one)));
     own.into_iter().chain(rules)
 }
 

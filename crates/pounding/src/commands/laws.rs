@@ -64,7 +64,7 @@ fn json_of_all() -> String {
 }
 
 const NOTES: &str = "δ deformation, δ̇ its rate, v₀ approach speed, m reduced mass, e restitution.\nFormula: \
-                     the authors' damping for an e args. Delivers: the e of a free impact, exactly. Fields: as in a \
+                     the authors' damping for an e asked. Delivers: the e of a free impact, exactly. Fields: as in a \
                      scene, where corrected_hertz_damp, hunt_crossley and gonthier are hertz_damp; instead of its damping a law \
                      may be given a `restitution` and a `calibration`.\n`pounding certify` \
                      prints what a law and a method really deliver.";

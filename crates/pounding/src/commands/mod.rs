@@ -1,6 +1,7 @@
 //! The commands, a file each: what is asked on the command line, and the answer.
 
 mod advise;
+mod assess;
 mod certify;
 mod check;
 mod compare;
@@ -53,6 +54,9 @@ enum Command {
     Check(check::Arguments),
     /// Run a scene and print peaks, collisions, errors and work.
     Run(run::Arguments),
+    /// Say under a folder of records whether the gaps are enough, and what
+    /// touching does.
+    Assess(assess::Arguments),
     /// Run several scenes and print them side by side.
     Compare(compare::Arguments),
     /// Run a scene with many values of its fields, into a table.
@@ -104,6 +108,7 @@ impl Program {
             Command::Init(args) => init::run(args),
             Command::Check(args) => check::run(args),
             Command::Run(args) => run::run(args),
+            Command::Assess(args) => assess::run(args),
             Command::Compare(args) => compare::run(args),
             Command::Sweep(args) => sweep::run(args),
             Command::Merge(args) => merge::run(args),

@@ -1,6 +1,7 @@
 //! `pounding run`: runs a scene and says what happened.
 
 mod batch;
+mod direction;
 mod effects;
 
 use std::path::{Path, PathBuf};
@@ -52,6 +53,10 @@ pub(crate) struct Arguments {
     /// 24 exact runs, whatever the method of the scene. Of one record at a time.
     #[arg(long)]
     effects: bool,
+    /// Run the direction of the scene only; by default the first lines also say
+    /// what the reversed shaking does.
+    #[arg(long, conflicts_with = "records")]
+    one_direction: bool,
     #[command(flatten)]
     suite: Suite,
     /// Print JSON, SI units.
@@ -148,14 +153,23 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
         format!("{}{hint}", refused(error))
     })?;
+    let other = if args.json || args.one_direction {
+        None
+    } else {
+        Some(direction::other(&prepared))
+    };
     let Some(out) = &args.results.out else {
         let review = prepared.review(measure).map_err(refused)?;
-        return Ok(printed(args.json, &prepared, effects, &review));
+        let other = other.map(|other| direction::text(&prepared, &review.outcome, &other));
+        let text = printed(args.json, &prepared, effects, &review);
+        return Ok(other.map_or(text.clone(), |other| format!("{other}\n{text}")));
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
     let report = report.with_effects(effects.clone());
     folder::write(out, &report.files())?;
     let text = printed(args.json, &prepared, effects, report.review());
+    let other = other.map(|other| direction::text(&prepared, &report.review().outcome, &other));
+    let text = other.map_or(text.clone(), |other| format!("{other}\n{text}"));
     let page = out.join("report.html");
     Ok(if args.json {
         text

@@ -84,6 +84,20 @@ pub(super) fn lines<T: Send>(
     directions: &[bool],
     run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
+    let scene = |_: &Motion| Ok(scene.clone());
+    lines_of(folder, directions, scene, run)
+}
+
+/// The same with a scene for every motion.
+///
+/// # Errors
+/// Those of [`lines`].
+pub(super) fn lines_of<T: Send>(
+    folder: &Path,
+    directions: &[bool],
+    scene: impl Fn(&Motion) -> Result<Scene, Error> + Sync,
+    run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
+) -> Result<Ran<T>, String> {
     let motions = motions(folder)?;
     let cases: Vec<_> = motions
         .iter()
@@ -91,8 +105,10 @@ pub(super) fn lines<T: Send>(
         .collect();
     let progress = Progress::new();
     let line = |&(motion, reversed): &(&Motion, bool)| {
-        let found = motion.shake_until(scene, reversed, Some(&STOPPED));
-        let found = found.and_then(|prepared| run(&prepared));
+        let found = scene(motion).and_then(|scene| {
+            let prepared = motion.shake_until(&scene, reversed, Some(&STOPPED))?;
+            run(&prepared)
+        });
         if found.as_ref().is_err_and(Error::is_stopped) {
             return None;
         }

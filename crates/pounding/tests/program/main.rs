@@ -1,5 +1,6 @@
 //! The program `pounding` from outside: what it prints, and what it says to input that it refuses.
 
+mod assess;
 mod batches;
 mod budgets;
 mod buildings;

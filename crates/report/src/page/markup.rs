@@ -1,15 +1,15 @@
 //! Pieces of HTML that are well-formed XML too.
 
 /// What stands where there is no number.
-pub(super) const NONE: &str = "–";
+pub(crate) const NONE: &str = "–";
 
 /// A number with four significant digits and the real minus sign.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     signed(&pounding_text::short(value))
 }
 
 /// A number with seven significant digits and the real minus sign.
-pub(super) fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     signed(&pounding_text::digits(value))
 }
 
@@ -21,7 +21,7 @@ fn signed(number: &str) -> String {
 }
 
 /// Text that cannot be taken for markup; what XML cannot hold is left out.
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for letter in text.chars() {
         match letter {
@@ -41,7 +41,7 @@ pub(super) fn escaped(text: &str) -> String {
 
 /// A cell of a table: text, and perhaps smaller text below it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Cell {
+pub(crate) struct Cell {
     text: String,
     below: Option<String>,
     /// Whether it is a text of several lines, and no number.
@@ -50,7 +50,7 @@ pub(super) struct Cell {
 
 impl Cell {
     /// A cell with text as it is.
-    pub(super) fn new(text: impl Into<String>) -> Self {
+    pub(crate) fn new(text: impl Into<String>) -> Self {
         Self {
             text: text.into(),
             below: None,
@@ -59,19 +59,19 @@ impl Cell {
     }
 
     /// A cell with a value, or without one.
-    pub(super) fn known(value: Option<String>) -> Self {
+    pub(crate) fn known(value: Option<String>) -> Self {
         Self::new(value.unwrap_or_else(|| NONE.into()))
     }
 
     /// The cell with smaller text below, if there is any.
     #[must_use]
-    pub(super) fn over(self, below: Option<String>) -> Self {
+    pub(crate) fn over(self, below: Option<String>) -> Self {
         Self { below, ..self }
     }
 
     /// The cell as text of several lines.
     #[must_use]
-    pub(super) fn wrapped(self) -> Self {
+    pub(crate) fn wrapped(self) -> Self {
         Self {
             wrapped: true,
             ..self
@@ -89,7 +89,7 @@ impl Cell {
 }
 
 /// A table of numbers under names.
-pub(super) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
+pub(crate) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
     let name = |name: &&str| format!("<th>{}</th>", escaped(name));
     let names: Vec<String> = header.iter().map(name).collect();
     let names = names.concat();
@@ -104,7 +104,7 @@ pub(super) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
 }
 
 /// A table of two columns: what it is, and what it is here.
-pub(super) fn facts(facts: &[(String, String)]) -> String {
+pub(crate) fn facts(facts: &[(String, String)]) -> String {
     let row = |(what, value): &(String, String)| {
         format!(
             "<tr><td>{}</td><td>{}</td></tr>\n",
@@ -117,7 +117,7 @@ pub(super) fn facts(facts: &[(String, String)]) -> String {
 }
 
 /// A list of sentences.
-pub(super) fn list(items: &[String]) -> String {
+pub(crate) fn list(items: &[String]) -> String {
     let item = |text: &String| format!("<li>{}</li>\n", escaped(text));
     let items: String = items.iter().map(item).collect();
     format!("<ul>\n{items}</ul>\n")

@@ -1,7 +1,7 @@
 //! `report.html`: one file that a person forwards; it shows the same without a network, and on paper.
 
 mod effects;
-mod markup;
+pub(crate) mod markup;
 mod scene;
 mod tables;
 mod verdict;
@@ -13,7 +13,7 @@ use super::figures::Illustration;
 use super::summary::Summary;
 use pounding_scene::{Source, Structure};
 
-const STYLE: &str = include_str!("style.css");
+pub(crate) const STYLE: &str = include_str!("style.css");
 
 /// The page.
 pub(super) fn html(
@@ -142,7 +142,7 @@ fn illustrated(number: usize, one: &Illustration) -> String {
 }
 
 /// An SVG as part of a page: without its declarations, as wide as the page, with its caption for those who cannot see it.
-fn inline(svg: &str, caption: &str) -> String {
+pub(crate) fn inline(svg: &str, caption: &str) -> String {
     let start = svg.find("<svg").unwrap_or(0);
     let (head, body) = svg[start..].split_once('>').unwrap_or_default();
     let attribute = |name: &str| {

@@ -26,7 +26,7 @@ impl Summary {
             ledger: LedgerSummary::of(&review.balance),
             work: WorkSummary::of(&review.outcome.work),
             unusual: prepared.doubts(),
-            warnings: review.warnings.iter().map(ToString::to_string).collect(),
+            warnings: review.said(),
         }
     }
 }

@@ -1,4 +1,12 @@
 //! What pounding does to buildings, and the gap that prevents it.
 
+pub(crate) mod assessment;
+pub(crate) mod design;
+pub(crate) mod distribution;
 pub(crate) mod effects;
+mod peaks;
+pub(crate) mod run;
+pub(crate) mod scaling;
 pub(crate) mod separation;
+
+pub use peaks::FloorPeaks;

@@ -1,10 +1,11 @@
 //! The width that the gaps of a row need, and what the rules of codes and literature ask for.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use crate::simulation::Extras;
 use crate::simulation::floors::EQUAL_HEIGHTS;
-use crate::{Error, Floor, RunResult, Simulation};
+use crate::{Error, Floor, Floors, RunResult, Simulation};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,8 +22,10 @@ pub struct Separation {
     pub peaks: [f64; 2],
     /// Natural period \[s\] and damping ratio of each; nothing for a wall.
     pub oscillations: [Option<(f64, f64)>; 2],
-    /// Whether both stand equally high, by the heights that the scene gives.
+    /// Whether floors of both stand equally high wherever they face each other, by the heights that the scene gives.
     pub level: bool,
+    /// Height of that level, and of the lower of both buildings \[m\], where the scene gives them.
+    pub heights: Option<[f64; 2]>,
 }
 
 /// A rule for the width of a gap.
@@ -37,18 +40,41 @@ pub enum Rule {
     Ddc,
     /// EN 1998-1, 4.4.2.7: the root of the sum of squares, 0.7 times that where floors are level.
     Eurocode8,
-    /// ASCE 7-16, 12.12.3: the root of the sum of squares of the inelastic displacements.
+    /// ASCE 7-16, 12.12.3: the root of the sum of squares of the inelastic displacements; so do NBCC 2015, 4.1.8.14, and UBC 1997,
+    /// 1633.2.11.
     Asce7,
+    /// IS 1893 (Part 1):2016, 7.11.3 with Amendment 1: the sum of the inelastic displacements, half of it where floors are level.
+    Is1893,
+    /// TBDY 2018, 4.9.3: half the root of the sum of squares of the inelastic displacements, a quarter where floors are level; at
+    /// least 30 mm, and from a height of 6 m on 10 mm more for every 3 m.
+    Tbdy2018,
+    /// E.030 of Peru, 2018, art. 33: two thirds of the sum of the inelastic displacements; at least 30 mm and 0.006 of the height.
+    E030,
+    /// GB 50011-2010, 6.1.4, of concrete frames at intensity 8: 100 mm up to a height of 15 m, and 20 mm more for every 3 m beyond.
+    Gb50011,
 }
 
 impl Rule {
-    /// All of them.
-    pub const ALL: [Self; 5] = [
+    /// Those of the literature and the codes that most ask for, which need no heights.
+    pub const COMMON: [Self; 5] = [
         Self::Abs,
         Self::Srss,
         Self::Ddc,
         Self::Eurocode8,
         Self::Asce7,
+    ];
+
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::Abs,
+        Self::Srss,
+        Self::Ddc,
+        Self::Eurocode8,
+        Self::Asce7,
+        Self::Is1893,
+        Self::Tbdy2018,
+        Self::E030,
+        Self::Gb50011,
     ];
 
     /// Name for tables.
@@ -59,6 +85,10 @@ impl Rule {
             Self::Ddc => "DDC",
             Self::Eurocode8 => "EC 8",
             Self::Asce7 => "ASCE 7",
+            Self::Is1893 => "IS 1893",
+            Self::Tbdy2018 => "TBDY",
+            Self::E030 => "E.030",
+            Self::Gb50011 => "GB 50011",
         }
     }
 
@@ -70,25 +100,44 @@ impl Rule {
             Self::Ddc => "ddc_m",
             Self::Eurocode8 => "eurocode_8_m",
             Self::Asce7 => "asce_7_m",
+            Self::Is1893 => "is_1893_m",
+            Self::Tbdy2018 => "tbdy_2018_m",
+            Self::E030 => "e_030_2018_m",
+            Self::Gb50011 => "gb_50011_m",
         }
     }
 
-    /// The width that the rule asks for \[m\].
+    /// The width that the rule asks for \[m\]; `None` if it asks for heights that the scene does not give.
     ///
     /// Displacements are those of the time history itself: behaviour and amplification factors of the codes, by which they
     /// come to such displacements, have no place here.
-    pub fn width(self, separation: &Separation) -> f64 {
+    pub fn width(self, separation: &Separation) -> Option<f64> {
         let [left, right] = separation.peaks;
         let srss = (left * left + right * right).sqrt();
+        let when_level = |factor: f64| if separation.level { factor } else { 1.0 };
         match self {
-            Self::Abs => left + right,
-            Self::Eurocode8 if separation.level => 0.7 * srss,
-            Self::Srss | Self::Eurocode8 | Self::Asce7 => srss,
+            Self::Abs => Some(left + right),
+            Self::Eurocode8 => Some(when_level(0.7) * srss),
+            Self::Srss | Self::Asce7 => Some(srss),
             Self::Ddc => {
                 let correlation = correlation(separation.oscillations);
                 let square = left * left + right * right - 2.0 * correlation * left * right;
                 // Like neighbours move alike; rounding may leave less than nothing.
-                square.max(0.0).sqrt()
+                Some(square.max(0.0).sqrt())
+            }
+            Self::Is1893 => Some(when_level(0.5) * (left + right)),
+            Self::Tbdy2018 => {
+                let [_, building] = separation.heights?;
+                let steps = ((building - 6.0).max(0.0) / 3.0).floor();
+                Some((when_level(0.5) * 0.5 * srss).max(0.03 + 0.01 * steps))
+            }
+            Self::E030 => {
+                let [level, _] = separation.heights?;
+                Some(((left + right) * 2.0 / 3.0).max(0.006 * level).max(0.03))
+            }
+            Self::Gb50011 => {
+                let [_, building] = separation.heights?;
+                Some(0.1 + 0.02 * (building - 15.0).max(0.0) / 3.0)
             }
         }
     }
@@ -121,47 +170,168 @@ impl Simulation {
     /// [`Error::Run`] when a run ends early.
     pub fn separations(&self) -> Result<Vec<Separation>, Error> {
         let apart = self.apart()?.exact()?;
-        let floors = apart.floors();
         let asked = Extras {
             closings: true,
             ..Extras::default()
         };
-        let RunResult {
-            peaks, closings, ..
-        } = apart.run_unjudged(asked)?;
-        let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
-        for (left, one, other) in self.floors().neighbours() {
-            let closing = closings.as_ref().and_then(|closings| closings.of(one));
-            let Some(closing) = closing else {
-                continue;
-            };
-            // Neighbours that are apart from the start on, and further, need no gap.
-            let (required, time) = if closing.distance > 0.0 {
-                (closing.distance, closing.time)
-            } else {
-                (0.0, 0.0)
-            };
-            let sides = [one, other].map(|index| &floors.all()[index]);
-            let at_level = Separation {
-                left,
-                at_level: floors.levels().level(one) + 1,
-                required,
-                time,
-                peaks: [one, other].map(|index| peaks.of(index).displacement.value.abs()),
-                level: level(sides),
-                oscillations: sides.map(|floor| floor.oscillation(apart.scene())),
-            };
-            let so_far = widest.entry(left).or_insert(at_level);
-            if at_level.required > so_far.required {
-                *so_far = at_level;
+        let alone = apart.run_unjudged(asked)?;
+        Ok(separations_of(&apart, &alone))
+    }
+}
+
+/// The same from a run of the row apart, with its closings.
+pub(super) fn separations_of(apart: &Simulation, alone: &RunResult) -> Vec<Separation> {
+    let floors = apart.floors();
+    let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
+    for (left, one, other) in floors.neighbours() {
+        let Some(closing) = alone
+            .closings
+            .as_ref()
+            .and_then(|closings| closings.of(one))
+        else {
+            continue;
+        };
+        // Neighbours that are apart from the start on, and further, need no gap.
+        let (required, time) = if closing.distance > 0.0 {
+            (closing.distance, closing.time)
+        } else {
+            (0.0, 0.0)
+        };
+        let sides = [one, other].map(|index| &floors.all()[index]);
+        let at_level = Separation {
+            left,
+            at_level: floors.levels().level(one) + 1,
+            required,
+            time,
+            peaks: [one, other].map(|index| alone.peaks.of(index).displacement.value.abs()),
+            level: level(sides),
+            oscillations: sides.map(|floor| floor.oscillation(apart.scene())),
+            heights: heights(floors, [one, other]),
+        };
+        match widest.entry(left) {
+            Entry::Vacant(entry) => {
+                entry.insert(at_level);
+            }
+            Entry::Occupied(mut entry) => {
+                let so_far = entry.get_mut();
+                // Floors are level where all of them are.
+                let level = so_far.level && at_level.level;
+                if at_level.required > so_far.required {
+                    *so_far = at_level;
+                }
+                so_far.level = level;
             }
         }
-        Ok(widest.into_values().collect())
     }
+    widest.into_values().collect()
+}
+
+/// Height of the level of two floors, and that of the lower of their buildings \[m\]; walls have no height of their own.
+fn heights(floors: &Floors, sides: [usize; 2]) -> Option<[f64; 2]> {
+    let moves = sides.iter().filter(|side| !floors.all()[**side].is_wall());
+    let roof = |side: usize| {
+        let structure = floors.all()[side].structure;
+        let roof = floors.of_structure(structure).last()?;
+        floors.all()[*roof].elevation_m
+    };
+    let mut least = [f64::INFINITY; 2];
+    for side in moves {
+        least[0] = least[0].min(floors.all()[*side].elevation_m?);
+        least[1] = least[1].min(roof(*side)?);
+    }
+    least[0].is_finite().then_some(least)
 }
 
 /// Whether both have heights, the same ones.
 fn level([left, right]: [&Floor; 2]) -> bool {
     let heights = (left.elevation_m, right.elevation_m);
     matches!(heights, (Some(left), Some(right)) if (left - right).abs() <= EQUAL_HEIGHTS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Rule, Separation};
+
+    /// Widths \[mm\], of floors that are not level and of level ones, for these peaks and heights \[m\].
+    fn widths(rule: Rule, peaks: [f64; 2], heights: [f64; 2]) -> String {
+        let width = |level: bool| {
+            let separation = Separation {
+                left: 0,
+                at_level: 1,
+                required: 0.0,
+                time: 0.0,
+                peaks,
+                oscillations: [None; 2],
+                level,
+                heights: Some(heights),
+            };
+            format!(
+                "{:.1}",
+                1e3 * rule.width(&separation).expect("heights are given")
+            )
+        };
+        format!("{} {}", width(false), width(true))
+    }
+
+    /// ASCE 7-16, 12.12.3: a factor of 5.5 times 20 and 15 mm. EN 1998-1, 4.4.2.7: 60 and 80 mm.
+    #[test]
+    fn reference_asce_7_and_eurocode_8() {
+        assert_eq!(widths(Rule::Asce7, [0.11, 0.0825], [3.0; 2]), "137.5 137.5");
+        assert_eq!(
+            widths(Rule::Eurocode8, [0.06, 0.08], [3.0; 2]),
+            "100.0 70.0"
+        );
+    }
+
+    /// IS 1893 (Part 1):2016, 7.11.3: R = 5 times 4 mm beside R = 4 times 3 mm.
+    #[test]
+    fn reference_is_1893() {
+        assert_eq!(widths(Rule::Is1893, [0.02, 0.012], [3.6; 2]), "32.0 16.0");
+    }
+
+    /// TBDY 2018, 4.9.3: reduced displacements of 18 and 24 mm and R = 8 are 144 and 192 mm; the least gap at 12 and 18 m.
+    #[test]
+    fn reference_tbdy_2018() {
+        assert_eq!(
+            widths(Rule::Tbdy2018, [0.144, 0.192], [12.0; 2]),
+            "120.0 60.0"
+        );
+        assert_eq!(widths(Rule::Tbdy2018, [0.01; 2], [12.0; 2]), "50.0 50.0");
+        assert_eq!(widths(Rule::Tbdy2018, [0.01; 2], [18.0; 2]), "70.0 70.0");
+        assert_eq!(widths(Rule::Tbdy2018, [0.01; 2], [5.0; 2]), "30.0 30.0");
+    }
+
+    /// E.030 (2018), art. 33: 90 and 60 mm at 18 m, where 0.006 h decides, and at 4 m.
+    #[test]
+    fn reference_e_030() {
+        assert_eq!(widths(Rule::E030, [0.09, 0.06], [18.0; 2]), "108.0 108.0");
+        assert_eq!(widths(Rule::E030, [0.09, 0.06], [4.0; 2]), "100.0 100.0");
+        assert_eq!(widths(Rule::E030, [0.01, 0.01], [4.0; 2]), "30.0 30.0");
+    }
+
+    /// GB 50011-2010, 6.1.4, frames at intensity 8: 100 mm at 15 m, 200 mm at 30 m.
+    #[test]
+    fn reference_gb_50011() {
+        assert_eq!(widths(Rule::Gb50011, [0.0; 2], [3.0, 12.0]), "100.0 100.0");
+        assert_eq!(widths(Rule::Gb50011, [0.0; 2], [3.0, 30.0]), "200.0 200.0");
+    }
+
+    #[test]
+    fn limit_rules_of_heights_ask_for_them() {
+        let unknown = Separation {
+            left: 0,
+            at_level: 1,
+            required: 0.0,
+            time: 0.0,
+            peaks: [0.1; 2],
+            oscillations: [None; 2],
+            level: false,
+            heights: None,
+        };
+        let silent: Vec<_> = Rule::ALL
+            .into_iter()
+            .filter(|rule| rule.width(&unknown).is_none())
+            .collect();
+        assert_eq!(silent, [Rule::Tbdy2018, Rule::E030, Rule::Gb50011]);
+    }
 }

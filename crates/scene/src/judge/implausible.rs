@@ -11,6 +11,9 @@ use serde::{Deserialize, Serialize};
 use crate::{Building, Sdof, Simulation, Structure};
 use pounding_text::{digits, percent, short};
 
+/// Factors outside this range are far for a record: its duration and shape belong to another shaking \[–\].
+pub const USUAL_FACTORS: [f64; 2] = [0.25, 4.0];
+
 /// A value that looks wrong, though it can be modelled.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Implausible {
@@ -112,6 +115,15 @@ impl Simulation {
             (
                 format!("a peak of {} m/s²", digits(peak)),
                 "0.01 to 30 m/s²; its unit and scale decide it",
+            ),
+        );
+        let factor = self.scale();
+        doubts.unless(
+            (USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&factor) || self.origin().is_none(),
+            "record",
+            (
+                format!("scaled by {}", short(factor)),
+                "0.25 to 4: a record that needs more belongs to another earthquake",
             ),
         );
         self.doubt_the_baseline(doubts);

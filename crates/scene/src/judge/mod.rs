@@ -5,5 +5,6 @@ pub(crate) mod free_collision;
 pub(crate) mod implausible;
 pub(crate) mod lean;
 pub(crate) mod limits;
+pub(crate) mod response;
 pub(crate) mod review;
 pub(crate) mod warning;

@@ -6,7 +6,7 @@ use pounding_solver::{Collision, Work};
 use crate::judge::limits::{ContactLimit, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 use crate::simulation::{Audited, Extras};
 use crate::{
-    Balance, Delivered, Error, Method, Place, Quantity, RunErrors, RunResult, Simulation,
+    Balance, Delivered, Error, Excess, Method, Place, Quantity, RunErrors, RunResult, Simulation,
     Structure, Warning,
 };
 
@@ -28,8 +28,19 @@ pub struct Review {
     pub balance: Balance,
     /// How far it is from the exact run.
     pub errors: Errors,
-    /// What a user should know before believing it.
+    /// Responses beyond what the model describes or codes allow.
+    pub excesses: Vec<Excess>,
+    /// What a user should know before believing its numbers.
     pub warnings: Vec<Warning>,
+}
+
+impl Review {
+    /// What to know before believing and using it, in sentences, the most harmful first.
+    pub fn said(&self) -> Vec<String> {
+        let excesses = self.excesses.iter().map(ToString::to_string);
+        let warnings = self.warnings.iter().map(ToString::to_string);
+        excesses.chain(warnings).collect()
+    }
 }
 
 /// What is known of the errors of a run.
@@ -116,6 +127,7 @@ impl Simulation {
             Errors::NotMeasured
         };
         Ok(Review {
+            excesses: self.excesses(&outcome),
             outcome,
             balance,
             errors,

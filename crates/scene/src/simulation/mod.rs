@@ -8,6 +8,7 @@ mod pair_outcome;
 mod refused;
 mod run;
 mod side_by_side;
+mod values;
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -26,6 +27,7 @@ pub use pair_outcome::PairOutcome;
 pub use run::{AllRecorders, Balance, OnRow, RunResult};
 pub use run::{Audited, Extras, Recorders};
 pub use side_by_side::side_by_side;
+pub use values::Values;
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
 #[derive(Debug, Clone)]

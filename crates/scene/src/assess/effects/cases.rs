@@ -3,6 +3,7 @@
 use pounding_motion::{Record, RecordError};
 use pounding_solver::SimultaneousImpacts;
 
+use super::super::peaks::{FloorPeaks, peaks};
 use crate::{Error, Method, RunResult, Scene, Simulation};
 
 /// A change of the record, and how exactly the run follows it.
@@ -14,17 +15,6 @@ pub(super) struct Case {
     /// By which the time between samples is multiplied.
     stretch: f64,
     tolerance: f64,
-}
-
-/// Peaks of one floor and the storey below it, without sign.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Peaks {
-    /// \[m\]
-    pub(super) drift: f64,
-    /// \[N\]
-    pub(super) shear: f64,
-    /// \[m/s²\]
-    pub(super) acceleration: f64,
 }
 
 /// What hits a floor from either side.
@@ -42,7 +32,7 @@ pub(super) struct Hits {
 #[derive(Debug)]
 pub(super) struct OfFloor {
     /// Alone and beside neighbours.
-    pub(super) peaks: [Peaks; 2],
+    pub(super) peaks: [FloorPeaks; 2],
     pub(super) hits: Hits,
 }
 
@@ -103,10 +93,12 @@ impl Case {
             ..changed.scene().clone()
         };
         let beside = changed.variant(&scene, changed.record().clone())?;
-        let (_, alone) = peaks(&beside.apart()?)?;
-        let (outcome, found) = peaks(&beside)?;
+        let apart = beside.apart()?;
+        let alone = peaks(&apart, &apart.run(None)?);
+        let outcome = beside.run(None)?;
+        let found = peaks(&beside, &outcome);
         let floors = alone.into_iter().zip(found).enumerate();
-        let of_floor = |(floor, (alone, found)): (usize, (Peaks, Peaks))| OfFloor {
+        let of_floor = |(floor, (alone, found)): (usize, (FloorPeaks, FloorPeaks))| OfFloor {
             peaks: [alone, found],
             hits: Hits::of(&beside, &outcome, floor),
         };
@@ -167,20 +159,4 @@ fn simultaneous_impacts(method: Method) -> SimultaneousImpacts {
         | Method::MoreauJean { .. }
         | Method::Accuracy(_) => SimultaneousImpacts::Together,
     }
-}
-
-/// Runs a scene; the peaks of all its floors.
-fn peaks(prepared: &Simulation) -> Result<(RunResult, Vec<Peaks>), Error> {
-    let outcome = prepared.run(None)?;
-    let of_floor = |floor: usize| {
-        let peaks = outcome.peaks.of(floor);
-        Peaks {
-            drift: peaks.drift().value.abs(),
-            shear: peaks.restoring_force.value.abs(),
-            acceleration: outcome.accelerations[floor].value.abs(),
-        }
-    };
-    let n = prepared.floors().all().len();
-    let all = (0..n).map(of_floor).collect();
-    Ok((outcome, all))
 }

@@ -184,7 +184,7 @@ impl FloorEffects {
 fn effects(prepared: &Simulation, floor: usize, answers: &[Answer]) -> FloorEffects {
     let place = &prepared.floors().all()[floor];
     let moves = !place.is_wall();
-    let effect = |number: fn(&cases::Peaks) -> f64| {
+    let effect = |number: fn(&super::FloorPeaks) -> f64| {
         moves.then(|| {
             Effect::of(answers, |answer| {
                 answer.floors[floor].peaks.each_ref().map(number)

@@ -56,7 +56,7 @@ impl<'a> Widths<'a> {
             ratio.is_none_or(|ratio| asked.ratio.total_cmp(&ratio).is_eq())
         };
         let own = self.found.iter().filter(of);
-        let ratios = sorted(own.map(|(_, one)| one.required / rule.width(one)));
+        let ratios = sorted(own.map(|(_, one)| one.required / width_of(rule, one)));
         Score {
             cases: ratios.len(),
             unsafe_cases: ratios.iter().filter(|ratio| **ratio > 1.0).count(),
@@ -84,7 +84,7 @@ impl<'a> Widths<'a> {
                 asked.case.name.clone(),
                 asked.case.direction().into(),
             ];
-            let ddc = Rule::Ddc.width(one);
+            let ddc = width_of(Rule::Ddc, one);
             let own = [one.required, one.time, one.peaks[0], one.peaks[1], ddc];
             row.extend(own.map(digits));
             row
@@ -107,7 +107,7 @@ impl<'a> Widths<'a> {
         let mut rows = Vec::new();
         let ratios = std::iter::once(None).chain(self.ratios.iter().copied().map(Some));
         for ratio in ratios {
-            for rule in Rule::ALL {
+            for rule in Rule::COMMON {
                 let score = self.score(rule, ratio);
                 let mut row = vec![
                     ratio.map_or_else(|| "all".into(), digits),
@@ -122,4 +122,9 @@ impl<'a> Widths<'a> {
         }
         csv(&header, &rows)
     }
+}
+
+/// Width of a rule that asks for no heights \[m\].
+fn width_of(rule: Rule, one: &Separation) -> f64 {
+    rule.width(one).unwrap_or(f64::NAN)
 }

@@ -1,0 +1,219 @@
+//! `pounding assess`: is the gap enough under a folder of records, what does touching do, and how sure is that.
+
+mod text;
+
+use std::path::PathBuf;
+
+use pounding::report::{AssessedMotion, AssessmentReport};
+use pounding::scene::{
+    AssessedRun, Assessment, DesignSpectrum, DesignSpectrumError, Error, Method, ScaleTo, Scaling,
+    Scene, Structure,
+};
+use pounding::text::json_text;
+
+use super::suite;
+use crate::folder;
+use crate::text::paragraph;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding assess scene.toml --records records
+  pounding assess scene.toml --records records --out assessed
+  pounding assess scene.toml --records records --scale pga=0.3g
+  pounding assess scene.toml --records records --scale 'sa(0.8s)=0.5g'
+  pounding assess scene.toml --records records --target ec8:a_g=0.25g,ground=C
+  pounding assess scene.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
+
+Every horizontal motion of the folder shakes the row in both directions, by the
+exact method. The answer is one for these records: choose and scale them for the
+site. The stiffness of impacts is known to an order of magnitude; forces are
+ranges over --stiffness.
+
+The folder holds report.html, for people; assess.csv with a line per number;
+assess.json; and the figures as SVG and PNG.";
+
+/// What is asked of `assess`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The scene, a TOML or JSON file; its record is replaced.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// A folder of records.
+    #[arg(long, value_name = "FOLDER")]
+    records: PathBuf,
+    /// Scale each record: none, pga=0.3g, or sa(0.8s)=0.5g (5 % damping); by
+    /// default as the scene scales its own.
+    #[arg(long, value_name = "TO", value_parser = scaling)]
+    scale: Option<Scaling>,
+    /// Scale each record to a spectrum: ec8:…, asce7:…, or a CSV file of periods
+    /// in s and accelerations in g.
+    #[arg(long, value_name = "SPECTRUM", conflicts_with = "scale")]
+    target: Option<String>,
+    /// Range of the stiffness of impacts, as factors on that of the scene.
+    #[arg(long, value_name = "FROM..TO", default_value = "0.1..10", value_parser = factors)]
+    stiffness: [f64; 2],
+    /// Name for the report.
+    #[arg(long, value_name = "NAME", requires = "out")]
+    author: Option<String>,
+    /// Date for the report, in any form.
+    #[arg(long, value_name = "DATE", requires = "out")]
+    date: Option<String>,
+    #[command(flatten)]
+    printed: Printed,
+    /// Write a report with figures and tables here.
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// Also where the folder holds other things; they stay.
+    #[arg(long, requires = "out")]
+    overwrite: bool,
+}
+
+/// How the answer is printed.
+#[derive(Debug, clap::Args)]
+struct Printed {
+    /// Print more: every run, and every storey.
+    #[arg(long)]
+    details: bool,
+    /// Print a table for a program, SI units, a line per number.
+    #[arg(long, conflicts_with_all = ["json", "details"])]
+    csv: bool,
+    /// Print JSON, SI units.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What records are scaled to, in the words of the command line.
+fn scaling(text: &str) -> Result<Scaling, String> {
+    const ALLOWED: &str = "allowed are none, pga=0.3g and sa(0.8s)=0.5g";
+    let number = |text: &str, unit: &str| {
+        let number = text.trim().strip_suffix(unit).unwrap_or(text).trim();
+        super::positive(number).map_err(|_| ALLOWED.to_string())
+    };
+    if text == "none" {
+        return Ok(Scaling::Unscaled);
+    }
+    let (what, value) = text.split_once('=').ok_or(ALLOWED)?;
+    let value = number(value, "g")?;
+    if what == "pga" {
+        return Ok(Scaling::To(ScaleTo::PgaG(value)));
+    }
+    let period = what
+        .strip_prefix("sa(")
+        .and_then(|rest| rest.strip_suffix(')'));
+    Ok(Scaling::To(ScaleTo::Sa {
+        period_s: number(period.ok_or(ALLOWED)?, "s")?,
+        damping_ratio: 0.05,
+        sa_g: value,
+    }))
+}
+
+/// Two factors around 1.
+fn factors(text: &str) -> Result<[f64; 2], String> {
+    let ends = text
+        .split_once("..")
+        .map(|(from, to)| (super::positive(from), super::positive(to)));
+    match ends {
+        Some((Ok(from), Ok(to))) if from <= 1.0 && to >= 1.0 => Ok([from, to]),
+        _ => Err("allowed are two factors with 1 between them, such as 0.1..10".into()),
+    }
+}
+
+/// The spectrum of the command line: a code's, or that of a file.
+fn target(text: &str) -> Result<DesignSpectrum, String> {
+    let is_code = ["ec8:", "asce7:"].iter().any(|code| text.starts_with(code));
+    if is_code || !std::path::Path::new(text).is_file() {
+        return text
+            .parse()
+            .map_err(|error: DesignSpectrumError| error.to_string());
+    }
+    let read = std::fs::read_to_string(text)
+        .map_err(|error| format!("{text}: cannot be read: {error}"))?;
+    DesignSpectrum::table(&read).map_err(|error| format!("{text}: {error}"))
+}
+
+impl Arguments {
+    fn scaling(&self) -> Result<Scaling, String> {
+        match (&self.target, &self.scale) {
+            (Some(text), _) => Ok(Scaling::Target(target(text)?)),
+            (None, Some(scale)) => Ok(scale.clone()),
+            (None, None) => Ok(Scaling::AsScene),
+        }
+    }
+}
+
+/// Assesses a row under a folder of records.
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let path = &args.scene;
+    let message = |error: Error| error.in_file(path).to_string();
+    if let Some(out) = &args.out {
+        folder::check(out, args.overwrite)?;
+    }
+    let scaling = args.scaling()?;
+    let scene = Scene {
+        method: Method::EXACT,
+        ..Scene::read(path).map_err(message)?
+    };
+    let moves = |one: &Structure| !matches!(one, Structure::Wall);
+    if scene.structures.len() < 2 || !scene.structures.iter().any(moves) {
+        return Err(format!(
+            "{}: structures: allowed are two or more, one of which moves: a gap lies between two",
+            path.display()
+        ));
+    }
+    let [from, to] = args.stiffness;
+    let ran = suite::lines_of(
+        &args.records,
+        &[false, true],
+        |motion| scaling.applied(&scene, motion),
+        |prepared| prepared.assessed([from, 1.0, to]),
+    )?;
+    let report = args.report(scene, &ran.lines).map_err(message)?;
+    let report = report.ok_or("no run was finished")?;
+    let Printed { details, csv, json } = args.printed;
+    let mut text = if json {
+        json_text(&report.to_json())
+    } else if csv {
+        report.to_csv()
+    } else {
+        text::text(&report, details)
+    };
+    if let Some(out) = &args.out {
+        folder::write(out, &report.files())?;
+        if !json && !csv {
+            let page = out.join("report.html").display().to_string();
+            text = format!("{text}{}", paragraph("Report", &page));
+        }
+    }
+    ran.answer(text)
+}
+
+impl Arguments {
+    /// The runs that were finished, summed up; `None` if there are none.
+    fn report(
+        &self,
+        scene: Scene,
+        lines: &[suite::Line<AssessedRun>],
+    ) -> Result<Option<AssessmentReport>, Error> {
+        let found = lines.iter().filter_map(|line| {
+            Some(AssessedMotion {
+                name: line.motion.clone(),
+                reversed: line.reversed,
+                run: line.found.as_ref().ok()?.clone(),
+            })
+        });
+        let motions: Vec<AssessedMotion> = found.collect();
+        let runs: Vec<AssessedRun> = motions.iter().map(|one| one.run.clone()).collect();
+        let Some(assessment) = Assessment::of(&scene, &runs)? else {
+            return Ok(None);
+        };
+        let said = suite::left_out(lines)
+            .into_iter()
+            .chain(suite::untold(lines));
+        let report = AssessmentReport::new(scene, assessment, motions)?
+            .said(said.collect())
+            .stiffness(self.stiffness)
+            .signed(self.author.clone(), self.date.clone());
+        Ok(Some(report))
+    }
+}

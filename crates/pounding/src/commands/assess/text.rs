@@ -1,0 +1,202 @@
+//! An assessment on one screen: the answer, what touching does, what is proposed, and how sure that is.
+
+use pounding::report::{AssessmentReport, rough, times};
+use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
+use pounding::text::digits;
+
+use crate::text::{NONE, paragraph, short, table};
+
+/// Most lines of a table on the first screen.
+const MOST: usize = 6;
+
+pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
+    let answers = report.answers().into_iter();
+    let more = report.proposals().into_iter().chain(report.consequences());
+    let answer: Vec<String> = answers.chain(more).collect();
+    let mut parts = vec![paragraph("Answer", &answer.join("\n"))];
+    let warnings = report.warnings();
+    if !warnings.is_empty() {
+        parts.push(paragraph("Warnings", &warnings.join("\n")));
+    }
+    parts.push(gaps(report));
+    parts.push(rules(report));
+    let most = if details { usize::MAX } else { MOST };
+    parts.extend(storeys(report, most));
+    parts.extend(pairs(report, most));
+    if !report.remarks().is_empty() {
+        parts.push(paragraph("Records", &report.remarks().join("\n")));
+    }
+    if details {
+        parts.push(runs(report));
+    } else {
+        parts.push(paragraph(
+            "More",
+            "--details prints every run and storey, --out FOLDER writes a report",
+        ));
+    }
+    parts.join("\n")
+}
+
+fn millimetres(width: f64) -> String {
+    digits((width * 1e4).round() / 10.0)
+}
+
+fn gaps(report: &AssessmentReport) -> String {
+    let header = [
+        ["Gap", ""],
+        ["Scene", "[mm]"],
+        ["Runs that", "touch"],
+        ["Median", "[mm]"],
+        ["84 %", "[mm]"],
+        ["Largest", "[mm]"],
+        ["Spread", "σ ln"],
+        ["Proposed", "[mm]"],
+    ];
+    let row = |gap: &GapAssessment| {
+        let [left, right] = report.gap_names(gap);
+        vec![
+            format!("{left} – {right}"),
+            gap.own.map_or(NONE.into(), millimetres),
+            format!("{} of {}", gap.touching, report.assessment().runs),
+            millimetres(gap.required.median()),
+            millimetres(gap.required.most()),
+            millimetres(gap.required.largest()),
+            gap.required.dispersion().map_or(NONE.into(), times),
+            millimetres(gap.proposal()),
+        ]
+    };
+    let rows: Vec<_> = report.assessment().gaps.iter().map(row).collect();
+    table(&header, &rows)
+}
+
+/// Median widths of rules, and in how many runs they are too narrow.
+fn rules(report: &AssessmentReport) -> String {
+    let gaps = &report.assessment().gaps;
+    let Some(first) = gaps.first() else {
+        return String::new();
+    };
+    let names: Vec<[&str; 2]> = first
+        .rules
+        .iter()
+        .map(|rule| [rule.rule.name(), ""])
+        .collect();
+    let header: Vec<[&str; 2]> = std::iter::once(["Rules", ""]).chain(names).collect();
+    let mut rows = Vec::new();
+    for gap in gaps {
+        let [left, right] = report.gap_names(gap);
+        let widths = gap
+            .rules
+            .iter()
+            .map(|rule| millimetres(rule.width.median()));
+        rows.push(
+            std::iter::once(format!("{left} – {right}, median [mm]"))
+                .chain(widths)
+                .collect(),
+        );
+        let narrow = gap.rules.iter().map(|rule| rule.too_narrow.to_string());
+        rows.push(
+            std::iter::once("  runs in which it is too narrow".into())
+                .chain(narrow)
+                .collect(),
+        );
+    }
+    table(&header, &rows)
+}
+
+fn both(of: &Distribution) -> String {
+    format!("{} / {}", times(of.median()), times(of.most()))
+}
+
+fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
+    let header = [
+        ["When they touch", "median / 84 %"],
+        ["Drift", "× alone"],
+        ["Shear", "× alone"],
+        ["Acceleration", "× alone"],
+        ["Largest", "drift [mm]"],
+    ];
+    let all: Vec<(usize, &FloorAssessment)> = if most == usize::MAX {
+        let floors = report.floors().by_structure();
+        floors
+            .filter_map(|floor| Some((floor, report.assessment().floors[floor].as_ref()?)))
+            .collect()
+    } else {
+        report.worse()
+    };
+    let row = |(floor, one): &(usize, &FloorAssessment)| {
+        vec![
+            report.floor_name(*floor),
+            both(&one.drift),
+            both(&one.shear),
+            both(&one.acceleration),
+            millimetres(one.largest_drift),
+        ]
+    };
+    let rows: Vec<_> = all.iter().take(most).map(row).collect();
+    (!rows.is_empty()).then(|| table(&header, &rows))
+}
+
+fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
+    let header = [
+        ["Pair", ""],
+        ["Runs that", "touch"],
+        ["Force", "[kN]"],
+        ["Largest impulse", "[kN·s]"],
+        ["Speed up to", "[m/s]"],
+    ];
+    let range = |of: &Option<[Distribution; 2]>| match of {
+        Some([low, high]) => format!(
+            "{} to {}",
+            rough(1e-3 * low.median()),
+            rough(1e-3 * high.largest())
+        ),
+        None => NONE.into(),
+    };
+    let hit = report.hit();
+    let rows: Vec<_> = hit
+        .iter()
+        .take(most)
+        .map(|(index, pair)| {
+            let facing = report.floors().facing()[*index];
+            vec![
+                format!(
+                    "{} – {}",
+                    report.floor_name(facing.left),
+                    report.floor_name(facing.right)
+                ),
+                pair.touching.to_string(),
+                range(&pair.peak_force),
+                range(&pair.largest_impulse),
+                pair.approach_speed.map_or(NONE.into(), rough),
+            ]
+        })
+        .collect();
+    (!rows.is_empty()).then(|| table(&header, &rows))
+}
+
+fn runs(report: &AssessmentReport) -> String {
+    let header = [
+        ["Motion", ""],
+        ["Scaled", "by"],
+        ["Widest gap", "needed [mm]"],
+        ["Collisions", ""],
+    ];
+    let row = |one: &pounding::report::AssessedMotion| {
+        let reversed = if one.reversed { " rev." } else { "" };
+        let widest = one
+            .run
+            .separations
+            .iter()
+            .map(|gap| gap.required)
+            .fold(0.0, f64::max);
+        let collisions: usize = one.run.pairs.iter().map(|pair| pair.collisions).sum();
+        vec![
+            format!("{}{reversed}", one.name),
+            short(one.run.scale),
+            millimetres(widest),
+            collisions.to_string(),
+        ]
+    };
+    let rows: Vec<_> = report.motions().iter().map(row).collect();
+    table(&header, &rows)
+}

@@ -1,0 +1,262 @@
+//! `pounding assess`: the answer comes first, and nothing unsafe passes in silence.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::{Ended, folder, pounding};
+
+const RECORDS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/records");
+
+/// Two towers and a low stiff building; floors of the first two are level.
+const TOWERS: &str = r#"
+name = "towers"
+record.file = "el-centro-1940-ns-chopra.csv"
+
+[[structures]]
+building = { name = "Tower 8", period_s = 1.1, damping.ratio = 0.05, storeys = [{ mass_kg = 4e5, height_m = 3.5, repeat = 4, yield_drift_ratio = 0.005, hardening_ratio = 0.03 }] }
+
+[[structures]]
+building = { name = "Tower 5", period_s = 0.6, damping.ratio = 0.05, storeys = [{ mass_kg = 4e5, height_m = 3.5, repeat = 3 }] }
+
+[[structures]]
+sdof = { name = "Workshop", mass_kg = 8e5, period_s = 0.2, damping.ratio = 0.05, height_m = 3.5 }
+
+[[contacts]]
+gap_m = 0.04
+law.hertz_damp = { impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }
+
+[[contacts]]
+gap_m = 0.04
+law.hertz_damp = { impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }
+"#;
+
+/// A folder with the scene, and its records.
+fn workplace(test: &str, scene: &str) -> PathBuf {
+    let work = folder(test);
+    fs::write(work.join("scene.toml"), scene).expect("it can be written");
+    fs::create_dir(work.join("records")).expect("it can be made");
+    for name in [
+        "el-centro-1940-ns-chopra.csv",
+        "el-centro-1940-ns-peer-pacific-engineering.csv",
+    ] {
+        let from = Path::new(RECORDS).join(name);
+        fs::copy(&from, work.join("records").join(name)).expect("it can be copied");
+    }
+    fs::copy(
+        Path::new(RECORDS).join("el-centro-1940-ns-chopra.csv"),
+        work.join("el-centro-1940-ns-chopra.csv"),
+    )
+    .expect("it can be copied");
+    work
+}
+
+fn assess(work: &Path, more: &[&str]) -> Ended {
+    let arguments = ["assess", "scene.toml", "--records", "records"];
+    pounding(work, &[&arguments, more].concat())
+}
+
+#[test]
+fn reference_the_answer_comes_first() {
+    let work = workplace("assess_first", TOWERS);
+    let ended = assess(&work, &["--target", "ec8:a_g=0.25g,ground=C"]);
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    insta::assert_snapshot!(ended.stdout);
+}
+
+/// Widths that are enough for every run leave none that touches, and a step less leaves some.
+#[test]
+fn limit_what_is_proposed_is_enough() {
+    let work = workplace("assess_proposed", TOWERS);
+    let of = |scene: &str| -> Value {
+        fs::write(work.join("scene.toml"), scene).expect("it can be written");
+        let ended = assess(&work, &["--scale", "pga=0.4g", "--json"]);
+        serde_json::from_str(&ended.stdout).expect("JSON")
+    };
+    let found = of(TOWERS);
+    let gaps = found["gaps"].as_array().expect("gaps");
+    let with = |change: f64| {
+        let mut scene = TOWERS.to_string();
+        for gap in gaps {
+            let width = gap["proposed_m"].as_f64().expect("a width") + change;
+            scene = scene.replacen("gap_m = 0.04", &format!("gap_m = {width}"), 1);
+        }
+        let touching = of(&scene)["gaps"].clone();
+        let touching = touching.as_array().expect("gaps").iter();
+        touching
+            .map(|gap| gap["touching_runs"].as_u64().expect("a count"))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(gaps.len(), 2);
+    assert_eq!(with(0.0), [0, 0]);
+    assert!(with(-0.01).iter().all(|runs| *runs > 0));
+}
+
+/// A drift of a quarter of the storey height, and "Warnings none".
+#[test]
+fn issue_impossible_responses_are_warned_of() {
+    let weak = TOWERS.replace("yield_drift_ratio = 0.005", "yield_drift_ratio = 0.001");
+    let weak = weak.replace(
+        "record.file = \"el-centro-1940-ns-chopra.csv\"",
+        "record = { file = \"el-centro-1940-ns-chopra.csv\", scale_to.pga_g = 1.6 }",
+    );
+    let work = workplace("assess_impossible", &weak);
+    let run = pounding(&work, &["run", "scene.toml"]);
+    let all = assess(&work, &[]);
+    for printed in [run.stdout, all.stdout] {
+        let printed = printed.split_whitespace().collect::<Vec<_>>().join(" ");
+        for said in [
+            "of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13)",
+            "ductility demand of",
+            "above 0.25 (ASCE 7-16, 12.8.7)",
+        ] {
+            assert!(printed.contains(said), "{said}:\n{printed}");
+        }
+    }
+}
+
+/// A scale of 1144 was accepted without a word.
+#[test]
+fn issue_a_far_scale_is_warned_of() {
+    let far = TOWERS.replace(
+        "record.file = \"el-centro-1940-ns-chopra.csv\"",
+        "record = { file = \"el-centro-1940-ns-chopra.csv\", scale = 12.0 }",
+    );
+    let work = workplace("assess_far", &far);
+    let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
+    assert!(
+        run.stdout.contains("record: scaled by 12"),
+        "{}",
+        run.stdout
+    );
+    let all = assess(&work, &["--scale", "pga=3g"]);
+    assert!(
+        all.stdout
+            .contains("scaled by less than 0.25 or more than 4"),
+        "{}",
+        all.stdout
+    );
+}
+
+/// "They touch at 1 of 7 gaps", where the reversed shaking hits six.
+#[test]
+fn issue_a_run_tells_of_both_directions() {
+    let work = workplace("assess_both", TOWERS);
+    let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
+    let first: Vec<&str> = run.stdout.lines().take(6).collect();
+    let first = first.join("\n");
+    assert!(
+        first.contains("as recorded:") && first.contains("reversed:"),
+        "{first}"
+    );
+    let one = pounding(
+        &work,
+        &["run", "scene.toml", "--no-error", "--one-direction"],
+    );
+    assert!(!one.stdout.contains("reversed:"), "{}", one.stdout);
+}
+
+/// A force to four digits whose stiffness nobody knows: it is a range, and a wide one.
+#[test]
+fn issue_forces_are_ranges() {
+    let work = workplace("assess_ranges", TOWERS);
+    let of = |more: &[&str]| -> Vec<Value> {
+        let ended = assess(&work, &[more, &["--scale", "pga=0.6g", "--json"]].concat());
+        let found: Value = serde_json::from_str(&ended.stdout).expect("JSON");
+        let pairs = found["pairs"].as_array().expect("pairs").clone();
+        pairs
+            .into_iter()
+            .filter(|pair| pair["touching_runs"] != 0)
+            .collect()
+    };
+    let ratio = |pair: &Value| {
+        let force = &pair["peak_force_n"];
+        let end = |end: &str| force[end]["largest"].as_f64().expect("a force");
+        end("largest") / end("least")
+    };
+    let (wide, none) = (of(&[]), of(&["--stiffness", "1..1"]));
+    assert!(!wide.is_empty() && wide.len() == none.len());
+    assert!(wide.iter().all(|pair| ratio(pair) > 2.0), "{wide:?}");
+    assert!(
+        none.iter().all(|pair| (ratio(pair) - 1.0).abs() <= 0.0),
+        "{none:?}"
+    );
+}
+
+/// "1078 mm are enough for all 22 motions", without a median.
+#[test]
+fn issue_gaps_have_statistics() {
+    let work = workplace("assess_gap", TOWERS);
+    let gap = pounding(&work, &["gap", "scene.toml", "--records", "records"]);
+    let printed = gap.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        printed.contains("mm for half of them,") && printed.contains("mm for 84 %"),
+        "{printed}"
+    );
+}
+
+#[test]
+fn reference_the_folder_holds_what_is_printed() {
+    let work = workplace("assess_out", TOWERS);
+    let ended = assess(
+        &work,
+        &[
+            "--out",
+            "out",
+            "--author",
+            "A. Engineer",
+            "--date",
+            "2026-11-25",
+        ],
+    );
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    let read = |name: &str| fs::read_to_string(work.join("out").join(name)).expect("it is there");
+    let (page, table) = (read("report.html"), read("assess.csv"));
+    let first = ended.stdout.lines().next().expect("an answer");
+    let first = first.trim_start_matches("Answer").trim();
+    assert!(page.contains(first) && page.contains("A. Engineer, 2026-11-25."));
+    roxmltree::Document::parse_with_options(
+        page.strip_prefix("<!DOCTYPE html>").expect("HTML"),
+        roxmltree::ParsingOptions::default(),
+    )
+    .expect("it is well-formed");
+    let mut rows = csv::Reader::from_reader(table.as_bytes());
+    let header: Vec<String> = rows
+        .headers()
+        .expect("a header")
+        .iter()
+        .map(String::from)
+        .collect();
+    let quantity = header
+        .iter()
+        .position(|name| name == "quantity")
+        .expect("a column");
+    let required = rows.records().filter(|row| {
+        row.as_ref()
+            .is_ok_and(|row| &row[quantity] == "required_gap_m")
+    });
+    // Two gaps, two records, two directions.
+    assert_eq!(required.count(), 8);
+    assert_eq!(table, assess(&work, &["--csv"]).stdout);
+    for name in ["row.png", "gap.svg", "assess.json"] {
+        assert!(work.join("out").join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn extreme_what_cannot_be_assessed_says_why() {
+    let work = workplace("assess_refused", TOWERS);
+    let said = |more: &[&str]| {
+        let ended = assess(&work, more);
+        format!("{} {}", ended.code, ended.stderr)
+    };
+    let all = [
+        said(&["--target", "ec8:a_g=0.25g"]),
+        said(&["--target", "nowhere.csv"]),
+        said(&["--scale", "pga=-1g"]),
+        said(&["--scale", "sa(0.8s)"]),
+        said(&["--stiffness", "2..10"]),
+    ];
+    insta::assert_snapshot!(all.join("\n"));
+}

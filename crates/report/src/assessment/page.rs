@@ -1,0 +1,322 @@
+//! `report.html` of an assessment: the answer on the first page, the rest behind it.
+
+use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
+
+use super::AssessmentReport;
+use super::figures::Drawn;
+use super::words::{millimetres, rough, times};
+use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
+use crate::page::{STYLE, inline};
+
+pub(super) fn html(report: &AssessmentReport, figures: &[Drawn]) -> String {
+    let title = escaped(&report.scene.name);
+    let figure = |name: &str| {
+        let found = figures.iter().position(|one| one.name == name);
+        found.map_or_else(String::new, |at| illustrated(at + 1, &figures[at]))
+    };
+    let sections = [
+        format!(
+            "<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n",
+            escaped(&lead(report))
+        ),
+        verdict(report),
+        figure("row"),
+        warnings(report),
+        format!("<h2>Required gap</h2>\n{}", gaps(report)),
+        figure("gap"),
+        touching(report),
+        figure("amplification"),
+        format!("<h2>Rules of codes</h2>\n{}", rules(report)),
+        format!(
+            "<h2>Motions</h2>\n{}{}",
+            motions(report),
+            list(report.remarks())
+        ),
+        format!("<h2>Every storey</h2>\n{}", storeys(report, &all(report))),
+        again(report),
+    ];
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title} – pounding</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+        sections.concat()
+    )
+}
+
+fn lead(report: &AssessmentReport) -> String {
+    let mut records: Vec<&str> = report.motions.iter().map(|one| one.name.as_str()).collect();
+    records.dedup();
+    let signed = [&report.author, &report.date].into_iter().flatten();
+    let signed: Vec<&str> = signed.map(String::as_str).collect();
+    let signed = if signed.is_empty() {
+        String::new()
+    } else {
+        format!(" {}.", signed.join(", "))
+    };
+    format!(
+        "{} structures in a row under {} ground motions, each in both directions, computed by pounding {} with the exact method.{signed}",
+        report.scene.structures.len(),
+        records.len(),
+        env!("CARGO_PKG_VERSION"),
+    )
+}
+
+fn verdict(report: &AssessmentReport) -> String {
+    let touch = if report.hit().is_empty() {
+        ""
+    } else {
+        " touch"
+    };
+    let answers = report.answers();
+    let first = answers.first().map_or("", String::as_str);
+    let more: Vec<String> = answers
+        .iter()
+        .skip(1)
+        .cloned()
+        .chain(report.proposals())
+        .chain(report.consequences())
+        .collect();
+    format!(
+        "<div class=\"verdict{touch}\">\n<p><strong>{}</strong></p>\n{}</div>\n",
+        escaped(first),
+        list(&more)
+    )
+}
+
+fn warnings(report: &AssessmentReport) -> String {
+    let warnings = report.warnings();
+    if warnings.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<div class=\"warnings\">\n<p><strong>Before the numbers are believed</strong></p>\n{}</div>\n",
+        list(&warnings)
+    )
+}
+
+fn width(of: f64) -> Cell {
+    Cell::new(millimetres(of))
+}
+
+fn gaps(report: &AssessmentReport) -> String {
+    let row = |gap: &GapAssessment| {
+        let [left, right] = report.gap_names(gap);
+        let dispersion = gap.required.dispersion();
+        vec![
+            Cell::new(format!("{left} – {right}")),
+            Cell::known(gap.own.map(millimetres)),
+            Cell::new(format!("{} of {}", gap.touching, report.assessment.runs)),
+            width(gap.required.median()),
+            width(gap.required.most()),
+            width(gap.required.largest()),
+            Cell::known(dispersion.map(times)),
+            width(gap.proposal()),
+        ]
+    };
+    let rows: Vec<_> = report.assessment.gaps.iter().map(row).collect();
+    let header = [
+        "Gap",
+        "Scene [mm]",
+        "They touch",
+        "Median [mm]",
+        "84 % [mm]",
+        "Largest [mm]",
+        "Spread σ ln",
+        "Proposed [mm]",
+    ];
+    format!(
+        "<p>The width that keeps the neighbours apart in a run: the largest closing of the gap while every building stands alone.</p>\n{}",
+        table(&header, &rows)
+    )
+}
+
+fn touching(report: &AssessmentReport) -> String {
+    let hit = report.hit();
+    if hit.is_empty() {
+        return "<h2>What touching does</h2>\n<p>Nothing touches.</p>\n".into();
+    }
+    let [from, to] = report.stiffness.map(pounding_text::digits);
+    let range = |of: &Option<[Distribution; 2]>, unit: f64| match of {
+        Some([low, high]) => Cell::new(format!(
+            "{} to {}",
+            rough(low.median() / unit),
+            rough(high.largest() / unit)
+        )),
+        None => Cell::new(NONE),
+    };
+    let rows: Vec<_> = hit
+        .iter()
+        .map(|(index, pair)| {
+            let facing = report.floors.facing()[*index];
+            vec![
+                Cell::new(format!(
+                    "{} – {}",
+                    report.floor_name(facing.left),
+                    report.floor_name(facing.right)
+                )),
+                Cell::new(pair.touching.to_string()),
+                range(&pair.peak_force, 1e3),
+                range(&pair.largest_impulse, 1e3),
+                Cell::known(pair.approach_speed.map(rough)),
+            ]
+        })
+        .collect();
+    let header = [
+        "Pair",
+        "Runs that touch",
+        "Force [kN]",
+        "Largest impulse [kN·s]",
+        "Speed ≤ [m/s]",
+    ];
+    let worse = report.worse();
+    let storeys = if worse.is_empty() {
+        "<p>No storey gets worse by more than 10 % in more than 16 % of the runs.</p>\n".into()
+    } else {
+        format!(
+            "<p>Storeys that get worse by more than 10 % in more than 16 % of the runs:</p>\n{}",
+            storeys(report, &worse)
+        )
+    };
+    format!(
+        "<h2>What touching does</h2>\n{storeys}<p>Forces and impulses from the median of the softest to the largest of the stiffest contact, \
+         {from} to {to} times the stiffness of the scene: nobody knows it better, and it decides the force.</p>\n{}",
+        table(&header, &rows)
+    )
+}
+
+fn all(report: &AssessmentReport) -> Vec<(usize, &FloorAssessment)> {
+    let floors = report.floors.by_structure();
+    floors
+        .filter_map(|floor| Some((floor, report.assessment.floors[floor].as_ref()?)))
+        .collect()
+}
+
+fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> String {
+    let both =
+        |of: &Distribution| Cell::new(format!("{} / {}", times(of.median()), times(of.most())));
+    let row = |(floor, one): &(usize, &FloorAssessment)| {
+        vec![
+            Cell::new(report.floor_name(*floor)),
+            both(&one.drift),
+            both(&one.shear),
+            both(&one.acceleration),
+            width(one.largest_drift),
+        ]
+    };
+    let rows: Vec<_> = floors.iter().map(row).collect();
+    let header = [
+        "Storey",
+        "Drift × alone",
+        "Shear × alone",
+        "Acceleration × alone",
+        "Largest drift [mm]",
+    ];
+    format!(
+        "<p class=\"soft\">Median / 84 % of the runs in which their building touches.</p>\n{}",
+        table(&header, &rows)
+    )
+}
+
+fn rules(report: &AssessmentReport) -> String {
+    let mut rows = Vec::new();
+    for gap in &report.assessment.gaps {
+        let [left, right] = report.gap_names(gap);
+        for rule in &gap.rules {
+            rows.push(vec![
+                Cell::new(format!("{left} – {right}")),
+                Cell::new(rule.rule.name()),
+                width(rule.width.median()),
+                width(rule.width.most()),
+                width(rule.width.largest()),
+                Cell::new(format!("{} of {}", rule.too_narrow, report.assessment.runs)),
+                Cell::new(format!("{:.0} %", 100.0 * rule.least_share)),
+            ]);
+        }
+    }
+    let header = [
+        "Gap",
+        "Rule",
+        "Median [mm]",
+        "84 % [mm]",
+        "Largest [mm]",
+        "Too narrow",
+        "At worst",
+    ];
+    format!(
+        "<p>Each rule takes the displacements of the time history of both buildings standing alone. “At worst” is its width as a part of \
+         the one that is needed.</p>\n{}",
+        table(&header, &rows)
+    )
+}
+
+fn motions(report: &AssessmentReport) -> String {
+    let rows: Vec<_> = report
+        .motions
+        .iter()
+        .map(|one| {
+            let reversed = if one.reversed { ", reversed" } else { "" };
+            let collisions: usize = one.run.pairs.iter().map(|pair| pair.collisions).sum();
+            let widest = one
+                .run
+                .separations
+                .iter()
+                .map(|gap| gap.required)
+                .fold(0.0, f64::max);
+            vec![
+                Cell::new(format!("{}{reversed}", one.name)),
+                Cell::new(short(one.run.scale)),
+                width(widest),
+                Cell::new(collisions.to_string()),
+            ]
+        })
+        .collect();
+    table(
+        &[
+            "Motion",
+            "Scaled by",
+            "Widest gap needed [mm]",
+            "Collisions",
+        ],
+        &rows,
+    )
+}
+
+fn again(report: &AssessmentReport) -> String {
+    let scene = serde_json::to_string_pretty(&report.scene).unwrap_or_default();
+    let said = facts(&[
+        (
+            "Records".into(),
+            "those named under Motions; assess.json lists them".into(),
+        ),
+        (
+            "Stiffness of impacts".into(),
+            format!(
+                "{} to {} times that of the scene",
+                short(report.stiffness[0]),
+                short(report.stiffness[1])
+            ),
+        ),
+    ]);
+    format!(
+        "<h2>How to repeat it</h2>\n<p>Save the scene below as <code>scene.json</code> and run, with pounding {},</p>\n\
+         <pre>pounding assess scene.json --records FOLDER --out assessed</pre>\n{said}<pre class=\"scene\">{}</pre>\n",
+        env!("CARGO_PKG_VERSION"),
+        escaped(&scene)
+    )
+}
+
+/// A figure with its caption, or why there is none.
+fn illustrated(number: usize, one: &Drawn) -> String {
+    match &one.picture {
+        Ok((svg, _)) => format!(
+            "<figure>\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>\n",
+            inline(svg, &one.caption),
+            escaped(&one.caption)
+        ),
+        Err(reason) => format!(
+            "<p class=\"soft\">Figure {number} ({}) could not be drawn: {}</p>\n",
+            one.name,
+            escaped(&reason.to_string())
+        ),
+    }
+}

@@ -1,0 +1,114 @@
+//! The row as a sketch: heights to scale, floors that touch in red.
+
+use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape, writable};
+
+use super::AssessmentReport;
+use super::words::millimetres;
+
+pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
+                                  that touch in some run are red.";
+
+/// Height of a storey whose height nobody gives \[m\].
+const STOREY: f64 = 3.0;
+/// Largest height on paper \[mm\].
+const TALL: f64 = 60.0;
+/// Width of a building, and of what lies between two \[mm\].
+const WIDE: f64 = 26.0;
+const BETWEEN: f64 = 14.0;
+/// Ground, and the margin above the highest roof \[mm\].
+const GROUND: f64 = 14.0;
+const ABOVE: f64 = 6.0;
+
+pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
+    let floors = report.floors();
+    let structures = &report.scene().structures;
+    let touched = touched(report);
+    let elevations = (0..floors.all().len()).map(|floor| elevation(report, floor));
+    let scale = TALL / elevations.fold(STOREY, f64::max);
+    let width = structures.len() as f64 * (WIDE + BETWEEN) + BETWEEN;
+    let mut shapes = vec![Shape::line(
+        (0.0, GROUND),
+        (width, GROUND),
+        Pen::solid(Shade::Ink, 1.0),
+    )];
+    for (index, structure) in structures.iter().enumerate() {
+        let left = BETWEEN + index as f64 * (WIDE + BETWEEN);
+        shapes.extend(building(report, index, &touched, left, scale));
+        let below = (left + WIDE / 2.0, GROUND - 4.0);
+        shapes.push(Shape::text(
+            below,
+            shortened(structure.name()),
+            8.0,
+            Align::Middle,
+        ));
+    }
+    for gap in &report.assessment().gaps {
+        let at = BETWEEN + (gap.left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
+        if let Some(own) = gap.own {
+            let text = format!("{} mm", millimetres(own));
+            shapes.push(Shape::text((at, GROUND - 10.0), text, 8.0, Align::Middle));
+        }
+    }
+    Drawing {
+        width,
+        height: GROUND + TALL + ABOVE,
+        shapes,
+    }
+}
+
+/// A structure from its left side on, with its floors; a wall is half as high as the paper.
+fn building(
+    report: &AssessmentReport,
+    index: usize,
+    touched: &[usize],
+    left: f64,
+    scale: f64,
+) -> Vec<Shape> {
+    let floors = report.floors();
+    let own = floors.of_structure(index);
+    let is_wall = own.iter().all(|floor| floors.all()[*floor].is_wall());
+    let tops = own.iter().map(|floor| scale * elevation(report, *floor));
+    let (top, shade) = if is_wall {
+        (TALL / 2.0, Shade::Silver)
+    } else {
+        (tops.fold(0.0, f64::max), Shade::Mist)
+    };
+    let mut shapes = vec![Shape::Rectangle {
+        corner: (left, GROUND),
+        size: (WIDE, top),
+        fill: Some(Fill::solid(shade)),
+        outline: Some(Pen::solid(Shade::Ink, 0.8)),
+    }];
+    for floor in own.iter().filter(|_| !is_wall) {
+        let height = GROUND + scale * elevation(report, *floor);
+        let pen = if touched.contains(floor) {
+            Pen::solid(Shade::Vermilion, 3.0)
+        } else {
+            Pen::solid(Shade::Ink, 0.8)
+        };
+        shapes.push(Shape::line((left, height), (left + WIDE, height), pen));
+    }
+    shapes
+}
+
+/// Height of a floor above the ground \[m\].
+fn elevation(report: &AssessmentReport, floor: usize) -> f64 {
+    let one = &report.floors().all()[floor];
+    let storeys = one.storey.unwrap_or(1);
+    one.elevation_m.unwrap_or(STOREY * storeys as f64)
+}
+
+/// The floors that touch in some run.
+fn touched(report: &AssessmentReport) -> Vec<usize> {
+    let hit = report.hit().into_iter();
+    let both = hit.map(|(pair, _)| report.floors().facing()[pair]);
+    both.flat_map(|pair| [pair.left, pair.right]).collect()
+}
+
+fn shortened(name: &str) -> String {
+    let name = writable(name);
+    if name.chars().count() <= 16 {
+        return name;
+    }
+    name.chars().take(15).chain(['…']).collect()
+}

@@ -1,0 +1,249 @@
+//! What an assessment says in sentences, for the terminal and the page.
+
+use pounding_scene::{ExcessKind, FloorAssessment, GapAssessment, PairAssessment, USUAL_FACTORS};
+use pounding_text::{digits, rounded_up, short};
+
+use super::AssessmentReport;
+
+impl AssessmentReport {
+    /// Name of a floor: that of its building, and its number; of a structure of one storey and a wall its own.
+    pub fn floor_name(&self, floor: usize) -> String {
+        let one = &self.floors.all()[floor];
+        let building = self.scene.structures[one.structure].name();
+        match one.storey {
+            Some(storey) => format!("{building}, floor {storey}"),
+            None => building.into(),
+        }
+    }
+
+    /// Names of the neighbours of a gap.
+    pub fn gap_names(&self, gap: &GapAssessment) -> [&str; 2] {
+        [gap.left, gap.left + 1].map(|index| self.scene.structures[index].name())
+    }
+
+    /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
+    pub fn answers(&self) -> Vec<String> {
+        let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
+        gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
+        gaps.into_iter().map(|gap| self.answer(gap)).collect()
+    }
+
+    fn answer(&self, gap: &GapAssessment) -> String {
+        let [left, right] = self.gap_names(gap);
+        let runs = self.assessment.runs;
+        let [most, all] = [gap.required.most(), gap.required.largest()]
+            .map(|width| millimetres(gap.built(width)));
+        match gap.own {
+            None => format!(
+                "{left} and {right} need {most} mm in 84 % of the {runs} runs, {all} mm in all."
+            ),
+            Some(own) if gap.touching == 0 => format!(
+                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.",
+                millimetres(own),
+                rounded_up(1e3 * gap.required.largest(), 1)
+            ),
+            Some(own) if most == all || gap.built(gap.required.most()) <= own => format!(
+                "{} mm is not enough between {left} and {right}: they touch in {} of {runs} runs. {all} mm would be enough in all.",
+                millimetres(own),
+                gap.touching
+            ),
+            Some(own) => format!(
+                "{} mm is not enough between {left} and {right}: they touch in {} of {runs} runs. {most} mm would be enough in 84 % of \
+                 them, {all} mm in all.",
+                millimetres(own),
+                gap.touching
+            ),
+        }
+    }
+
+    /// What is proposed for every gap that is not enough, and what that leaves to chance.
+    pub fn proposals(&self) -> Vec<String> {
+        let mut records: Vec<&str> = self.motions.iter().map(|one| one.name.as_str()).collect();
+        records.dedup();
+        let gaps = self.assessment.gaps.iter();
+        let wanting = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.required.largest()));
+        let widths = wanting.map(|gap| {
+            let [left, right] = self.gap_names(gap);
+            format!(
+                "{} mm between {left} and {right}",
+                millimetres(gap.proposal())
+            )
+        });
+        let widths: Vec<String> = widths.collect();
+        if widths.is_empty() {
+            return Vec::new();
+        }
+        let n = records.len();
+        let like = if n == 1 {
+            "like this one".into()
+        } else {
+            format!("like these {n}")
+        };
+        vec![format!(
+            "Proposed: {} (the largest needed, rounded up). A further record {like} needs more with a chance of 1 in {}.",
+            widths.join(", "),
+            n + 1
+        )]
+    }
+
+    /// The storeys that get worse by touching, those first whose worst response grows most; their numbers in the row.
+    pub fn worse(&self) -> Vec<(usize, &FloorAssessment)> {
+        let floors = self.assessment.floors.iter().enumerate();
+        let worse = floors.filter_map(|(index, floor)| Some((index, floor.as_ref()?)));
+        let mut worse: Vec<_> = worse.filter(|(_, floor)| floor.is_worse()).collect();
+        let most = |floor: &FloorAssessment| {
+            floor
+                .drift
+                .most()
+                .max(floor.shear.most())
+                .max(floor.acceleration.most())
+        };
+        worse.sort_by(|one, other| most(other.1).total_cmp(&most(one.1)));
+        worse
+    }
+
+    /// The pairs that touch, those first with the largest force, or without forces the largest speed; their numbers in the row.
+    pub fn hit(&self) -> Vec<(usize, &PairAssessment)> {
+        let pairs = self.assessment.pairs.iter().enumerate();
+        let mut hit: Vec<_> = pairs.filter(|(_, pair)| pair.touching > 0).collect();
+        let force = |pair: &PairAssessment| {
+            pair.peak_force
+                .as_ref()
+                .map_or(0.0, |[_, high]| high.largest())
+        };
+        let speed = |pair: &PairAssessment| pair.approach_speed.unwrap_or(0.0);
+        hit.sort_by(|(_, one), (_, other)| {
+            let by_force = force(other).total_cmp(&force(one));
+            by_force.then(speed(other).total_cmp(&speed(one)))
+        });
+        hit
+    }
+
+    /// What harms the answer, the worst first.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut said: Vec<String> = self.excesses();
+        let far: Vec<String> = self
+            .motions
+            .iter()
+            .filter(|one| !one.reversed)
+            .filter(|one| !(USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&one.run.scale))
+            .map(|one| format!("{} × {}", one.name, short(one.run.scale)))
+            .collect();
+        if !far.is_empty() {
+            said.push(format!(
+                "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes",
+                digits(USUAL_FACTORS[0]),
+                digits(USUAL_FACTORS[1]),
+                far.join(", ")
+            ));
+        }
+        let mut records: Vec<&str> = self.motions.iter().map(|one| one.name.as_str()).collect();
+        records.dedup();
+        if records.len() < FEW {
+            said.push(format!(
+                "{} of {FEW} records: ASCE 7-16, 16.2.2, and EN 1998-1, 3.2.3.1, want 11 and 7 or more for a mean; quantiles of so few say little",
+                records.len()
+            ));
+        }
+        if self
+            .motions
+            .iter()
+            .all(|one| (one.run.scale - 1.0).abs() <= 0.0)
+        {
+            said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; see --scale and --target".into());
+        }
+        said
+    }
+}
+
+/// So many storeys.
+fn storeys(count: usize) -> String {
+    match count {
+        1 => "one storey".into(),
+        n => format!("{n} storeys"),
+    }
+}
+
+/// A ratio with two decimals.
+pub fn times(ratio: f64) -> String {
+    format!("{ratio:.2}")
+}
+
+/// A number with two significant digits: what is known to an order of magnitude has no more.
+pub fn rough(value: f64) -> String {
+    let two: f64 = format!("{value:.1e}").parse().unwrap_or(value);
+    digits(two)
+}
+
+/// Fewest records for statistics.
+const FEW: usize = 7;
+
+/// A width in millimetres, without digits that nobody builds.
+pub(super) fn millimetres(width: f64) -> String {
+    digits((width * 1e4).round() / 10.0)
+}
+
+impl AssessmentReport {
+    /// What touching does, in a sentence each: the storey that gets worst, and the hardest pair.
+    pub fn consequences(&self) -> Vec<String> {
+        let mut said = Vec::new();
+        let worse = self.worse();
+        if let Some((floor, one)) = worse.first() {
+            let responses = [
+                ("drift", &one.drift),
+                ("shear force", &one.shear),
+                ("acceleration", &one.acceleration),
+            ];
+            let worst = responses
+                .into_iter()
+                .max_by(|one, other| one.1.most().total_cmp(&other.1.most()));
+            said.extend(worst.map(|(what, ratio)| {
+                format!(
+                    "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, × {} in 84 % of those runs.",
+                    storeys(worse.len()),
+                    self.floor_name(*floor),
+                    times(ratio.median()),
+                    times(ratio.most()),
+                )
+            }));
+        }
+        if let Some((index, pair)) = self.hit().first() {
+            let facing = self.floors.facing()[*index];
+            let [left, right] = [facing.left, facing.right].map(|floor| self.floor_name(floor));
+            let [from, to] = self.stiffness.map(digits);
+            said.push(match &pair.peak_force {
+                Some([low, high]) => format!(
+                    "Largest pounding force {} to {} kN ({left} – {right}), for {from} to {to} times the impact stiffness of the scene, which \
+                     nobody knows better.",
+                    rough(1e-3 * low.median()),
+                    rough(1e-3 * high.largest())
+                ),
+                None => format!(
+                    "{left} – {right} meet with up to {} m/s; the contact law of the scene has no force.",
+                    rough(pair.approach_speed.unwrap_or(0.0))
+                ),
+            });
+        }
+        said
+    }
+
+    /// Responses beyond the model or beyond codes, over all runs: the worst of every kind, and in how many runs.
+    fn excesses(&self) -> Vec<String> {
+        let all = self.motions.iter().flat_map(|one| &one.run.excesses);
+        let mut kinds: Vec<ExcessKind> = all.clone().map(|one| one.kind).collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let said = |kind: ExcessKind| {
+            let of_kind = all.clone().filter(|one| one.kind == kind);
+            let runs = of_kind.clone().count();
+            let worst = of_kind.max_by(|one, other| one.found.total_cmp(&other.found))?;
+            Some(format!(
+                "{} in {runs} of {} runs, at worst {}",
+                self.floor_name(worst.floor),
+                self.assessment.runs,
+                kind.says(worst.found)
+            ))
+        };
+        kinds.into_iter().filter_map(said).collect()
+    }
+}

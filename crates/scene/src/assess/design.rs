@@ -1,0 +1,365 @@
+//! Elastic design spectra of codes, and spectra from a table.
+
+use std::str::FromStr;
+
+/// A spectrum of accelerations.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DesignSpectrum {
+    /// Elastic response spectrum of EN 1998-1:2004, 3.2.2.2, for 5 % of damping.
+    Eurocode8 {
+        /// Design ground acceleration on ground A, `a_g` \[g\], > 0.
+        ground_acceleration: f64,
+        /// Corner values of the ground type.
+        ground: Eurocode8Ground,
+    },
+    /// Design response spectrum of ASCE 7-16, 11.4.6.
+    Asce7 {
+        /// `S_DS` \[g\], > 0.
+        short: f64,
+        /// `S_D1` \[g\], > 0.
+        one_second: f64,
+        /// Long-period transition period `T_L` \[s\], > 0.
+        long_period: f64,
+    },
+    /// Periods \[s\] and accelerations \[g\] in rising order of periods, linear between them and constant beyond.
+    Table(Vec<[f64; 2]>),
+}
+
+/// Soil factor S \[–\] and corner periods `T_B`, `T_C`, `T_D` \[s\] of a ground type, of EN 1998-1:2004, tables 3.2 and 3.3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eurocode8Ground {
+    soil: f64,
+    corners: [f64; 3],
+}
+
+/// A spectrum that cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DesignSpectrumError {
+    /// Neither a known code nor a table.
+    #[error(
+        "target: found \"{0}\", allowed are \"ec8:a_g=0.25g,ground=C\" (and type=2), \"asce7:s_ds=1.0,s_d1=0.6,t_l=8\" and a CSV file of \
+         periods in s and accelerations in g"
+    )]
+    Unknown(String),
+    /// A value that is left out, unknown or out of range.
+    #[error("target: {field}: found {found}, allowed {allowed}")]
+    Field {
+        /// Its name.
+        field: String,
+        /// What was found.
+        found: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A table that is none.
+    #[error(
+        "target: line {line}: found \"{found}\", allowed are a period in s and an acceleration in g, periods rising"
+    )]
+    Line {
+        /// The line, from 1.
+        line: usize,
+        /// What it holds.
+        found: String,
+    },
+}
+
+impl DesignSpectrum {
+    /// Spectral acceleration \[g\] at a period ≥ 0 \[s\].
+    pub fn acceleration(&self, period: f64) -> f64 {
+        match self {
+            Self::Eurocode8 {
+                ground_acceleration,
+                ground,
+            } => ground_acceleration * ground.amplification(period),
+            Self::Asce7 {
+                short,
+                one_second,
+                long_period,
+            } => {
+                let end = one_second / short;
+                let start = 0.2 * end;
+                if period < start {
+                    short * (0.4 + 0.6 * period / start)
+                } else if period <= end {
+                    *short
+                } else if period <= *long_period {
+                    one_second / period
+                } else {
+                    one_second * long_period / (period * period)
+                }
+            }
+            Self::Table(points) => between(points, period),
+        }
+    }
+
+    /// Reads the table of a file: lines with a period \[s\] and an acceleration \[g\], with commas, semicolons or blanks between; a
+    /// first line of words and lines that begin with # are skipped.
+    ///
+    /// # Errors
+    /// [`DesignSpectrumError::Line`].
+    pub fn table(text: &str) -> Result<Self, DesignSpectrumError> {
+        let mut points: Vec<[f64; 2]> = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let fields: Vec<&str> = line
+                .split([',', ';', ' ', '\t'])
+                .filter(|field| !field.is_empty())
+                .collect();
+            let numbers: Vec<f64> = fields
+                .iter()
+                .filter_map(|field| field.parse().ok())
+                .collect();
+            let words = index == 0 && numbers.is_empty();
+            if fields.is_empty() || words || line.starts_with('#') {
+                continue;
+            }
+            let rises = |point: &[f64]| points.last().is_none_or(|last| point[0] > last[0]);
+            match numbers[..] {
+                [period, acceleration]
+                    if fields.len() == 2
+                        && period >= 0.0
+                        && acceleration > 0.0
+                        && acceleration.is_finite()
+                        && rises(&numbers) =>
+                {
+                    points.push([period, acceleration]);
+                }
+                _ => {
+                    return Err(DesignSpectrumError::Line {
+                        line: index + 1,
+                        found: line.chars().take(60).collect(),
+                    });
+                }
+            }
+        }
+        if points.is_empty() {
+            return Err(DesignSpectrumError::Unknown(
+                "a file without numbers".into(),
+            ));
+        }
+        Ok(Self::Table(points))
+    }
+}
+
+impl Eurocode8Ground {
+    /// Of a ground type A to E, for the spectrum of type 1 or 2.
+    fn of(ground: &str, kind: &str) -> Option<Self> {
+        let (soil, corners) = match (kind, ground) {
+            ("1", "A") => (1.0, [0.15, 0.4, 2.0]),
+            ("1", "B") => (1.2, [0.15, 0.5, 2.0]),
+            ("1", "C") => (1.15, [0.2, 0.6, 2.0]),
+            ("1", "D") => (1.35, [0.2, 0.8, 2.0]),
+            ("1", "E") => (1.4, [0.15, 0.5, 2.0]),
+            ("2", "A") => (1.0, [0.05, 0.25, 1.2]),
+            ("2", "B") => (1.35, [0.05, 0.25, 1.2]),
+            ("2", "C") => (1.5, [0.1, 0.25, 1.2]),
+            ("2", "D") => (1.8, [0.1, 0.3, 1.2]),
+            ("2", "E") => (1.6, [0.05, 0.25, 1.2]),
+            _ => return None,
+        };
+        Some(Self { soil, corners })
+    }
+
+    /// Spectral over ground acceleration \[–\], for 5 % of damping.
+    fn amplification(&self, period: f64) -> f64 {
+        let [begin, end, long] = self.corners;
+        let plateau = 2.5 * self.soil;
+        if period < begin {
+            self.soil * (1.0 + 1.5 * period / begin)
+        } else if period <= end {
+            plateau
+        } else if period <= long {
+            plateau * end / period
+        } else {
+            plateau * end * long / (period * period)
+        }
+    }
+}
+
+/// Value of a table at a period, linear between its points.
+fn between(points: &[[f64; 2]], period: f64) -> f64 {
+    let above = points.iter().position(|point| point[0] >= period);
+    match above {
+        Some(0) => points[0][1],
+        None => points[points.len() - 1][1],
+        Some(above) => {
+            let [[from, low], [to, high]] = [points[above - 1], points[above]];
+            low + (high - low) * (period - from) / (to - from)
+        }
+    }
+}
+
+/// Settings such as `a_g=0.25g,ground=C`.
+struct Settings<'a>(Vec<(&'a str, &'a str)>);
+
+impl<'a> Settings<'a> {
+    fn of(text: &'a str, known: &[&str]) -> Result<Self, DesignSpectrumError> {
+        let setting = |one: &'a str| {
+            let (field, value) = one.split_once('=').unwrap_or((one, ""));
+            (field.trim(), value.trim())
+        };
+        let all: Vec<_> = text.split(',').map(setting).collect();
+        match all.iter().find(|(field, _)| !known.contains(field)) {
+            Some((field, value)) => Err(DesignSpectrumError::Field {
+                field: (*field).into(),
+                found: (*value).into(),
+                allowed: "are a_g, ground and type after ec8:, and s_ds, s_d1 and t_l after asce7:",
+            }),
+            None => Ok(Self(all)),
+        }
+    }
+
+    fn text(&self, field: &str) -> Option<&'a str> {
+        self.0.iter().find(|one| one.0 == field).map(|one| one.1)
+    }
+
+    /// A number > 0, perhaps with its unit behind it.
+    fn positive(&self, field: &str, unit: &str) -> Result<f64, DesignSpectrumError> {
+        let text = self.text(field);
+        let number = text.and_then(|text| {
+            text.strip_suffix(unit)
+                .unwrap_or(text)
+                .trim()
+                .parse::<f64>()
+                .ok()
+        });
+        match number.filter(|number| *number > 0.0 && number.is_finite()) {
+            Some(number) => Ok(number),
+            None => Err(DesignSpectrumError::Field {
+                field: field.into(),
+                found: text.unwrap_or("nothing").into(),
+                allowed: "is a number > 0",
+            }),
+        }
+    }
+}
+
+impl FromStr for DesignSpectrum {
+    type Err = DesignSpectrumError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text.split_once(':') {
+            Some(("ec8", settings)) => {
+                let settings = Settings::of(settings, &["a_g", "ground", "type"])?;
+                let (ground, kind) = (
+                    settings.text("ground").unwrap_or("nothing"),
+                    settings.text("type").unwrap_or("1"),
+                );
+                let corners = Eurocode8Ground::of(ground, kind).ok_or_else(|| {
+                    DesignSpectrumError::Field {
+                        field: "ground".into(),
+                        found: format!("{ground}, type {kind}"),
+                        allowed: "are A to E, of type 1 or 2",
+                    }
+                })?;
+                Ok(Self::Eurocode8 {
+                    ground_acceleration: settings.positive("a_g", "g")?,
+                    ground: corners,
+                })
+            }
+            Some(("asce7", settings)) => {
+                let settings = Settings::of(settings, &["s_ds", "s_d1", "t_l"])?;
+                Ok(Self::Asce7 {
+                    short: settings.positive("s_ds", "g")?,
+                    one_second: settings.positive("s_d1", "g")?,
+                    long_period: settings.positive("t_l", "s")?,
+                })
+            }
+            _ => Err(DesignSpectrumError::Unknown(text.into())),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DesignSpectrum;
+
+    fn at(spectrum: &str, periods: &[f64]) -> Vec<f64> {
+        let spectrum: DesignSpectrum = spectrum.parse().expect("a spectrum");
+        periods
+            .iter()
+            .map(|period| spectrum.acceleration(*period))
+            .collect()
+    }
+
+    fn are_close(found: &[f64], wanted: &[f64]) {
+        for (found, wanted) in found.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
+        }
+    }
+
+    /// EN 1998-1:2004, (3.2) to (3.5), of ground C: S = 1.15, and corners at 0.2, 0.6 and 2 s.
+    #[test]
+    fn reference_eurocode_8() {
+        let found = at(
+            "ec8:a_g=0.25g,ground=C",
+            &[0.0, 0.1, 0.2, 0.6, 1.2, 2.0, 4.0],
+        );
+        let top = 0.25 * 1.15 * 2.5;
+        are_close(
+            &found,
+            &[
+                0.2875,
+                0.2875 * 1.75,
+                top,
+                top,
+                top / 2.0,
+                top * 0.3,
+                top * 0.6 * 2.0 / 16.0,
+            ],
+        );
+        are_close(
+            &at("ec8:a_g=0.1,ground=D,type=2", &[0.2]),
+            &[0.1 * 1.8 * 2.5],
+        );
+    }
+
+    /// ASCE 7-16, (11.4-5) to (11.4-7): corners at 0.12 and 0.6 s.
+    #[test]
+    fn reference_asce_7() {
+        let found = at(
+            "asce7:s_ds=1.0g,s_d1=0.6g,t_l=8s",
+            &[0.0, 0.06, 0.12, 0.6, 1.0, 8.0, 16.0],
+        );
+        are_close(&found, &[0.4, 0.7, 1.0, 1.0, 0.6, 0.075, 0.6 * 8.0 / 256.0]);
+    }
+
+    #[test]
+    fn reference_a_table() {
+        let table = DesignSpectrum::table("period_s,sa_g\n# of the site\n0.1, 0.5\n0.3;0.9\n")
+            .expect("a table");
+        are_close(
+            &[0.0, 0.2, 5.0].map(|period| table.acceleration(period)),
+            &[0.5, 0.7, 0.9],
+        );
+        for bad in ["0.1,0.5\n0.1,0.6", "0.1", "period", "a\n0.1,-1"] {
+            assert!(DesignSpectrum::table(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn extreme_what_is_no_spectrum_says_what_is() {
+        let refused = |text: &str| {
+            text.parse::<DesignSpectrum>()
+                .expect_err("refused")
+                .to_string()
+        };
+        insta::assert_snapshot!(
+            [
+                "ec9:a_g=1",
+                "ec8:a_g=0.25g",
+                "ec8:a_g=-1g,ground=C",
+                "ec8:ag=1,ground=C",
+                "asce7:s_ds=1,s_d1=0.6"
+            ]
+            .map(refused)
+            .join("\n"),
+            @r#"
+        target: found "ec9:a_g=1", allowed are "ec8:a_g=0.25g,ground=C" (and type=2), "asce7:s_ds=1.0,s_d1=0.6,t_l=8" and a CSV file of periods in s and accelerations in g
+        target: ground: found nothing, type 1, allowed are A to E, of type 1 or 2
+        target: a_g: found -1g, allowed is a number > 0
+        target: ag: found 1, allowed are a_g, ground and type after ec8:, and s_ds, s_d1 and t_l after asce7:
+        target: t_l: found nothing, allowed is a number > 0
+        "#
+        );
+    }
+}

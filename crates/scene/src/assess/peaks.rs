@@ -1,0 +1,27 @@
+//! Peaks of a floor and the storey below it, without sign.
+
+use crate::{RunResult, Simulation};
+
+/// Peaks of one floor and the storey below it, without sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloorPeaks {
+    /// Drift of the storey \[m\].
+    pub drift: f64,
+    /// Shear force of the storey \[N\].
+    pub shear: f64,
+    /// Absolute acceleration of the floor \[m/s²\]; impulsive impacts, which have no bound, are left out.
+    pub acceleration: f64,
+}
+
+/// Peaks of every floor of a run, in the order of the row.
+pub(super) fn peaks(simulation: &Simulation, result: &RunResult) -> Vec<FloorPeaks> {
+    let of_floor = |floor: usize| {
+        let peaks = result.peaks.of(floor);
+        FloorPeaks {
+            drift: peaks.drift().value.abs(),
+            shear: peaks.restoring_force.value.abs(),
+            acceleration: result.accelerations[floor].value.abs(),
+        }
+    };
+    (0..simulation.floors().all().len()).map(of_floor).collect()
+}

@@ -1,0 +1,145 @@
+//! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
+//! contact.
+
+use serde::Serialize;
+
+use super::peaks::{FloorPeaks, peaks};
+use super::separation::{Separation, separations_of};
+use crate::simulation::Extras;
+use crate::{Error, Excess, PairQuantity, RunResult, Scene, Simulation};
+
+/// Factors on the impact stiffness: soft, as the scene has it, and stiff.
+pub type StiffnessFactors = [f64; 3];
+
+/// From a tenth to ten times: the stiffness of an impact is known to an order of magnitude at best.
+pub const STIFFNESS_FACTORS: StiffnessFactors = [0.1, 1.0, 10.0];
+
+/// What one motion in one direction does to a row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AssessedRun {
+    /// What the source of the record was multiplied by \[–\].
+    pub scale: f64,
+    /// What every gap needs.
+    pub separations: Vec<Separation>,
+    /// Of every floor in the order of the row.
+    pub floors: Vec<AssessedFloor>,
+    /// Of every pair in the order of the row.
+    pub pairs: Vec<AssessedPair>,
+    /// Responses beyond the model or beyond codes, beside its neighbours.
+    pub excesses: Vec<Excess>,
+}
+
+/// Peaks of a floor alone and beside its neighbours; of a wall they are 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AssessedFloor {
+    /// Of the building alone.
+    pub alone: FloorPeaks,
+    /// Beside its neighbours, with the contact stiffness of the scene.
+    pub beside: FloorPeaks,
+    /// Least and largest amplification of the drift over the contact stiffness \[–\]; `None` if it does not move alone.
+    pub drift_range: Option<[f64; 2]>,
+}
+
+/// What happens to a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AssessedPair {
+    /// Number of collisions, with the contact stiffness of the scene.
+    pub collisions: usize,
+    /// Least and largest peak force over the contact stiffness \[N\]; `None` if they do not touch, or if the law is impulsive.
+    pub peak_force: Option<[f64; 2]>,
+    /// Least and largest impulse of a collision over the contact stiffness, the largest of each run \[N·s\]; `None` if they do not
+    /// touch.
+    pub largest_impulse: Option<[f64; 2]>,
+    /// Largest speed of approach at the start of a collision \[m/s\], with the contact stiffness of the scene.
+    pub approach_speed: Option<f64>,
+}
+
+impl Simulation {
+    /// What this motion in this direction does to the row, by the exact method; the record is used as it is.
+    ///
+    /// The range over the contact stiffness takes two further runs where a compliant pair touches.
+    ///
+    /// # Errors
+    /// [`Error::Run`] if a run ends early, [`Error::Broken`] if one breaks a law of mechanics.
+    pub fn assessed(&self, factors: StiffnessFactors) -> Result<AssessedRun, Error> {
+        let exact = self.exact()?;
+        let apart = exact.apart()?;
+        let asked = Extras {
+            closings: true,
+            ..Extras::default()
+        };
+        let alone = apart.run_unjudged(asked)?;
+        let beside = exact.run(None)?;
+        let excesses = exact.excesses(&beside);
+        let mut variants = Vec::new();
+        if beside
+            .collisions
+            .all()
+            .iter()
+            .any(|one| one.peak_force.is_some())
+        {
+            for factor in factors {
+                if (factor - 1.0).abs() > 0.0 {
+                    variants.push(exact.stiffened(factor)?.run(None)?);
+                }
+            }
+        }
+        variants.push(beside);
+        let pairs = 0..self.pairs().len();
+        let before = peaks(&apart, &alone);
+        let after: Vec<_> = variants.iter().map(|one| peaks(&exact, one)).collect();
+        let floor = |index: usize| AssessedFloor {
+            alone: before[index],
+            beside: after[after.len() - 1][index],
+            drift_range: range(
+                after
+                    .iter()
+                    .map(|one| one[index].drift / before[index].drift),
+            ),
+        };
+        Ok(AssessedRun {
+            scale: self.scale(),
+            separations: separations_of(&apart, &alone),
+            floors: (0..before.len()).map(floor).collect(),
+            pairs: pairs
+                .map(|pair| assessed_pair(&exact, &variants, pair))
+                .collect(),
+            excesses,
+        })
+    }
+
+    /// The same with every contact so many times as stiff, and as much restitution.
+    fn stiffened(&self, factor: f64) -> Result<Self, Error> {
+        let mut scene: Scene = self.scene().clone();
+        for contact in scene.contacts.iter_mut().flatten() {
+            contact.law = contact.law.stiffened(factor);
+        }
+        self.variant(&scene, self.record().clone())
+    }
+}
+
+/// Of a pair; the last run is the one with the stiffness of the scene.
+fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> AssessedPair {
+    let own = &runs[runs.len() - 1];
+    let over = |quantity: PairQuantity| {
+        range(
+            runs.iter()
+                .filter_map(|run| run.values(simulation).of(quantity, pair)),
+        )
+    };
+    let speeds = own.collisions_of(pair).filter_map(|one| one.approach_speed);
+    AssessedPair {
+        collisions: own.collisions_of(pair).count(),
+        peak_force: over(PairQuantity::PeakForceN),
+        largest_impulse: over(PairQuantity::LargestImpulseNS),
+        approach_speed: speeds.reduce(f64::max),
+    }
+}
+
+/// Least and largest of some finite numbers.
+fn range(numbers: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let finite = numbers.filter(|number| number.is_finite());
+    finite
+        .map(|number| [number; 2])
+        .reduce(|range, one| [range[0].min(one[0]), range[1].max(one[1])])
+}

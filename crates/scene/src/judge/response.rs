@@ -1,0 +1,162 @@
+//! Whether what a run computed is still what its model describes.
+
+use std::fmt::{self, Display, Formatter};
+
+use pounding_text::{percent, short};
+
+use crate::{RunResult, Simulation};
+
+/// Drift ratio above which storeys are beyond what codes allow of ordinary buildings \[–\]: NBCC 2015, 4.1.8.13 (3).
+pub const MOST_DRIFT: f64 = 0.025;
+/// Ductility demand above which bilinear columns say little \[–\]: a convention; ductile frames are designed for at most some 6 (NZS 1170.5).
+pub const MOST_DUCTILITY: f64 = 6.0;
+/// Drift ratio at the end of a run above which repair hardly pays \[–\]: J. McCormick, H. Aburano,
+/// M. Ikenaga and M. Nakashima, 14th World Conf. Earthquake Engng (2008).
+pub const MOST_RESIDUAL: f64 = 0.005;
+/// Stability coefficients above which gravity counts, and above which a building is unstable \[–\]: EN 1998-1, 4.4.2.2 (2), and ASCE 7-16,
+/// 12.8.7.
+pub const MOST_STABILITY: [f64; 2] = [0.1, 0.25];
+/// Drift of a storey of unknown height that is more than 2.5 % of any usual one, which is at most 12 m high \[m\].
+const MOST_UNKNOWN: f64 = 0.3;
+
+/// A response beyond what the model describes, or codes allow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Excess {
+    /// What it is.
+    pub kind: ExcessKind,
+    /// The floor in the order of the row; the storey is the one below it.
+    pub floor: usize,
+    /// Its name.
+    pub name: String,
+    /// How much it is, in the unit of the kind.
+    pub found: f64,
+}
+
+/// A kind of response that is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ExcessKind {
+    /// Drift of a storey of unknown height \[m\].
+    Displacement,
+    /// Stability coefficient P Δ/(V h) of a storey \[–\].
+    Stability,
+    /// Drift over the height of the storey \[–\].
+    Drift,
+    /// Drift over that at yielding \[–\].
+    Ductility,
+    /// Drift at the end over the height of the storey \[–\].
+    ResidualDrift,
+}
+
+impl Simulation {
+    /// What of a run is beyond its model or what codes allow, at the worst floor of every kind, the most harmful kind first.
+    pub fn excesses(&self, result: &RunResult) -> Vec<Excess> {
+        let mut worst: Vec<Excess> = Vec::new();
+        for floor in 0..self.floors().all().len() {
+            for (kind, found) in self.judged(result, floor) {
+                if found <= kind.most() || found.is_nan() {
+                    continue;
+                }
+                let excess = Excess {
+                    kind,
+                    floor,
+                    name: self.floors().all()[floor].name.clone(),
+                    found,
+                };
+                match worst.iter_mut().find(|one| one.kind == kind) {
+                    Some(known) if known.found < found => *known = excess,
+                    Some(_) => (),
+                    None => worst.push(excess),
+                }
+            }
+        }
+        worst.sort_by_key(|one| one.kind);
+        worst
+    }
+
+    fn judged(&self, result: &RunResult, floor: usize) -> Vec<(ExcessKind, f64)> {
+        let floors = self.floors();
+        let one = &floors.all()[floor];
+        let Some(made_of) = one.made_of else {
+            return Vec::new();
+        };
+        let peaks = result.peaks.of(floor);
+        let drift = peaks.drift().value.abs();
+        let below = floors
+            .below(floor)
+            .map_or(0.0, |below| result.last.of(below));
+        let residual = result.last.of(floor) - below;
+        let mut all = Vec::new();
+        all.extend(
+            one.ductility(drift)
+                .map(|found| (ExcessKind::Ductility, found)),
+        );
+        let Some(height) = made_of.height_m else {
+            all.push((ExcessKind::Displacement, drift));
+            return all;
+        };
+        let above = floors.of_structure(one.structure).iter();
+        let above = above.filter(|other| floors.storey_of(**other) >= floors.storey_of(floor));
+        let masses = above
+            .filter_map(|other| floors.all()[*other].made_of)
+            .map(|made| made.mass_kg);
+        let weight = self.scene().record.gravity_m_per_s2 * masses.sum::<f64>();
+        let shear = peaks.restoring_force.value.abs();
+        all.push((ExcessKind::Drift, drift / height));
+        all.push((ExcessKind::Stability, weight * drift / (shear * height)));
+        if one.can_yield() {
+            all.push((ExcessKind::ResidualDrift, residual.abs() / height));
+        }
+        all
+    }
+}
+
+impl ExcessKind {
+    /// What is not yet too much.
+    fn most(self) -> f64 {
+        match self {
+            Self::Displacement => MOST_UNKNOWN,
+            Self::Stability => MOST_STABILITY[0],
+            Self::Drift => MOST_DRIFT,
+            Self::Ductility => MOST_DUCTILITY,
+            Self::ResidualDrift => MOST_RESIDUAL,
+        }
+    }
+
+    /// What a number of this kind says.
+    pub fn says(self, found: f64) -> String {
+        match self {
+            Self::Displacement => format!(
+                "drift of {} m: more than 2.5 % of any usual storey; give height_m, and look at the scale of the record",
+                short(found)
+            ),
+            Self::Stability if found > MOST_STABILITY[1] => format!(
+                "stability coefficient P Δ/(V h) = {}, above 0.25 (ASCE 7-16, 12.8.7): gravity, which the model leaves out, would bring the \
+                 storey down",
+                short(found)
+            ),
+            Self::Stability => format!(
+                "stability coefficient P Δ/(V h) = {}, above 0.1 (EN 1998-1, 4.4.2.2): gravity, which the model leaves out, adds to the drift",
+                short(found)
+            ),
+            Self::Drift => format!(
+                "drift of {} of the storey height, above 2.5 % (NBCC 2015, 4.1.8.13): columns that lose strength, which the model leaves out, \
+                 decide",
+                percent(found)
+            ),
+            Self::Ductility => format!(
+                "ductility demand of {}, above 6: columns lose strength, which the model leaves out",
+                short(found)
+            ),
+            Self::ResidualDrift => format!(
+                "drift of {} of the storey height left at the end, above 0.5 % (McCormick et al. 2008): repair hardly pays",
+                percent(found)
+            ),
+        }
+    }
+}
+
+impl Display for Excess {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        write!(to, "{}: {}", self.name, self.kind.says(self.found))
+    }
+}
