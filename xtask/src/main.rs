@@ -1,4 +1,28 @@
-//! Tasks of the project: `cargo xtask reproduce`, `beyond`, `studies`, `verify`, `check`, `bench` and `fuzz`.
+//! Tasks of the project: what makes its results anew, and what must pass before a change lands.
+//!
+//! ```text
+//! cargo xtask check              # before you hand over
+//! cargo xtask reproduce          # if a number could move; then look at the figures
+//! cargo xtask studies fragility  # one survey alone
+//! ```
+//!
+//! | Task | Does | Writes |
+//! |---|---|---|
+//! | `check` | format, lints, rooms, tests, documentation, results | – |
+//! | `reproduce` | every table and figure of the paper, and the examples | `results/` |
+//! | `beyond` | the paper's claims under other ground motions | `results/beyond/`; with `--records` `target/beyond/` |
+//! | `studies` | surveys of thousands of exact runs | a folder of `results/` each |
+//! | `verify` | random scenes by both routes | `target/verify/` |
+//! | `rooms` | the crates, their sizes, and arrows that run up | – |
+//! | `bench` | timings | `results/` |
+//! | `fuzz` | random bytes for every reader | `fuzz/artifacts/` |
+//! | `hyperqueue`, `slurm` | a sweep by a scheduler, held to the bytes of one without | – |
+//!
+//! Left out: the results themselves, which `pounding-studies` makes; timings, which `pounding-bench` runs; and what users of the program
+//! need, which is in `pounding`.
+//!
+//! Where to start: `check.rs`, the steps of a check; `reproduce.rs` and `results.rs`, how results are compared by bytes; `rooms.rs`,
+//! the rule that arrows between crates run down.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,

@@ -6,7 +6,12 @@
 //! ```
 //! let text = "# Somewhere, north-south\ntime_s,acceleration_g\n0.00,0.0\n0.02,-0.2\n";
 //! let record = pounding_motion::read(text.as_bytes())?.into_record(9.81)?;
+//!
+//! // Linear between samples: half of −0.2 g = −1.962 m/s² after half of the step.
 //! assert!((record.at(0.01) + 0.981).abs() < 1e-12);
+//!
+//! // From rest the ground reaches ½ · 1.962 m/s² · 0.02 s = 0.01962 m/s.
+//! assert!((record.measures().pgv - 0.01962).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -16,8 +21,14 @@
 //!
 //! Motions without a file are [`Harmonic`], [`RickerPulse`], [`HalfSinePulse`] and [`StochasticMotion`].
 //!
-//! Left out on purpose: opening files, and baseline correction beyond [`Record::detrended`]. A velocity or displacement
-//! history is refused, not differentiated.
+//! Left out on purpose: opening files, folders of records and response spectra (`pounding-scene`), and baseline correction beyond
+//! [`Record::detrended`]. A velocity or displacement history is refused, not differentiated.
+//!
+//! Where to start:
+//!
+//! - [`Record`]: a motion in m/s²; its methods scale, resample, filter, integrate and measure it.
+//! - [`read`], [`Format`] and [`Declared`]: formats of files, and what a caller says of them.
+//! - A format is one file in `src/format`; `src/format.rs` lists all.
 
 mod accelerogram;
 mod at_rest;

@@ -2,13 +2,33 @@
 //!
 //! A [`Figure`] says what to show: panels with curves, marks, notes, and axes that are linear, logarithmic or of names.
 //! A [`Drawing`] says where every line and letter goes, in millimetres; schematic pictures are written as one directly.
-//! Both are a [`Picture`], and both end in [`render_png`]. A figure is laid out into a drawing, so there is one way to
-//! paper only.
+//! Both are a [`Picture`], and both end in [`render_png`] or [`render_both`]. A figure is laid out into a drawing, so there is one way
+//! to paper only.
+//!
+//! ```
+//! use pounding_plot::{Axis, Curve, Figure, Kind, Panel, Shade, render_png};
+//!
+//! // A structure of T = 1.2 s swings freely from 30 mm: u = 30 cos(2πt/T).
+//! let swing = |t: f64| (t, 30.0 * (std::f64::consts::TAU * t / 1.2).cos());
+//! let curve = Curve::new(Kind::Line, Shade::Blue, (0..=240).map(|i| swing(f64::from(i) * 0.01)).collect());
+//! let y = Axis::auto("Displacement (mm)");
+//! let panels = vec![Panel { y, curves: vec![curve], ..Panel::default() }];
+//! let figure = Figure { height_in: 3.0, x: Axis::over("Time (s)", 0.0, 2.4), panels, ..Figure::default() };
+//!
+//! // The paper is 7 inches wide: 2100 × 900 dots at 300 dots per inch, which a PNG states in its bytes 16 to 23.
+//! let png = render_png(&figure)?;
+//! let dots = |at: usize| png[at..at + 4].iter().fold(0, |sum, byte| 256 * sum + u32::from(*byte));
+//! assert_eq!((dots(16), dots(20)), (2100, 900));
+//! # Ok::<(), pounding_plot::PlotError>(())
+//! ```
 //!
 //! Quantities arrive in the units of their axis: this crate converts nothing and knows no mechanics.
 //! The one font is bundled, so no font of the machine is ever read.
 //!
-//! Left out on purpose: second y axes, colour maps, interactivity.
+//! Left out on purpose: second y axes, colour maps, interactivity. `pounding-report` decides which figures a run gets.
+//!
+//! Where to start: [`Figure`] and [`Panel`], which are all fields; [`Drawing`] and [`Shape`] for a schematic; [`PlotError`] for all
+//! reasons of a refusal.
 
 mod clip;
 mod curves;

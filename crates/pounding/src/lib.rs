@@ -1,6 +1,27 @@
 //! Earthquake-induced structural pounding: the crate to depend on, and the program `pounding`.
 //!
-//! | Module | Holds | Knows nothing of |
+//! Two towers 30 mm apart in one pulse, from the words of a scene to the impulse of the first collision:
+//!
+//! ```
+//! use pounding::{contact::reduced_mass, scene::Scene, scene::Simulation};
+//!
+//! let text = r#"
+//!     name = "two towers"
+//!     record.generated.ricker = { amplitude_m_per_s2 = 3.0, frequency_hz = 1.0, time_step_s = 0.01 }
+//!     contacts = [{ gap_m = 0.03, law.stereomechanical.restitution = 0.65 }]
+//!     structures = [
+//!         { sdof = { name = "weak", mass_kg = 75e3, stiffness_n_per_m = 2.056e6, damping.ratio = 0.05 } },
+//!         { sdof = { name = "stiff", mass_kg = 3e6, stiffness_n_per_m = 1.316e9, damping.ratio = 0.05 } },
+//!     ]"#;
+//! let run = Simulation::new(&Scene::parse(text.as_bytes(), "towers.toml".as_ref())?, "")?.run(None)?;
+//! let first = run.of_pair(0).first.expect("the gap is too narrow for this pulse");
+//! // Momentum: towers that meet with v₀ pass on (1+e) m v₀, m = 73 171 kg the reduced mass.
+//! let impulse = 1.65 * reduced_mass(1.0 / 75e3, 1.0 / 3e6) * first.approach_speed.expect("the exact method knows it");
+//! assert!((first.impulse / impulse - 1.0).abs() < 1e-12);
+//! # Ok::<(), pounding::scene::Error>(())
+//! ```
+//!
+//! | Module | Holds | Does not know |
 //! |---|---|---|
 //! | [`motion`] | ground motions: formats, processing, measures, formulas | structures |
 //! | [`contact`] | contact laws and the restitution each really delivers | time steps, rows |
@@ -11,42 +32,14 @@
 //! | [`report`] | a run as a folder of tables and figures | sweeps |
 //! | [`text`] | numbers as people read them, tables as CSV | units |
 //!
-//! Two structures 3 cm apart, and what happens when the ground jerks once:
+//! Left out: finding out who can touch whom (neighbours are named), and units other than SI anywhere but in printed tables. The numbers of
+//! the paper and the check by a second route are crates of the workspace, `pounding-studies` and `pounding-reference`.
 //!
-//! ```
-//! use pounding::contact::{ContactLaw, Stereomechanical};
-//! use pounding::motion::Record;
-//! use pounding::solver::{
-//!     Clock, Collisions, Damping, Elastic, Excitation, Integrator, Newmark, Node, Pair, Row,
-//! };
+//! Where to start:
 //!
-//! let structure = |mass: f64, stiffness: f64| {
-//!     let damping = Damping::Ratio(0.05).coefficient(mass, stiffness);
-//!     Node::structure(mass, damping, Elastic { stiffness })
-//! };
-//! let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.65 });
-//! let row = Row::new(
-//!     vec![structure(75e3, 2.056e6), structure(3e6, 1.316e9)],
-//!     vec![Pair { left: 0, right: 1, gap: 0.03, law }],
-//! )?;
-//!
-//! // −3 m/s² for 0.3 s: the ground goes to the left, so the structures lean to the right.
-//! let record = Record::new(0.1, vec![-3.0, -3.0, -3.0, -3.0, 0.0], "a jerk")?;
-//! let excitation = Excitation::new(record.time_step(), record.samples())?;
-//!
-//! let method = Integrator::Newmark(Newmark::AVERAGE_ACCELERATION);
-//! let mut collisions = Collisions::new(row.nodes().len(), row.pairs());
-//! method.run(&row, excitation, Clock { time_step: 0.005, n_steps: 400 }, &mut collisions)?;
-//!
-//! let first = collisions.all().first().expect("the gap is too narrow for this jerk");
-//! assert!(first.start < 0.3, "the flexible structure reaches the stiff one while the ground accelerates");
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
-//! Whoever has a scene as a file reads it with [`scene::Scene::read`] and runs it with [`scene::Simulation`].
-//!
-//! Left out: finding out who can touch whom (neighbours are named), and units other
-//! than SI anywhere but in printed tables.
+//! - [`scene::Scene`] and [`scene::Simulation`], for a scene as a file: [`scene::Simulation::review`] adds errors and warnings.
+//! - [`solver::Row`] and [`solver::Integrator`], for a model made in code.
+//! - [`report::Report`] for a folder of results, [`sweep::Sweep`] for thousands of runs.
 
 pub use pounding_contact as contact;
 pub use pounding_motion as motion;

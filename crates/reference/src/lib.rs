@@ -1,25 +1,41 @@
 //! A second route to the motion of a row: event-located Runge–Kutta, kept apart from every integrator of the solver.
 //!
-//! A reference is believed to the digits on which two independent routes agree. This one shares with the solver the
-//! model data ([`Row`], [`Excitation`]) and the parameters of contact laws and columns; forces, events, impacts and records
-//! are written out again from their formulas.
+//! A reference is believed to the digits on which two independent routes agree. This one shares with the solver the model data ([`Row`],
+//! [`Excitation`]) and the parameters of contact laws and columns. Forces, events, impacts and records are written out again from their
+//! formulas.
 //!
-//! Everything is integrated with the Dormand–Prince method of order 8(5,3) under error control, free flight included.
-//! No step crosses a sample of the record, touch, parting, yield, unloading, the reversal of a deformation rate, a peak
-//! of displacement, drift or pounding force, or the instant when the net force on a structure between two others changes
-//! its sign. The elastic part of the drift of Bouc–Wen columns is one more unknown; between two signs of it and of the
-//! drift rate its equation is a polynomial. The step that would cross one is repeated with the length at which its function vanishes. Near the first
-//! touch of a compliant pair, where the force starts like δ^(1/4), the variable is the fourth root of the time since
-//! then; on the way to parting it is √δ. In both the motion is analytic, and the method keeps its order.
+//! ```
+//! use pounding_contact::{ContactLaw, LinearSpring};
+//! use pounding_reference::Fineness;
+//! use pounding_solver::{Elastic, Excitation, Node, Pair, Row};
+//! // 75 t on 2.056 MN/m, 30 mm from a wall that they press with a spring of 93.5 MN/m. The ground jerks to the left with 3 m/s².
+//! let (mass, stiffness, spring, gap, jerk) = (75e3, 2.056e6, 93.5e6, 0.03, 3.0);
+//! let law = ContactLaw::LinearSpring(LinearSpring { impact_stiffness: spring });
+//! let nodes = vec![Node::structure(mass, 0.0, Elastic { stiffness }), Node::wall(Elastic { stiffness })];
+//! let row = Row::new(nodes, vec![Pair { left: 0, right: 1, gap, law }])?;
+//! let run = pounding_reference::run(&row, Excitation::new(0.1, &[-jerk; 5])?, 0.2, Fineness::FINE)?;
 //!
-//! The row may be one of buildings: the force of a storey, spring and damper, acts on the floor above it and on the one
-//! below, and yielding and unloading are events of its drift.
+//! // At the peak F the structure stands still at u = gap + F/K: the ground's work m a u is ½ k u² + ½ F²/K.
+//! let force = run.collisions[0][0].peak_force.expect("a compliant law has a force");
+//! let u = gap + force / spring;
+//! let stored = 0.5 * (stiffness * u * u + force * force / spring);
+//! assert!((stored / (mass * jerk * u) - 1.0).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
-//! The deformation of a pair and its rate are two unknowns more, so that small bounces keep their digits, and where the
-//! ground motion arrives at one structure after the other the record's double integral is not asked.
+//! The method is Dormand–Prince of order 8(5,3) under error control, free flight included. No step crosses a sample of the record or an
+//! event, such as a touch, yielding or a peak. The step that would cross one is repeated with the length at which the event's function
+//! vanishes. Near the first touch, where a force may start like δ^(1/4), the variable is the fourth root of the time since then. On the
+//! way to parting it is √δ. In both the motion is analytic, and the method keeps its order.
 //!
-//! Stereomechanical pairs whose bounces are over rest against each other, and move alike in space until the force between
-//! them fades.
+//! - Floors of buildings count one by one: a storey acts on the floor above it and on the one below.
+//! - The deformation of a pair and its rate are unknowns, so that small bounces keep their digits. So is the elastic part of the drift of
+//!   Bouc–Wen columns. A ground motion that travels along the row needs no double integral of the record.
+//! - Stereomechanical pairs whose bounces are over rest against each other until the force between them fades.
+//!
+//! Left out: recorders and speed (`pounding-solver`); scenes, and what both routes make of them (`second_route` in `pounding-studies`).
+//!
+//! Where to start: [`run`], [`Fineness`] and [`Response`]; then `events.rs`, all events, and `law.rs`, the contact laws from their sources.
 
 mod arrivals;
 mod bounces;

@@ -1,6 +1,34 @@
 //! The files of a results folder, in memory: histories, impacts, a summary for machines, figures, and a page to forward.
 //!
-//! They tell nothing of the machine or the day: the same scene gives the same bytes.
+//! They name neither the machine nor the day: the same scene gives the same bytes.
+//!
+//! ```
+//! use pounding_report::Report;
+//! use pounding_scene::{Scene, Simulation};
+//!
+//! let text = r#"
+//!     name = "a tower beside a wall, shaken by half a sine of half the tower's period"
+//!     record.generated.half_sine = { amplitude_m_per_s2 = -4.0, duration_s = 0.5, time_step_s = 0.001 }
+//!     structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0 } }, { wall = {} }]
+//!     contacts = [{ gap_m = 0.2, law.stereomechanical.restitution = 0.65 }]"#;
+//! let simulation = Simulation::new(&Scene::parse(text.as_bytes(), "tower.toml".as_ref())?, "")?;
+//! let report = Report::of(&simulation, false)?;
+//! assert!(report.files().contains_key("report.html"));
+//!
+//! // The peak is (π/2) A/ω² = A T²/(8π) = 159.155 mm at T/2: 40.845 mm of the gap stay open.
+//! let opening = report.summary().pairs[0].least_opening_m;
+//! assert!((opening - 0.040845).abs() < 1e-6);
+//! # Ok::<(), pounding_scene::Error>(())
+//! ```
+//!
+//! Left out: the scene and its run (`pounding-scene`), drawing (`pounding-plot`), writing to a disk (the program in `pounding`), tables of
+//! sweeps (`pounding-sweep`).
+//!
+//! Where to start:
+//!
+//! - [`Report::files`]: the list of files and what each holds.
+//! - [`Summary`]: every number of a run under its name with its unit; `summary.json` reads back into it.
+//! - `page/` and `figures/` in the source: the parts of `report.html`.
 
 mod assessment;
 mod figures;

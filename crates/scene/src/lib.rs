@@ -1,8 +1,36 @@
 //! Scenes of structural pounding: what a user writes, read, checked, run and judged.
 //!
-//! A [`Scene`] is one row of structures under one record. [`Simulation`] is a checked scene, ready to run.
+//! A [`Scene`] is one row of structures under one record, from a TOML or JSON file. [`Simulation`] is a checked scene, ready to run.
 //!
-//! Left out: integration (`pounding-solver`), record formats (`pounding-motion`).
+//! ```
+//! use pounding_scene::{Scene, Simulation};
+//!
+//! let text = r#"
+//!     name = "a tower beside a wall, shaken by half a sine of half the tower's period"
+//!     record.generated.half_sine = { amplitude_m_per_s2 = -4.0, duration_s = 0.5, time_step_s = 0.001 }
+//!     structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0 } }, { wall = {} }]
+//!     contacts = [{ gap_m = 0.05066059, law.stereomechanical.restitution = 0.65 }]
+//! "#;
+//! let scene = Scene::parse(text.as_bytes(), "tower.toml".as_ref())?;
+//! let run = Simulation::new(&scene, "")?.run(None)?;
+//!
+//! // u = A/(2ω²) (sin ωt − ωt cos ωt). At T/4 it is A/(2ω²), this gap, and u̇ = A T/8 = 0.5 m/s: (1+e) m u̇ = 82.5 kN·s.
+//! let first = run.of_pair(0).first.expect("the gap closes");
+//! assert!((first.start - 0.25).abs() < 1e-5);
+//! assert!((first.impulse / 82.5e3 - 1.0).abs() < 1e-5);
+//! # Ok::<(), pounding_scene::Error>(())
+//! ```
+//!
+//! Errors name the place, what was found, what is allowed and what to change. A warning names the numbers of a run that it concerns.
+//!
+//! Left out: integration (`pounding-solver`), record formats (`pounding-motion`), many values of one field (`pounding-sweep`), pages and
+//! figures (`pounding-report`).
+//!
+//! Where to start:
+//!
+//! - [`Scene`] and its fields: the words of a file. Its folder in the source is `file/`.
+//! - [`Simulation`]: [`Simulation::new`], [`Simulation::run`] for numbers, [`Simulation::review`] for numbers with errors and warnings.
+//! - [`advise`] for a method and its step, [`Effects`] and [`Separation`] for what pounding does and which gap avoids it.
 
 mod accuracy;
 mod assess;

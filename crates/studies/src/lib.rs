@@ -1,10 +1,36 @@
-//! Scenes and studies of structural pounding: what a user writes, what the paper printed, and what comes out.
+//! Studies of structural pounding: what the paper printed, what comes out, and questions asked beyond it.
 //!
-//! A [`Scene`](pounding_scene::Scene) is one row of structures under one record. A [`Study`] is scenes and what to print of them; the
-//! studies of the paper are data files, one per table and figure. [`Studies::reproduce`] turns a folder of them into tables,
-//! figures, the agreement with the published numbers and the verdicts on the paper's claims.
+//! A [`Study`] is scenes and what to print of them. The studies of the paper are data files in `studies/`, one per table and figure.
+//! [`Studies::reproduce`] runs the whole folder. It gives tables, figures, the agreement with the published numbers and the verdicts on
+//! the paper's claims.
 //!
-//! Left out: integration (`pounding-solver`), record formats (`pounding-motion`).
+//! ```
+//! use pounding_studies::{Completed, StudyFile, Table};
+//!
+//! // Table 4 of the paper: two structures, 30 mm apart, with the nonlinear viscoelastic element under El Centro.
+//! let study = StudyFile::read("../../studies/table-4.json".as_ref())?;
+//! let table = Table::of(&Completed::run(study, &|| ())?)?.expect("the study prints a table");
+//! let force = |quantity| {
+//!     let mut values = table.values.iter();
+//!     values.find(|one| (&*one.row, &*one.quantity) == ("elastic 1.2", quantity)).map(|one| one.value)
+//! };
+//!
+//! // The paper prints −921.945 kN and 921.9447 kN; both forces of a pair are equal and opposite.
+//! let (weak, stiff) = (force("force on weak").expect("a row"), force("force on stiff").expect("a row"));
+//! assert!((weak + 921.945).abs() < 5e-4 && (stiff - 921.9447).abs() < 5e-5);
+//! assert_eq!(weak, -stiff);
+//! # Ok::<(), pounding_studies::StudyError>(())
+//! ```
+//!
+//! Left out: everything that users of the library run. Scenes are in `pounding-scene`, sweeps in `pounding-sweep`, methods in
+//! `pounding-solver`, record formats in `pounding-motion`. `cargo xtask` writes the files that come out.
+//!
+//! Where to start:
+//!
+//! - [`Study`] and [`Output`] (`study/`): what a study file says.
+//! - [`Studies`], [`Comparison`] and [`Claim`] (`paper/`): tables, figures, agreement, claims.
+//! - [`PapersProgram`] (`program/`): the program that gave the published numbers, with its slips.
+//! - [`Survey`], [`Beyond`], [`Trade`] and [`verify`] (`research/`): surveys, other motions, error against work, random scenes.
 
 mod error;
 mod lines;

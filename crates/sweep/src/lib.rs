@@ -1,10 +1,35 @@
 //! Sweeps: one scene, run again and again with other values of its fields.
 //!
-//! [`SweepFile`] is what a user writes. [`Sweep`] knows every run by its number alone, so that a shard is a range of numbers,
-//! and runs any range of them as a [`Batch`], of which the rest is rows of a table. [`Parts`] puts rows into files of a fixed
-//! number of runs, so that a sweep that was stopped runs only what is missing, and joins them.
+//! [`SweepFile`] is what a user writes. [`Sweep`] knows every run by its number alone. A shard is therefore a range of numbers, and any
+//! range runs as a [`Batch`]. [`Parts`] puts rows into files of a fixed number of runs, and after a stop runs the missing
+//! files only. [`merge`] joins them into one table.
 //!
-//! Left out: a scheduler. Shards are given to machines by those that have one.
+//! ```
+//! use pounding_sweep::{Sweep, SweepFile};
+//! let text = br#"
+//!     vary = [{ field = "contacts[0].law.stereomechanical.restitution", values = [0.2, 0.6, 1.0] }]
+//!     outputs = { structures = [], pairs = ["first_impulse_n_s"] }
+//!     [scene]
+//!     name = "a tower beside a wall, shaken by half a sine of half the tower's period"
+//!     record.generated.half_sine = { amplitude_m_per_s2 = -4.0, duration_s = 0.5, time_step_s = 0.001 }
+//!     structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0 } }, { wall = {} }]
+//!     contacts = [{ gap_m = 0.05066059, law.stereomechanical.restitution = 0.65 }]"#;
+//! let path = "sweep.toml".as_ref();
+//! let sweep = Sweep::of((SweepFile::parse(text, path)?, text), path)?;
+//!
+//! // The tower arrives with A T/8 = 0.5 m/s, whatever the restitution: (1+e) m v₀ is 60, 80 and 100 kN·s.
+//! let impulses = sweep.batch(0..sweep.n_runs()).columns.concat();
+//! assert!(impulses.iter().zip([60e3, 80e3, 100e3]).all(|(impulse, theory)| (impulse / theory - 1.0).abs() < 1e-5));
+//! # Ok::<(), pounding_sweep::SweepError>(())
+//! ```
+//!
+//! Left out: a scheduler (yours gives the shards to machines), and figures. Surveys with figures are in `pounding-studies`.
+//!
+//! Where to start:
+//!
+//! - [`SweepFile`], with [`Vary`], [`Spread`], [`Samples`] and [`Outputs`]: the words of a file.
+//! - [`Sweep::batch`] for runs in memory; [`Parts::open`], [`Parts::fill`] and [`merge`] for a table on disk.
+//! - `beside.rs` in the source: which runs go side by side in SIMD lanes.
 
 mod accuracy;
 mod batch;

@@ -1,6 +1,31 @@
-//! Numbers as people read them, with as many digits as help.
+//! Numbers as people read them, with as many digits as help, and tables as CSV and JSON.
 //!
-//! Every message, table and figure of the other crates writes its numbers with these. Units are the caller's.
+//! Every message, table and figure of the other crates writes its numbers with these.
+//!
+//! ```
+//! use pounding_text::{Cell, csv_text, rounded_up, short};
+//!
+//! // T = 2π √(m/k) of 75 t on 2.056 MN/m is 1.200049 s: four digits of it.
+//! let period = std::f64::consts::TAU * (75e3_f64 / 2.056e6).sqrt();
+//! assert_eq!(short(period), "1.200");
+//!
+//! // Peaks of 41.3 mm and 22.1 mm combine to √(41.3² + 22.1²) = 46.84 mm; a gap that is enough is never rounded down.
+//! let gap = (41.3_f64 * 41.3 + 22.1 * 22.1).sqrt();
+//! assert_eq!(rounded_up(gap, 1), "46.9");
+//!
+//! // A number that does not exist is an empty cell, and no cell holds NaN.
+//! let table = csv_text(&["period_s", "gap_mm"], [[Cell::number(period, short), Cell::exact(f64::NAN)]]);
+//! assert_eq!(table, "period_s,gap_mm\n1.200,\n");
+//! ```
+//!
+//! Left out: units, which the caller writes, and reading. Texts inside figures belong to `pounding-plot`. Rows of a sweep, which number
+//! millions, go past [`Cell`] in `pounding-sweep` and keep the same rule.
+//!
+//! Where to start:
+//!
+//! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
+//! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
+//! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
 
 mod cell;
 
