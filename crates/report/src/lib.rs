@@ -28,6 +28,7 @@
 //!
 //! - [`Report::files`]: the list of files and what each holds.
 //! - [`Summary`]: every number of a run under its name with its unit; `summary.json` reads back into it.
+//! - [`AssessmentReport`]: the folder of a row under many records.
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
 mod assessment;

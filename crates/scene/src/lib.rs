@@ -30,7 +30,8 @@
 //!
 //! - [`Scene`] and its fields: the words of a file. Its folder in the source is `file/`.
 //! - [`Simulation`]: [`Simulation::new`], [`Simulation::run`] for numbers, [`Simulation::review`] for numbers with errors and warnings.
-//! - [`advise`] for a method and its step, [`Effects`] and [`Separation`] for what pounding does and which gap avoids it.
+//! - [`Assessment`]: a row under many records; [`Effects`] and [`Separation`] are what pounding does and which gap avoids it.
+//! - [`advise`]: a method and its step for an accuracy.
 
 mod accuracy;
 mod assess;
