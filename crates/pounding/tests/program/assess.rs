@@ -196,6 +196,23 @@ fn issue_gaps_have_statistics() {
     );
 }
 
+/// Floors of 3.5 and 3.8 m were refused with the advice to leave out their heights.
+#[test]
+fn issue_floors_beside_columns_are_not_called_level() {
+    let uneven = TOWERS.replacen(
+        "height_m = 3.5, repeat = 3",
+        "height_m = 3.8, repeat = 3",
+        1,
+    );
+    let work = workplace("assess_uneven", &uneven);
+    let said = assess(&work, &[]).stderr;
+    assert!(
+        said.contains("can bring a building down, and is not modelled"),
+        "{said}"
+    );
+    assert!(!said.contains("leave out"), "{said}");
+}
+
 #[test]
 fn reference_the_folder_holds_what_is_printed() {
     let work = workplace("assess_out", TOWERS);

@@ -111,8 +111,8 @@ pub enum SceneError {
     /// A floor that would hit the columns of a neighbour.
     #[error(
         "contacts[{contact}]: found a floor of \"{}\" at {} m, beside the columns of \"{}\", whose floors are at {} m; \
-         allowed are floors that face floors, up to the lower roof: {}change height_m of a storey, or leave out all height_m, and \
-         storeys of one number count as level",
+         allowed are floors that face floors, up to the lower roof: {}change height_m of a storey. A floor that hits \
+         columns between floors can bring a building down, and is not modelled: no gap from here is safe for it",
         names[0],
         pounding_text::digits(*height),
         names[1],
