@@ -43,7 +43,7 @@ mod summary;
 
 use std::collections::BTreeMap;
 
-pub use assessment::{AssessedMotion, AssessmentReport, rough, times};
+pub use assessment::{AssessedMotion, AssessmentReport};
 use history::Motion;
 use pounding_scene::{Effects, Error, Review, Simulation};
 use sampling::Sampling;

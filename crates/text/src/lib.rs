@@ -52,6 +52,21 @@ pub fn plain(value: f64) -> String {
 /// Letters of a number that a message repeats whole.
 const LONGEST: usize = 12;
 
+/// A number with two decimals, such as a ratio.
+pub fn two_decimals(value: f64) -> String {
+    format!("{value:.2}")
+}
+
+/// A number with two significant digits: what is known to an order of magnitude has no more.
+pub fn two_digits(value: f64) -> String {
+    digits(format!("{value:.1e}").parse().unwrap_or(value))
+}
+
+/// A length \[m\] in millimetres to a tenth, without zeros at its end.
+pub fn millimetres(length: f64) -> String {
+    digits((length * 1e4).round() / 10.0)
+}
+
 /// A number with four significant digits.
 pub fn short(value: f64) -> String {
     // A negative zero loses its sign.

@@ -138,3 +138,29 @@ fn reference_every_law_is_described() {
         assert_eq!(spelt, described, "{name:?}");
     }
 }
+
+/// A law that is ten times as stiff, or a tenth, delivers the same e; its force at a deformation without rate is ten times, or a tenth.
+#[test]
+fn limit_stiffer_laws_keep_their_restitution() {
+    for name in LawName::ALL {
+        // Springs without damping are elastic alone.
+        let of = |restitution| law(name, restitution, Calibration::Exact);
+        let damped = of(0.65).or_else(|| of(1.0)).expect("one of both");
+        for factor in [0.1, 10.0] {
+            let other = damped.stiffened(factor);
+            assert_eq!(other.restitution(), damped.restitution(), "{name:?}");
+            let stiffness = |law: ContactLaw| {
+                law.form(PAIR.reduced_mass, PAIR.approach_speed)
+                    .map(|form| form.spring.coefficient)
+            };
+            let ratio = stiffness(other)
+                .zip(stiffness(damped))
+                .map(|(other, own)| other / own);
+            assert!(
+                ratio.is_none_or(|ratio| (ratio / factor - 1.0).abs() < 1e-12),
+                "{name:?} {ratio:?}"
+            );
+            assert_eq!(ratio.is_none(), name == LawName::Stereomechanical);
+        }
+    }
+}

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 use pounding::report::{AssessedMotion, AssessmentReport};
 use pounding::scene::{
-    AssessedRun, Assessment, DesignSpectrum, DesignSpectrumError, Error, Method, ScaleTo, Scaling,
-    Scene, Structure,
+    AssessedRun, DesignSpectrum, DesignSpectrumError, Error, Method, ScaleTo, Scaling, Scene,
+    Structure,
 };
 use pounding::text::json_text;
 
@@ -202,18 +202,15 @@ impl Arguments {
                 run: line.found.as_ref().ok()?.clone(),
             })
         });
-        let motions: Vec<AssessedMotion> = found.collect();
-        let runs: Vec<AssessedRun> = motions.iter().map(|one| one.run.clone()).collect();
-        let Some(assessment) = Assessment::of(&scene, &runs)? else {
-            return Ok(None);
-        };
         let said = suite::left_out(lines)
             .into_iter()
             .chain(suite::untold(lines));
-        let report = AssessmentReport::new(scene, assessment, motions)?
-            .said(said.collect())
-            .stiffness(self.stiffness)
-            .signed(self.author.clone(), self.date.clone());
-        Ok(Some(report))
+        let report = AssessmentReport::of(scene, found.collect())?;
+        Ok(report.map(|report| {
+            report
+                .with_remarks(said.collect())
+                .with_stiffness(self.stiffness)
+                .signed(self.author.clone(), self.date.clone())
+        }))
     }
 }

@@ -221,7 +221,7 @@ fn result(all: &[Separation], own: Option<f64>) -> String {
         format!(
             "; {} mm for half of them, {} mm for 84 %",
             enough(widths.median()),
-            enough(widths.most())
+            enough(widths.p84())
         )
     });
     let mut lines = vec![format!(

@@ -103,8 +103,8 @@ fn workplace(name: &str) -> PathBuf {
     work
 }
 
-/// What of a page does not hold.
-fn faults(page: &Path) -> Vec<String> {
+/// What of a page does not hold, and how many of its commands ran.
+fn faults(page: &Path) -> (Vec<String>, usize) {
     let inside = page.strip_prefix(ROOT).expect("a page of the project");
     let name = inside.display().to_string().replace(['/', '.'], "-");
     let text = fs::read_to_string(page).expect("a page is text");
@@ -114,7 +114,7 @@ fn faults(page: &Path) -> Vec<String> {
     let path = env::var_os("PATH").unwrap_or_default();
     let path = env::join_paths(std::iter::once(own).chain(env::split_paths(&path)));
     let path = path.expect("folders");
-    let mut faults = Vec::new();
+    let (mut faults, mut ran) = (Vec::new(), 0);
     for block in blocks(&text) {
         if let Some(file) = block
             .file
@@ -130,6 +130,7 @@ fn faults(page: &Path) -> Vec<String> {
             if block.kind != "console" || elsewhere.iter().any(|one| command.starts_with(one)) {
                 continue;
             }
+            ran += 1;
             let mut shell = Command::new("sh");
             let shell = shell.args(["-c", &command]).current_dir(&work);
             let ended = shell.env("PATH", &path).output().expect("a shell");
@@ -152,7 +153,7 @@ fn faults(page: &Path) -> Vec<String> {
             }
         }
     }
-    faults
+    (faults, ran)
 }
 
 #[cfg(unix)]
@@ -166,6 +167,15 @@ fn limit_every_command_of_the_documents_prints_what_they_say() {
     pages.extend(files(&root.join("studies/examples"), is_page));
     pages.extend(["README.md", "CONTRIBUTING.md"].map(|page| root.join(page)));
     assert!(pages.len() > 15, "{pages:?}");
-    let faults: Vec<String> = pages.par_iter().flat_map(|page| faults(page)).collect();
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let (faults, ran): (Vec<_>, Vec<_>) = pages.par_iter().map(|page| faults(page)).unzip();
+    let (faults, ran) = (faults.concat(), ran.iter().sum::<usize>());
+    assert!(
+        faults.is_empty(),
+        "{}",
+        faults.join(
+            "
+"
+        )
+    );
+    assert!(ran > 50, "{ran} commands");
 }

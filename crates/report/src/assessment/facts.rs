@@ -11,7 +11,7 @@ use super::{AssessedMotion, AssessmentReport};
 fn statistics(of: &Distribution) -> Value {
     json!({
         "median": of.median(),
-        "enough_for_84_percent": of.most(),
+        "p84": of.p84(),
         "largest": of.largest(),
         "dispersion": of.dispersion(),
     })

@@ -1,12 +1,12 @@
-//! What the page of an assessment shows: the share of runs that touch against the gap, and amplifications.
+//! What the page of an assessment shows: the share of runs that need more than a gap, and amplifications.
 
 use pounding_plot::{
-    Axis, Curve, Drawing, Figure, Kind, Legend, Mark, Panel, PlotError, Shade, render_both,
-    writable,
+    Axis, Curve, Drawing, Figure, Kind, Legend, Mark, Panel, Shade, render_both, writable,
 };
 
 use super::AssessmentReport;
 use super::sketch;
+use crate::figures::Illustration;
 
 /// The names that figures can have, without the ends of their files.
 pub(super) const NAMES: [&str; 3] = ["row", "gap", "amplification"];
@@ -14,39 +14,31 @@ pub(super) const NAMES: [&str; 3] = ["row", "gap", "amplification"];
 /// Most storeys of one figure.
 const MOST: usize = 30;
 
-/// A figure with what it shows.
-#[derive(Debug)]
-pub(super) struct Drawn {
-    pub(super) name: &'static str,
-    pub(super) caption: String,
-    pub(super) picture: Result<(String, Vec<u8>), PlotError>,
-}
-
-pub(super) fn all(report: &AssessmentReport) -> Vec<Drawn> {
+pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     let sketch: Drawing = sketch::drawing(report);
-    let mut all = vec![Drawn {
+    let mut all = vec![Illustration {
         name: NAMES[0],
         caption: sketch::CAPTION.into(),
-        picture: render_both(&sketch),
+        drawn: render_both(&sketch),
     }];
-    all.push(Drawn {
+    all.push(Illustration {
         name: NAMES[1],
-        caption: "Part of the runs in which neighbours touch, against the gap between them. Broken lines: the gaps of the scene.".into(),
-        picture: render_both(&share(report)),
+        caption: "Part of the runs that need more than a gap, while every building stands alone. Grey lines: the gaps of the scene.".into(),
+        drawn: render_both(&share(report)),
     });
     if let Some(figure) = amplification(report) {
-        all.push(Drawn {
+        all.push(Illustration {
             name: NAMES[2],
             caption: "Peak drift, shear force and acceleration of the storeys beside their neighbours, as multiples of those of the same \
                       building alone: median of the runs, and lines to what 84 % of them do not exceed."
                 .into(),
-            picture: render_both(&figure),
+            drawn: render_both(&figure),
         });
     }
     all
 }
 
-/// The share of runs that touch against the gap.
+/// The share of runs that need more than a gap.
 fn share(report: &AssessmentReport) -> Figure {
     let gaps = &report.assessment.gaps;
     let mut curves = Vec::new();
@@ -73,7 +65,7 @@ fn share(report: &AssessmentReport) -> Figure {
         height_in: 2.8,
         panels: vec![Panel {
             x: Some(Axis::auto("Gap (mm)")),
-            y: Axis::over("Runs in which they touch (%)", 0.0, 100.0),
+            y: Axis::over("Runs that need more (%)", 0.0, 100.0),
             curves,
             markers,
             legend: Legend::Shared,
@@ -119,7 +111,7 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
             curves.push(Curve::new(
                 Kind::Line,
                 Shade::Vermilion,
-                vec![(of.median(), y), (of.most(), y)],
+                vec![(of.median(), y), (of.p84(), y)],
             ));
             medians.push((of.median(), y));
         }

@@ -6,8 +6,6 @@ mod page;
 mod sketch;
 mod words;
 
-pub use words::{rough, times};
-
 use std::collections::BTreeMap;
 
 use pounding_scene::{AssessedRun, Assessment, Error, Floors, Scene, in_scene};
@@ -31,7 +29,7 @@ pub struct AssessmentReport {
     floors: Floors,
     assessment: Assessment,
     motions: Vec<AssessedMotion>,
-    said: Vec<String>,
+    remarks: Vec<String>,
     stiffness: [f64; 2],
     author: Option<String>,
     date: Option<String>,
@@ -43,37 +41,35 @@ const TABLE: &str = "assess.csv";
 const JSON: &str = "assess.json";
 
 impl AssessmentReport {
-    /// Of an assessment of a scene under these motions.
+    /// Of a scene under these motions; `None` without one.
     ///
     /// # Errors
     /// Those of [`Floors::of`].
-    pub fn new(
-        scene: Scene,
-        assessment: Assessment,
-        motions: Vec<AssessedMotion>,
-    ) -> Result<Self, Error> {
+    pub fn of(scene: Scene, motions: Vec<AssessedMotion>) -> Result<Option<Self>, Error> {
         let floors = Floors::of(&scene).map_err(|source| in_scene(&scene, source))?;
-        Ok(Self {
+        let runs: Vec<&AssessedRun> = motions.iter().map(|one| &one.run).collect();
+        let assessment = Assessment::of(&scene, &runs)?;
+        Ok(assessment.map(|assessment| Self {
             scene,
             floors,
             assessment,
             motions,
-            said: Vec::new(),
+            remarks: Vec::new(),
             stiffness: [1.0; 2],
             author: None,
             date: None,
-        })
+        }))
     }
 
     /// With what is said of the records: those left out, those of unknown direction.
     #[must_use]
-    pub fn said(self, said: Vec<String>) -> Self {
-        Self { said, ..self }
+    pub fn with_remarks(self, remarks: Vec<String>) -> Self {
+        Self { remarks, ..self }
     }
 
     /// With the range of the stiffness of contact, as factors on that of the scene.
     #[must_use]
-    pub fn stiffness(self, stiffness: [f64; 2]) -> Self {
+    pub fn with_stiffness(self, stiffness: [f64; 2]) -> Self {
         Self { stiffness, ..self }
     }
 
@@ -108,13 +104,13 @@ impl AssessmentReport {
     }
 
     /// The range of the stiffness of contact, as factors on that of the scene \[–\].
-    pub fn stiffness_range(&self) -> [f64; 2] {
+    pub fn stiffness(&self) -> [f64; 2] {
         self.stiffness
     }
 
     /// What is said of records.
     pub fn remarks(&self) -> &[String] {
-        &self.said
+        &self.remarks
     }
 
     /// The files of a folder, by name: `report.html`, `assess.csv`, `assess.json` and the figures as SVG and PNG.
@@ -129,7 +125,7 @@ impl AssessmentReport {
             ),
         ]);
         for figure in drawn {
-            if let Ok((svg, png)) = figure.picture {
+            if let Ok((svg, png)) = figure.drawn {
                 files.insert(format!("{}.svg", figure.name), svg.into_bytes());
                 files.insert(format!("{}.png", figure.name), png);
             }

@@ -2,13 +2,14 @@
 
 use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
 
-use super::AssessmentReport;
-use super::figures::Drawn;
-use super::words::{millimetres, rough, times};
-use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
-use crate::page::{STYLE, inline};
+use pounding_text::{millimetres, two_decimals, two_digits};
 
-pub(super) fn html(report: &AssessmentReport, figures: &[Drawn]) -> String {
+use super::AssessmentReport;
+use crate::figures::Illustration;
+use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
+use crate::page::{BEFORE, boxed, document, illustrated};
+
+pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> String {
     let title = escaped(&report.scene.name);
     let figure = |name: &str| {
         let found = figures.iter().position(|one| one.name == name);
@@ -21,7 +22,7 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Drawn]) -> String {
         ),
         verdict(report),
         figure("row"),
-        warnings(report),
+        boxed(BEFORE, &report.warnings()),
         format!("<h2>Required gap</h2>\n{}", gaps(report)),
         figure("gap"),
         touching(report),
@@ -35,17 +36,10 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Drawn]) -> String {
         format!("<h2>Every storey</h2>\n{}", storeys(report, &all(report))),
         again(report),
     ];
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title} – pounding</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-        sections.concat()
-    )
+    document(&title, &sections.concat())
 }
 
 fn lead(report: &AssessmentReport) -> String {
-    let mut records: Vec<&str> = report.motions.iter().map(|one| one.name.as_str()).collect();
-    records.dedup();
     let signed = [&report.author, &report.date].into_iter().flatten();
     let signed: Vec<&str> = signed.map(String::as_str).collect();
     let signed = if signed.is_empty() {
@@ -56,7 +50,7 @@ fn lead(report: &AssessmentReport) -> String {
     format!(
         "{} structures in a row under {} ground motions, each in both directions, computed by pounding {} with the exact method.{signed}",
         report.scene.structures.len(),
-        records.len(),
+        report.records(),
         env!("CARGO_PKG_VERSION"),
     )
 }
@@ -83,17 +77,6 @@ fn verdict(report: &AssessmentReport) -> String {
     )
 }
 
-fn warnings(report: &AssessmentReport) -> String {
-    let warnings = report.warnings();
-    if warnings.is_empty() {
-        return String::new();
-    }
-    format!(
-        "<div class=\"warnings\">\n<p><strong>Before the numbers are believed</strong></p>\n{}</div>\n",
-        list(&warnings)
-    )
-}
-
 fn width(of: f64) -> Cell {
     Cell::new(millimetres(of))
 }
@@ -107,9 +90,9 @@ fn gaps(report: &AssessmentReport) -> String {
             Cell::known(gap.own.map(millimetres)),
             Cell::new(format!("{} of {}", gap.touching, report.assessment.runs)),
             width(gap.required.median()),
-            width(gap.required.most()),
+            width(gap.required.p84()),
             width(gap.required.largest()),
-            Cell::known(dispersion.map(times)),
+            Cell::known(dispersion.map(two_decimals)),
             width(gap.proposal()),
         ]
     };
@@ -139,8 +122,8 @@ fn touching(report: &AssessmentReport) -> String {
     let range = |of: &Option<[Distribution; 2]>, unit: f64| match of {
         Some([low, high]) => Cell::new(format!(
             "{} to {}",
-            rough(low.median() / unit),
-            rough(high.largest() / unit)
+            two_digits(low.median() / unit),
+            two_digits(high.largest() / unit)
         )),
         None => Cell::new(NONE),
     };
@@ -157,7 +140,7 @@ fn touching(report: &AssessmentReport) -> String {
                 Cell::new(pair.touching.to_string()),
                 range(&pair.peak_force, 1e3),
                 range(&pair.largest_impulse, 1e3),
-                Cell::known(pair.approach_speed.map(rough)),
+                Cell::known(pair.approach_speed.map(two_digits)),
             ]
         })
         .collect();
@@ -192,8 +175,13 @@ fn all(report: &AssessmentReport) -> Vec<(usize, &FloorAssessment)> {
 }
 
 fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> String {
-    let both =
-        |of: &Distribution| Cell::new(format!("{} / {}", times(of.median()), times(of.most())));
+    let both = |of: &Distribution| {
+        Cell::new(format!(
+            "{} / {}",
+            two_decimals(of.median()),
+            two_decimals(of.p84())
+        ))
+    };
     let row = |(floor, one): &(usize, &FloorAssessment)| {
         vec![
             Cell::new(report.floor_name(*floor)),
@@ -226,7 +214,7 @@ fn rules(report: &AssessmentReport) -> String {
                 Cell::new(format!("{left} – {right}")),
                 Cell::new(rule.rule.name()),
                 width(rule.width.median()),
-                width(rule.width.most()),
+                width(rule.width.p84()),
                 width(rule.width.largest()),
                 Cell::new(format!("{} of {}", rule.too_narrow, report.assessment.runs)),
                 Cell::new(format!("{:.0} %", 100.0 * rule.least_share)),
@@ -255,18 +243,11 @@ fn motions(report: &AssessmentReport) -> String {
         .iter()
         .map(|one| {
             let reversed = if one.reversed { ", reversed" } else { "" };
-            let collisions: usize = one.run.pairs.iter().map(|pair| pair.collisions).sum();
-            let widest = one
-                .run
-                .separations
-                .iter()
-                .map(|gap| gap.required)
-                .fold(0.0, f64::max);
             vec![
                 Cell::new(format!("{}{reversed}", one.name)),
                 Cell::new(short(one.run.scale)),
-                width(widest),
-                Cell::new(collisions.to_string()),
+                width(one.run.widest_gap()),
+                Cell::new(one.run.collisions().to_string()),
             ]
         })
         .collect();
@@ -303,20 +284,4 @@ fn again(report: &AssessmentReport) -> String {
         env!("CARGO_PKG_VERSION"),
         escaped(&scene)
     )
-}
-
-/// A figure with its caption, or why there is none.
-fn illustrated(number: usize, one: &Drawn) -> String {
-    match &one.picture {
-        Ok((svg, _)) => format!(
-            "<figure>\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>\n",
-            inline(svg, &one.caption),
-            escaped(&one.caption)
-        ),
-        Err(reason) => format!(
-            "<p class=\"soft\">Figure {number} ({}) could not be drawn: {}</p>\n",
-            one.name,
-            escaped(&reason.to_string())
-        ),
-    }
 }

@@ -2,8 +2,9 @@
 
 use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape, writable};
 
+use pounding_text::millimetres;
+
 use super::AssessmentReport;
-use super::words::millimetres;
 
 pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
                                   that touch in some run are red.";

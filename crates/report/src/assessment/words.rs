@@ -1,7 +1,7 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
 use pounding_scene::{ExcessKind, FloorAssessment, GapAssessment, PairAssessment, USUAL_FACTORS};
-use pounding_text::{digits, rounded_up, short};
+use pounding_text::{digits, millimetres, rounded_up, short, two_decimals, two_digits};
 
 use super::AssessmentReport;
 
@@ -21,6 +21,13 @@ impl AssessmentReport {
         [gap.left, gap.left + 1].map(|index| self.scene.structures[index].name())
     }
 
+    /// Number of records: each shakes the row in both directions.
+    pub(super) fn records(&self) -> usize {
+        let mut names: Vec<&str> = self.motions.iter().map(|one| one.name.as_str()).collect();
+        names.dedup();
+        names.len()
+    }
+
     /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
     pub fn answers(&self) -> Vec<String> {
         let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
@@ -31,8 +38,8 @@ impl AssessmentReport {
     fn answer(&self, gap: &GapAssessment) -> String {
         let [left, right] = self.gap_names(gap);
         let runs = self.assessment.runs;
-        let [most, all] = [gap.required.most(), gap.required.largest()]
-            .map(|width| millimetres(gap.built(width)));
+        let [most, all] =
+            [gap.required.p84(), gap.required.largest()].map(|width| millimetres(gap.built(width)));
         match gap.own {
             None => format!(
                 "{left} and {right} need {most} mm in 84 % of the {runs} runs, {all} mm in all."
@@ -42,7 +49,14 @@ impl AssessmentReport {
                 millimetres(own),
                 rounded_up(1e3 * gap.required.largest(), 1)
             ),
-            Some(own) if most == all || gap.built(gap.required.most()) <= own => format!(
+            // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
+            Some(own) if own >= gap.required.largest() => format!(
+                "{} mm would be enough between {left} and {right}, but they touch in {} of {runs} runs, pushed by another neighbour: \
+                 the other gaps decide.",
+                millimetres(own),
+                gap.touching
+            ),
+            Some(own) if most == all || gap.built(gap.required.p84()) <= own => format!(
                 "{} mm is not enough between {left} and {right}: they touch in {} of {runs} runs. {all} mm would be enough in all.",
                 millimetres(own),
                 gap.touching
@@ -58,8 +72,7 @@ impl AssessmentReport {
 
     /// What is proposed for every gap that is not enough, and what that leaves to chance.
     pub fn proposals(&self) -> Vec<String> {
-        let mut records: Vec<&str> = self.motions.iter().map(|one| one.name.as_str()).collect();
-        records.dedup();
+        let n = self.records();
         let gaps = self.assessment.gaps.iter();
         let wanting = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.required.largest()));
         let widths = wanting.map(|gap| {
@@ -73,14 +86,13 @@ impl AssessmentReport {
         if widths.is_empty() {
             return Vec::new();
         }
-        let n = records.len();
         let like = if n == 1 {
             "like this one".into()
         } else {
             format!("like these {n}")
         };
         vec![format!(
-            "Proposed: {} (the largest needed, rounded up). A further record {like} needs more with a chance of 1 in {}.",
+            "Proposed: {} (the largest needed, rounded up). A further record {like} needs more with a chance of at most 1 in {} for each gap.",
             widths.join(", "),
             n + 1
         )]
@@ -94,9 +106,9 @@ impl AssessmentReport {
         let most = |floor: &FloorAssessment| {
             floor
                 .drift
-                .most()
-                .max(floor.shear.most())
-                .max(floor.acceleration.most())
+                .p84()
+                .max(floor.shear.p84())
+                .max(floor.acceleration.p84())
         };
         worse.sort_by(|one, other| most(other.1).total_cmp(&most(one.1)));
         worse
@@ -137,12 +149,10 @@ impl AssessmentReport {
                 far.join(", ")
             ));
         }
-        let mut records: Vec<&str> = self.motions.iter().map(|one| one.name.as_str()).collect();
-        records.dedup();
-        if records.len() < FEW {
+        let records = self.records();
+        if records < FEW {
             said.push(format!(
-                "{} of {FEW} records: ASCE 7-16, 16.2.2, and EN 1998-1, 3.2.3.1, want 11 and 7 or more for a mean; quantiles of so few say little",
-                records.len()
+                "{records} records: ASCE 7-16, 16.2.2, wants 11 and EN 1998-1, 4.3.3.4.3, {FEW} for a mean; medians of so few say little"
             ));
         }
         if self
@@ -164,24 +174,8 @@ fn storeys(count: usize) -> String {
     }
 }
 
-/// A ratio with two decimals.
-pub fn times(ratio: f64) -> String {
-    format!("{ratio:.2}")
-}
-
-/// A number with two significant digits: what is known to an order of magnitude has no more.
-pub fn rough(value: f64) -> String {
-    let two: f64 = format!("{value:.1e}").parse().unwrap_or(value);
-    digits(two)
-}
-
 /// Fewest records for statistics.
 const FEW: usize = 7;
-
-/// A width in millimetres, without digits that nobody builds.
-pub(super) fn millimetres(width: f64) -> String {
-    digits((width * 1e4).round() / 10.0)
-}
 
 impl AssessmentReport {
     /// What touching does, in a sentence each: the storey that gets worst, and the hardest pair.
@@ -196,14 +190,14 @@ impl AssessmentReport {
             ];
             let worst = responses
                 .into_iter()
-                .max_by(|one, other| one.1.most().total_cmp(&other.1.most()));
+                .max_by(|one, other| one.1.p84().total_cmp(&other.1.p84()));
             said.extend(worst.map(|(what, ratio)| {
                 format!(
                     "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, × {} in 84 % of those runs.",
                     storeys(worse.len()),
                     self.floor_name(*floor),
-                    times(ratio.median()),
-                    times(ratio.most()),
+                    two_decimals(ratio.median()),
+                    two_decimals(ratio.p84()),
                 )
             }));
         }
@@ -215,12 +209,12 @@ impl AssessmentReport {
                 Some([low, high]) => format!(
                     "Largest pounding force {} to {} kN ({left} – {right}), for {from} to {to} times the impact stiffness of the scene, which \
                      nobody knows better.",
-                    rough(1e-3 * low.median()),
-                    rough(1e-3 * high.largest())
+                    two_digits(1e-3 * low.median()),
+                    two_digits(1e-3 * high.largest())
                 ),
                 None => format!(
                     "{left} – {right} meet with up to {} m/s; the contact law of the scene has no force.",
-                    rough(pair.approach_speed.unwrap_or(0.0))
+                    two_digits(pair.approach_speed.unwrap_or(0.0))
                 ),
             });
         }

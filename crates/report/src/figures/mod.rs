@@ -29,13 +29,13 @@ pub(super) const NAMES: [&str; 5] = [
 
 /// A picture of a report.
 #[derive(Debug)]
-pub(super) struct Illustration {
-    /// One of [`NAMES`].
-    pub(super) name: &'static str,
+pub(crate) struct Illustration {
+    /// Its file, without the end.
+    pub(crate) name: &'static str,
     /// What it shows, in sentences.
-    pub(super) caption: String,
+    pub(crate) caption: String,
     /// SVG and PNG, or why it cannot be drawn: the numbers of a run that was forced can be too large for paper.
-    pub(super) drawn: Result<(String, Vec<u8>), PlotError>,
+    pub(crate) drawn: Result<(String, Vec<u8>), PlotError>,
 }
 
 /// All that pictures are made of.

@@ -13,7 +13,10 @@ use super::figures::Illustration;
 use super::summary::Summary;
 use pounding_scene::{Source, Structure};
 
-pub(crate) const STYLE: &str = include_str!("style.css");
+/// Above what to know before the numbers are used.
+pub(crate) const BEFORE: &str = "Before the numbers are believed";
+
+const STYLE: &str = include_str!("style.css");
 
 /// The page.
 pub(super) fn html(
@@ -30,7 +33,7 @@ pub(super) fn html(
     let sections = [
         format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&lead(summary))),
         verdict::verdict(summary, review),
-        warnings(summary),
+        boxed(BEFORE, &summary.warnings),
         unusual(summary),
         figure("displacements"),
         format!(
@@ -58,11 +61,26 @@ pub(super) fn html(
         format!("<h2>Energy</h2>\n{}", tables::ledger(summary)),
         again(summary),
     ];
+    document(&title, &sections.concat())
+}
+
+/// A page of its own, from markup.
+pub(crate) fn document(title: &str, body: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title} – pounding</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-        sections.concat()
+         <style>\n{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
+    )
+}
+
+/// What to know before the numbers are used, under a heading; nothing where there is nothing.
+pub(crate) fn boxed(heading: &str, items: &[String]) -> String {
+    if items.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<div class=\"warnings\">\n<p><strong>{heading}</strong></p>\n{}</div>\n",
+        list(items)
     )
 }
 
@@ -103,30 +121,14 @@ fn lead(summary: &Summary) -> String {
     )
 }
 
-fn warnings(summary: &Summary) -> String {
-    if summary.warnings.is_empty() {
-        return String::new();
-    }
-    format!(
-        "<div class=\"warnings\">\n<p><strong>Before the numbers are believed</strong></p>\n{}</div>\n",
-        list(&summary.warnings)
-    )
-}
-
 /// What looks wrong in the scene.
 fn unusual(summary: &Summary) -> String {
-    if summary.unusual.is_empty() {
-        return String::new();
-    }
     let doubts: Vec<String> = summary.unusual.iter().map(ToString::to_string).collect();
-    format!(
-        "<div class=\"warnings\">\n<p><strong>Unusual in the scene</strong></p>\n{}</div>\n",
-        list(&doubts)
-    )
+    boxed("Unusual in the scene", &doubts)
 }
 
 /// A figure with its caption, or why there is none.
-fn illustrated(number: usize, one: &Illustration) -> String {
+pub(crate) fn illustrated(number: usize, one: &Illustration) -> String {
     match &one.drawn {
         Ok((svg, _)) => format!(
             "<figure>\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>\n",
@@ -142,7 +144,7 @@ fn illustrated(number: usize, one: &Illustration) -> String {
 }
 
 /// An SVG as part of a page: without its declarations, as wide as the page, with its caption for those who cannot see it.
-pub(crate) fn inline(svg: &str, caption: &str) -> String {
+fn inline(svg: &str, caption: &str) -> String {
     let start = svg.find("<svg").unwrap_or(0);
     let (head, body) = svg[start..].split_once('>').unwrap_or_default();
     let attribute = |name: &str| {

@@ -26,7 +26,7 @@ impl Summary {
             ledger: LedgerSummary::of(&review.balance),
             work: WorkSummary::of(&review.outcome.work),
             unusual: prepared.doubts(),
-            warnings: review.said(),
+            warnings: review.notices(),
         }
     }
 }
@@ -123,7 +123,7 @@ fn structure(
         ..StructureSummary::default()
     };
     let Some((period, damping_ratio)) = floor.oscillation(prepared.scene()) else {
-        return StructureSummary { ..common };
+        return common;
     };
     let peaks = review.outcome.peaks.of(index);
     let displacement = peaks.displacement.value;

@@ -94,34 +94,30 @@ impl RunErrors {
     pub fn between(run: &RunResult, exact: &RunResult, simulation: &Simulation) -> Self {
         let values = [run, exact].map(|one| one.values(simulation));
         let both = [&values[0], &values[1]];
-        let floors = 0..simulation.floors().all().len();
-        let of_floor = |floor| {
-            let is_of_floor = |quantity: &Quantity| matches!(quantity, Quantity::Floor(_));
-            let of = |quantity: Quantity| {
-                let of_floor = Some(quantity).filter(is_of_floor)?;
-                error(both, of_floor, floor, true)
-            };
-            Quantity::COMPARED.map(of).to_vec()
+        let at = |place: usize, is_compared: &dyn Fn(Quantity) -> bool| {
+            let compared =
+                |quantity| is_compared(quantity).then(|| error(both, quantity, place, true));
+            Quantity::COMPARED
+                .map(|quantity| compared(quantity).flatten())
+                .to_vec()
         };
-        let peak_time = FloorQuantity::PeakDisplacementTimeS.into();
+        let of_floor = |floor| at(floor, &|quantity| matches!(quantity, Quantity::Floor(_)));
+        let start = Quantity::Pair(PairQuantity::FirstStartS);
         let of_pair = |pair| {
             let rests = rests([run, exact], pair);
-            let start = Quantity::Pair(PairQuantity::FirstStartS);
-            let is_compared = |quantity: &Quantity| match quantity {
-                Quantity::Pair(_) => !rests || *quantity == start,
+            let is_compared = |quantity| match quantity {
+                Quantity::Pair(_) => !rests || quantity == start,
                 Quantity::Floor(_) => false,
-            };
-            let of = |quantity: Quantity| {
-                let compared = Some(quantity).filter(is_compared)?;
-                error(both, compared, pair, true)
             };
             PairErrors {
                 rests,
                 collisions: [run, exact].map(|one| one.collisions_of(pair).count()),
                 first_start_s: error(both, start, pair, false),
-                errors: Quantity::COMPARED.map(of).to_vec(),
+                errors: at(pair, &is_compared),
             }
         };
+        let peak_time = FloorQuantity::PeakDisplacementTimeS.into();
+        let floors = 0..simulation.floors().all().len();
         Self {
             floors: floors.clone().map(of_floor).collect(),
             peak_times: floors

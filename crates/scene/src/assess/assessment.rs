@@ -1,6 +1,7 @@
 //! A row under many motions: is the gap enough, what does touching do, how sure is that.
 
 use super::distribution::Distribution;
+use super::peaks::FloorPeaks;
 use super::run::{AssessedFloor, AssessedPair, AssessedRun};
 use super::separation::{Rule, Separation};
 use crate::{Error, Floors, Scene};
@@ -87,7 +88,7 @@ impl Assessment {
     ///
     /// # Errors
     /// Those of [`Floors::of`].
-    pub fn of<'r>(scene: &Scene, runs: &'r [AssessedRun]) -> Result<Option<Self>, Error> {
+    pub fn of<'r>(scene: &Scene, runs: &[&'r AssessedRun]) -> Result<Option<Self>, Error> {
         let floors = Floors::of(scene).map_err(|source| crate::in_scene(scene, source))?;
         let Some(first) = runs.first() else {
             return Ok(None);
@@ -100,7 +101,7 @@ impl Assessment {
                 .filter(|pair| floors.facing()[*pair].contact == left)
                 .collect();
             let touches =
-                |run: &&AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
+                |run: &&&AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
             Some(GapAssessment {
                 left,
                 own: own.map(|contact| contact.gap_m),
@@ -120,13 +121,13 @@ impl Assessment {
                     let moves = !floors.all()[floor].is_wall();
                     moves.then(|| {
                         let building = floors.all()[floor].structure;
-                        let hits = |run: &&AssessedRun| {
+                        let hits = |run: &&&AssessedRun| {
                             let facing = floors.facing().iter().zip(&run.pairs);
                             let touching = facing.filter(|(_, pair)| pair.collisions > 0);
                             let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
                             sides.any(|side| floors.all()[side].structure == building)
                         };
-                        let of = |run: &'r AssessedRun| &run.floors[floor];
+                        let of = |run: &&'r AssessedRun| &run.floors[floor];
                         let hit: Vec<_> = runs.iter().filter(hits).map(of).collect();
                         if hit.is_empty() {
                             assessed_floor(&runs.iter().map(of).collect::<Vec<_>>())
@@ -163,7 +164,7 @@ impl FloorAssessment {
     /// Whether a response is more than [`WORSE`] times that alone in more than 16 % of the runs.
     pub fn is_worse(&self) -> bool {
         let all = [&self.drift, &self.shear, &self.acceleration];
-        all.iter().any(|one| one.most() > WORSE)
+        all.iter().any(|one| one.p84() > WORSE)
     }
 }
 
@@ -184,30 +185,27 @@ fn ruled(rule: Rule, all: &[&Separation]) -> Option<RuleAssessment> {
 }
 
 fn assessed_floor(all: &[&AssessedFloor]) -> Option<FloorAssessment> {
-    // A floor that nothing moves is as well off beside its neighbours as alone.
-    let ratio = |alone: f64, beside: f64| {
+    let largest = all.iter().map(|one| one.beside.drift).fold(0.0, f64::max);
+    Some(FloorAssessment {
+        drift: amplification(all, |peaks| peaks.drift)?,
+        shear: amplification(all, |peaks| peaks.shear)?,
+        acceleration: amplification(all, |peaks| peaks.acceleration)?,
+        largest_drift: largest,
+    })
+}
+
+/// A peak beside neighbours over that alone, in every run; without a floor that only its neighbours move.
+fn amplification(all: &[&AssessedFloor], peak: fn(&FloorPeaks) -> f64) -> Option<Distribution> {
+    let ratio = |one: &&AssessedFloor| {
+        let (alone, beside) = (peak(&one.alone), peak(&one.beside));
+        // What nothing moves is as well off beside its neighbours as alone.
         if beside.to_bits() == alone.to_bits() {
             1.0
         } else {
             beside / alone
         }
     };
-    let largest = all.iter().map(|one| one.beside.drift).fold(0.0, f64::max);
-    Some(FloorAssessment {
-        drift: Distribution::of(
-            all.iter()
-                .map(|one| ratio(one.alone.drift, one.beside.drift)),
-        )?,
-        shear: Distribution::of(
-            all.iter()
-                .map(|one| ratio(one.alone.shear, one.beside.shear)),
-        )?,
-        acceleration: Distribution::of(
-            all.iter()
-                .map(|one| ratio(one.alone.acceleration, one.beside.acceleration)),
-        )?,
-        largest_drift: largest,
-    })
+    Distribution::of(all.iter().map(ratio).filter(|ratio| ratio.is_finite()))
 }
 
 fn assessed_pair(all: &[&AssessedPair]) -> PairAssessment {

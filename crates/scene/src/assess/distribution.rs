@@ -21,7 +21,7 @@ impl Distribution {
     }
 
     /// The least of the numbers that at least this part of all, 0 to 1, do not exceed.
-    pub fn enough_for(&self, part: f64) -> f64 {
+    pub fn quantile(&self, part: f64) -> f64 {
         let n = self.0.len();
         let rank = (1..=n).find(|rank| *rank as f64 >= part * n as f64);
         self.0[rank.unwrap_or(n) - 1]
@@ -29,12 +29,12 @@ impl Distribution {
 
     /// The least number that half of them do not exceed.
     pub fn median(&self) -> f64 {
-        self.enough_for(0.5)
+        self.quantile(0.5)
     }
 
     /// The least number that 84 % of them do not exceed: one standard deviation above the median of a normal distribution.
-    pub fn most(&self) -> f64 {
-        self.enough_for(0.84)
+    pub fn p84(&self) -> f64 {
+        self.quantile(0.84)
     }
 
     /// The largest number.
@@ -69,8 +69,8 @@ mod tests {
     #[test]
     fn reference_what_is_enough_for_a_part() {
         let ten = Distribution::of((1..=10).rev().map(f64::from)).expect("ten numbers");
-        let parts = [0.0, 0.5, 0.84, 0.9, 0.95, 1.0].map(|part| ten.enough_for(part));
-        let all = [ten.median(), ten.most(), ten.largest()];
+        let parts = [0.0, 0.5, 0.84, 0.9, 0.95, 1.0].map(|part| ten.quantile(part));
+        let all = [ten.median(), ten.p84(), ten.largest()];
         assert_eq!(
             format!("{parts:?} {all:?}"),
             "[1.0, 5.0, 9.0, 9.0, 10.0, 10.0] [5.0, 9.0, 10.0]"

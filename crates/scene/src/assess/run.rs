@@ -54,6 +54,19 @@ pub struct AssessedPair {
     pub approach_speed: Option<f64>,
 }
 
+impl AssessedRun {
+    /// The widest of the gaps that it needs \[m\].
+    pub fn widest_gap(&self) -> f64 {
+        let widths = self.separations.iter().map(|gap| gap.required);
+        widths.fold(0.0, f64::max)
+    }
+
+    /// Number of collisions at all pairs.
+    pub fn collisions(&self) -> usize {
+        self.pairs.iter().map(|pair| pair.collisions).sum()
+    }
+}
+
 impl Simulation {
     /// What this motion in this direction does to the row, by the exact method; the record is used as it is.
     ///

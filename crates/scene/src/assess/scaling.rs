@@ -94,3 +94,36 @@ fn factor(record: &Record, target: &DesignSpectrum, scene: &Scene) -> Result<f64
     };
     Err(refused(MotionError::of(PLACE, &nothing)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCENE: &str = r#"{
+        "name": "two",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+        "structures": [
+            {"sdof": {"name": "left", "mass_kg": 1e5, "period_s": 0.8, "damping": {"ratio": 0.05}}},
+            {"sdof": {"name": "right", "mass_kg": 1e5, "period_s": 0.3, "damping": {"ratio": 0.05}}}
+        ]
+    }"#;
+
+    /// A target of twice the record's own spectrum doubles it; what the spectrum is outside the row's periods does not matter.
+    #[test]
+    fn reference_the_factor_is_the_ratio_of_the_spectra() {
+        let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
+        let samples = (0..200)
+            .map(|index| libm::sin(0.3 * f64::from(index)))
+            .collect();
+        let record = Record::new(0.02, samples, "a sine").expect("a record");
+        let periods = periods_between(0.2 * 0.3, 2.0 * 0.8, PERIODS);
+        let own = response_spectrum(&record, &periods, DAMPING).expect("a spectrum");
+        let gravity = scene.record.gravity_m_per_s2;
+        let point =
+            |one: &crate::SpectralValues| [one.period, 2.0 * one.pseudo_acceleration / gravity];
+        let mut points: Vec<[f64; 2]> = own.iter().map(point).collect();
+        points.push([10.0, 1e6]);
+        let found = factor(&record, &DesignSpectrum::Table(points), &scene).expect("a factor");
+        assert!((found - 2.0).abs() < 1e-9, "{found}");
+    }
+}

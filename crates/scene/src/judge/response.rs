@@ -160,3 +160,100 @@ impl Display for Excess {
         write!(to, "{}: {}", self.name, self.kind.says(self.found))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A structure that starts at a displacement and is not shaken, over a limit or under it.
+    fn excesses(
+        height: Option<f64>,
+        displacement: f64,
+        yields: Option<f64>,
+    ) -> Vec<(ExcessKind, f64)> {
+        let mut structure = serde_json::json!({
+            "name": "one", "mass_kg": 1e5, "stiffness_n_per_m": 1e7, "damping": {"ratio": 0.0},
+            "initial_displacement_m": displacement,
+        });
+        if let Some(height) = height {
+            structure["height_m"] = height.into();
+        }
+        if let Some(force) = yields {
+            structure["yield_force_n"] = force.into();
+        }
+        let scene = serde_json::json!({
+            "name": "still",
+            "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+            "duration_s": 2.0,
+            "structures": [{"sdof": structure}, "wall"],
+        });
+        let scene = serde_json::from_value(scene).expect("a scene");
+        let simulation = Simulation::new(&scene, "").expect("it is sound");
+        let result = simulation.run(None).expect("it runs");
+        let all = simulation.excesses(&result);
+        all.into_iter().map(|one| (one.kind, one.found)).collect()
+    }
+
+    fn are(found: &[(ExcessKind, f64)], wanted: &[(ExcessKind, f64)]) {
+        let close = |(one, other): (&(ExcessKind, f64), &(ExcessKind, f64))| {
+            one.0 == other.0 && (one.1 / other.1 - 1.0).abs() < 1e-9
+        };
+        assert!(
+            found.len() == wanted.len() && found.iter().zip(wanted).all(close),
+            "{found:?} {wanted:?}"
+        );
+    }
+
+    /// An elastic structure has θ = m g/(k h) whatever its drift, 0.0981 for a height of 1 m and 0.1226 for one of 0.8 m.
+    #[test]
+    fn reference_drift_and_stability() {
+        are(&excesses(Some(1.0), 0.024, None), &[]);
+        are(
+            &excesses(Some(1.0), 0.026, None),
+            &[(ExcessKind::Drift, 0.026)],
+        );
+        let theta = 1e5 * 9.80665 / (1e7 * 0.8);
+        are(
+            &excesses(Some(0.8), 0.01, None),
+            &[(ExcessKind::Stability, theta)],
+        );
+        assert!(ExcessKind::Stability.says(0.2).contains("EN 1998-1"));
+        assert!(ExcessKind::Stability.says(0.3).contains("ASCE 7-16"));
+    }
+
+    /// The lower of two equal storeys carries both floors: θ = 2 m g/(k h), the upper one half of that.
+    #[test]
+    fn reference_a_storey_carries_the_floors_above() {
+        let storey = serde_json::json!({"mass_kg": 1e5, "stiffness_n_per_m": 1e7, "height_m": 1.2, "initial_displacement_m": 0.001});
+        let scene = serde_json::json!({
+            "name": "still",
+            "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+            "structures": [{"building": {"name": "two", "damping": {"ratio": 0.0}, "storeys": [storey, storey]}}, "wall"],
+        });
+        let scene = serde_json::from_value(scene).expect("a scene");
+        let simulation = Simulation::new(&scene, "").expect("it is sound");
+        let result = simulation.run(None).expect("it runs");
+        let all = simulation.excesses(&result);
+        let theta = 2.0 * 1e5 * 9.80665 / (1e7 * 1.2);
+        assert!(all.len() == 1 && all[0].floor == 0, "{all:?}");
+        assert!((all[0].found / theta - 1.0).abs() < 1e-9, "{all:?}");
+    }
+
+    /// Without a height the drift itself is judged.
+    #[test]
+    fn reference_unknown_heights() {
+        are(&excesses(None, 0.29, None), &[]);
+        are(
+            &excesses(None, 0.31, None),
+            &[(ExcessKind::Displacement, 0.31)],
+        );
+    }
+
+    /// Columns that begin at six times the drift at which they yield stay within the limit, at seven times they do not.
+    #[test]
+    fn reference_ductility() {
+        let of = |times: f64| excesses(Some(10.0), 1e-3 * times, Some(1e4));
+        are(&of(5.9), &[]);
+        are(&of(7.0), &[(ExcessKind::Ductility, 7.0)]);
+    }
+}

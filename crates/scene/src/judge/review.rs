@@ -36,7 +36,7 @@ pub struct Review {
 
 impl Review {
     /// What to know before believing and using it, in sentences, the most harmful first.
-    pub fn said(&self) -> Vec<String> {
+    pub fn notices(&self) -> Vec<String> {
         let excesses = self.excesses.iter().map(ToString::to_string);
         let warnings = self.warnings.iter().map(ToString::to_string);
         excesses.chain(warnings).collect()

@@ -24,20 +24,12 @@ pub(crate) const SETTINGS: CentralDifference = CentralDifference {
 };
 
 /// The same kind of law with other numbers.
-fn stiffer(mut law: ContactLaw, factor: f64) -> ContactLaw {
-    match &mut law {
-        ContactLaw::Stereomechanical(law) => law.restitution /= factor,
-        ContactLaw::LinearSpring(law) => law.impact_stiffness *= factor,
-        ContactLaw::Hertz(law) => law.impact_stiffness *= factor,
-        ContactLaw::KelvinVoigt(law) => law.impact_stiffness *= factor,
-        ContactLaw::ModifiedLinearViscoelastic(law) => law.impact_stiffness *= factor,
-        ContactLaw::NonlinearViscoelastic(law) => law.impact_stiffness *= factor,
-        ContactLaw::HertzDamp(law) => law.impact_stiffness *= factor,
-        ContactLaw::ModifiedKelvin(law) => law.impact_stiffness *= factor,
-        ContactLaw::PantWijeyewickrema(law) => law.impact_stiffness *= factor,
-        ContactLaw::KuwabaraKono(law) => law.impact_stiffness *= factor,
+fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
+    if let ContactLaw::Stereomechanical(mut law) = law {
+        law.restitution /= factor;
+        return ContactLaw::Stereomechanical(law);
     }
-    law
+    law.stiffened(factor)
 }
 
 /// The same row with other numbers.

@@ -1,8 +1,8 @@
 //! An assessment on one screen: the answer, what touching does, what is proposed, and how sure that is.
 
-use pounding::report::{AssessmentReport, rough, times};
+use pounding::report::AssessmentReport;
 use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
-use pounding::text::digits;
+use pounding::text::{millimetres, two_decimals, two_digits};
 
 use crate::text::{NONE, paragraph, short, table};
 
@@ -37,10 +37,6 @@ pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
     parts.join("\n")
 }
 
-fn millimetres(width: f64) -> String {
-    digits((width * 1e4).round() / 10.0)
-}
-
 fn gaps(report: &AssessmentReport) -> String {
     let header = [
         ["Gap", ""],
@@ -59,9 +55,9 @@ fn gaps(report: &AssessmentReport) -> String {
             gap.own.map_or(NONE.into(), millimetres),
             format!("{} of {}", gap.touching, report.assessment().runs),
             millimetres(gap.required.median()),
-            millimetres(gap.required.most()),
+            millimetres(gap.required.p84()),
             millimetres(gap.required.largest()),
-            gap.required.dispersion().map_or(NONE.into(), times),
+            gap.required.dispersion().map_or(NONE.into(), two_decimals),
             millimetres(gap.proposal()),
         ]
     };
@@ -104,7 +100,7 @@ fn rules(report: &AssessmentReport) -> String {
 }
 
 fn both(of: &Distribution) -> String {
-    format!("{} / {}", times(of.median()), times(of.most()))
+    format!("{} / {}", two_decimals(of.median()), two_decimals(of.p84()))
 }
 
 fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
@@ -147,8 +143,8 @@ fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
     let range = |of: &Option<[Distribution; 2]>| match of {
         Some([low, high]) => format!(
             "{} to {}",
-            rough(1e-3 * low.median()),
-            rough(1e-3 * high.largest())
+            two_digits(1e-3 * low.median()),
+            two_digits(1e-3 * high.largest())
         ),
         None => NONE.into(),
     };
@@ -167,7 +163,7 @@ fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
                 pair.touching.to_string(),
                 range(&pair.peak_force),
                 range(&pair.largest_impulse),
-                pair.approach_speed.map_or(NONE.into(), rough),
+                pair.approach_speed.map_or(NONE.into(), two_digits),
             ]
         })
         .collect();
@@ -183,18 +179,11 @@ fn runs(report: &AssessmentReport) -> String {
     ];
     let row = |one: &pounding::report::AssessedMotion| {
         let reversed = if one.reversed { " rev." } else { "" };
-        let widest = one
-            .run
-            .separations
-            .iter()
-            .map(|gap| gap.required)
-            .fold(0.0, f64::max);
-        let collisions: usize = one.run.pairs.iter().map(|pair| pair.collisions).sum();
         vec![
             format!("{}{reversed}", one.name),
             short(one.run.scale),
-            millimetres(widest),
-            collisions.to_string(),
+            millimetres(one.run.widest_gap()),
+            one.run.collisions().to_string(),
         ]
     };
     let rows: Vec<_> = report.motions().iter().map(row).collect();

@@ -51,7 +51,7 @@ impl Found {
             error,
             why,
             unusual: prepared.doubts(),
-            warnings: review.said(),
+            warnings: review.notices(),
             all: PairOutcome::of(review.outcome.collisions.all()),
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
