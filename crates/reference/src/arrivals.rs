@@ -8,14 +8,39 @@ use super::motion::Segment;
 /// by a rounding, and no segment is made for that.
 const SAME: f64 = 1e-9;
 
+/// An instant \[s\], and what its rounding left: ground accelerations are integrated twice to what grounds move against each other, and a
+/// sample that comes 1e-15 s late would be 1e-12 of that.
+#[derive(Debug, Clone, Copy)]
+struct Instant {
+    time: f64,
+    rest: f64,
+}
+
+impl Instant {
+    /// When a sample arrives.
+    fn of(sample: f64, interval: f64, arrival: f64) -> Self {
+        let product = sample * interval;
+        let time = product + arrival;
+        let taken = time - product;
+        let lost = (product - (time - taken)) + (arrival - taken);
+        Self {
+            time,
+            rest: lost + sample.mul_add(interval, -product),
+        }
+    }
+
+    fn since(self, earlier: Self) -> f64 {
+        (self.time - earlier.time) + (self.rest - earlier.rest)
+    }
+}
+
 /// The segments of a run, in the order of time.
 pub(super) struct Segments<'a> {
     excitation: Excitation<'a>,
     /// Arrival at every structure \[s\].
     arrivals: Vec<f64>,
     /// Instants at which a sample arrives somewhere, and the end of the run.
-    instants: Vec<f64>,
-    duration: f64,
+    instants: Vec<Instant>,
     next: usize,
 }
 
@@ -28,32 +53,28 @@ impl<'a> Segments<'a> {
         different.dedup();
         let mut instants = Vec::new();
         for arrival in different {
-            let mut sample = 0_u32;
-            loop {
-                let instant = f64::from(sample) * interval + arrival;
-                if duration - instant <= SAME * interval {
-                    break;
-                }
-                instants.push(instant);
-                sample += 1;
-            }
+            let samples =
+                (0..).map(|sample: u32| Instant::of(f64::from(sample), interval, arrival));
+            instants.extend(samples.take_while(|one| duration - one.time > SAME * interval));
         }
-        instants.sort_by(f64::total_cmp);
-        instants.dedup_by(|later, earlier| *later - *earlier <= SAME * interval);
-        instants.push(duration);
+        instants.sort_by(|one, other| other.since(*one).total_cmp(&0.0).reverse());
+        instants.dedup_by(|later, earlier| later.since(*earlier) <= SAME * interval);
+        instants.push(Instant {
+            time: duration,
+            rest: 0.0,
+        });
         Self {
             excitation,
             arrivals,
             instants,
-            duration,
             next: 0,
         }
     }
 
     /// Acceleration of the ground at an instant, and its rate, where the motion arrives at some time.
-    fn ground(&self, time: f64, arrival: f64) -> (f64, f64) {
+    fn ground(&self, now: Instant, arrival: f64) -> (f64, f64) {
         let interval = self.excitation.time_step();
-        let position = (time - arrival) / interval;
+        let position = (now.time - arrival) / interval;
         let nearest = position.round();
         let whole = if (position - nearest).abs() <= SAME {
             nearest
@@ -71,11 +92,7 @@ impl<'a> Segments<'a> {
         let sample = self.excitation.samples().windows(2).nth(whole as usize);
         let ends = sample.map_or([0.0; 2], |pair| [pair[0], pair[1]]);
         let rate = (ends[1] - ends[0]) / interval;
-        let since = if position > whole + SAME {
-            time - (whole * interval + arrival)
-        } else {
-            0.0
-        };
+        let since = now.since(Instant::of(whole, interval, arrival));
         (ends[0] + rate * since, rate)
     }
 }
@@ -89,16 +106,9 @@ impl Iterator for Segments<'_> {
         };
         self.next += 1;
         let arrivals = self.arrivals.iter();
-        let interval = self.excitation.time_step();
-        let whole = end - start >= (1.0 - SAME) * interval;
         Some(Segment {
-            start,
-            // The difference of two instants has their rounding.
-            length: if whole {
-                interval.min(self.duration - start)
-            } else {
-                end - start
-            },
+            start: start.time,
+            length: end.since(start),
             grounds: arrivals
                 .map(|arrival| self.ground(start, *arrival))
                 .collect(),

@@ -18,13 +18,16 @@ impl Runner {
             self.state
                 .set(self.motion.model.pairs[pair].deformation, 0.0);
         }
-        let again = |of: &Bounces| time - of.last < SHORTEST && of.count >= MOST_BOUNCES;
-        let mut stops: Vec<bool> = self.bounces.iter().map(again).collect();
+        let mut stops: Vec<bool> = (0..self.bounces.len())
+            .map(|pair| self.stops(pair, &touching, time))
+            .collect();
         let (state, mut phases) = (self.state.clone(), self.motion.phases.clone());
         let impulses = loop {
             let model = &self.motion.model;
             let impulses = impact::collide(model, &mut self.state.high, &touching, &stops);
             self.motion.phases.redirect(model, &self.state.high);
+            self.motion.grip_again(&self.state.high);
+            let model = &self.motion.model;
             for &pair in &touching {
                 // What rounding took from the rate before is none of this one.
                 self.state.low[model.pairs[pair].deformation + 1] = 0.0;
@@ -45,6 +48,7 @@ impl Runner {
             self.state.copy_from(&state);
             self.motion.phases.clone_from(&phases);
         };
+        self.motion.rise_again(&self.state.high, &self.scratch);
         for &pair in touching.iter().filter(|&&pair| impulses[pair] > 0.0) {
             let bounces = &mut self.bounces[pair];
             let soon = time - bounces.last < SHORTEST;
@@ -66,6 +70,43 @@ impl Runner {
         }
         self.record.impacts(&self.motion, &impulses, &least, time);
         self.begin_or_end(&phases, time);
+        for &pair in &touching {
+            self.proposal = self.proposal.min(self.flight(pair));
+        }
+    }
+
+    /// Whether a pair that is hit now stops: it has been hit again and again, or the pair on the other side of a floor that both hit in
+    /// turn has come to rest. Of what that series would still give this pair all is given at once.
+    fn stops(&self, pair: usize, touching: &[usize], time: f64) -> bool {
+        let soon = |pair: usize| time - self.bounces[pair].last < SHORTEST;
+        if !soon(pair) {
+            return false;
+        }
+        let pairs = &self.motion.model.pairs;
+        let shares = |other: usize| {
+            pairs[other].right == pairs[pair].left || pairs[other].left == pairs[pair].right
+        };
+        let rests = |other: usize| {
+            matches!(
+                self.motion.phases.pairs[other].contact,
+                Contact::Resting { .. }
+            )
+        };
+        let mut others = touching.iter();
+        self.bounces[pair].count >= MOST_BOUNCES
+            || others.any(|&other| shares(other) && soon(other) && rests(other))
+    }
+
+    /// Time until a pair that has just been hit would touch again, at the present acceleration; without end where it would not. Within a
+    /// longer step it could touch and part again unseen.
+    fn flight(&self, pair: usize) -> f64 {
+        let rate = self.motion.model.rate(pair, &self.state.high);
+        let closing = self.motion.closing(pair, &self.state.high, &self.scratch);
+        if rate < 0.0 && closing > 0.0 {
+            -2.0 * rate / closing
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Whether the bounces of a pair that has just been hit are over: it closes again within the shortest time.

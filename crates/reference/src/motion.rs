@@ -216,6 +216,40 @@ impl Motion {
         force.rate_on_approach(touching, self.model.rate(pair, slope))
     }
 
+    /// Takes anew, after velocities have jumped, which formulas would pull: at the end of the next step it may be as before.
+    pub(super) fn grip_again(&mut self, y: &[f64]) {
+        for pair in 0..self.phases.pairs.len() {
+            let pulls = self.grip(pair, y) < 0.0;
+            let contact = &mut self.phases.pairs[pair].contact;
+            match contact {
+                Contact::Restitution { .. } if pulls => *contact = Contact::Clamped,
+                Contact::Clamped if !pulls => *contact = Contact::Restitution { rising: -1.0 },
+                Contact::Apart
+                | Contact::Approach { .. }
+                | Contact::Restitution { .. }
+                | Contact::Clamped
+                | Contact::Resting { .. } => {}
+            }
+        }
+    }
+
+    /// Takes anew, after velocities have jumped, whether the forces of compliant pairs rise, and forgets which way they push; `slope` is
+    /// the derivative of the unknowns.
+    pub(super) fn rise_again(&mut self, y: &[f64], slope: &[f64]) {
+        for phase in &mut self.phases.structures {
+            phase.push = None;
+        }
+        for pair in 0..self.phases.pairs.len() {
+            let rate = self.force_rate(pair, y, slope);
+            if let Contact::Approach { rising, .. } | Contact::Restitution { rising } =
+                &mut self.phases.pairs[pair].contact
+                && *rising * rate < 0.0
+            {
+                *rising = -*rising;
+            }
+        }
+    }
+
     /// Negative where the formula of a pair would pull after the approach.
     pub(super) fn grip(&self, pair: usize, y: &[f64]) -> f64 {
         let Law::Compliant(force) = self.model.pairs[pair].law else {

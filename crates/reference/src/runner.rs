@@ -43,7 +43,7 @@ pub(super) struct Runner {
     tolerance: f64,
     longest_step: f64,
     /// Length that the error of the last step allows the next one \[s\].
-    proposal: f64,
+    pub(super) proposal: f64,
     n_events: usize,
 }
 

@@ -21,22 +21,31 @@ impl RestoringForce for Mixed {
     fn respond(&self, displacement: f64, memory: Bent) -> Response<Bent> {
         match self {
             Self::Sharp(column) => {
-                let Response {
-                    force,
-                    tangent,
-                    memory: plastic,
-                } = column.respond(displacement, memory.elastic);
-                Response {
-                    force,
-                    tangent,
-                    memory: Bent {
-                        drift: displacement,
-                        elastic: plastic,
-                    },
-                }
+                sharp(displacement, column.respond(displacement, memory.elastic))
             }
             Self::Smooth(column) => column.respond(displacement, memory),
         }
+    }
+
+    fn loaded(&self, displacement: f64) -> Response<Bent> {
+        match self {
+            Self::Sharp(column) => sharp(displacement, column.loaded(displacement)),
+            Self::Smooth(column) => column.loaded(displacement),
+        }
+    }
+}
+
+/// What sharp columns answer, with what they remember where smooth ones have it.
+fn sharp(drift: f64, response: Response<f64>) -> Response<Bent> {
+    let Response {
+        force,
+        tangent,
+        memory: elastic,
+    } = response;
+    Response {
+        force,
+        tangent,
+        memory: Bent { drift, elastic },
     }
 }
 

@@ -64,7 +64,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         let column = Single::beside(|number| gather(&|node| number(&node.column)));
         let displacement = gather(&|node| node.initial_displacement);
         let velocity = gather(&|node| node.initial_velocity);
-        let response = column.respond(displacement, column.untouched());
+        let response = column.loaded(displacement);
         let zero = damping.like(0.0);
         let force = zero - damping * velocity - response.force;
         let acceleration = inverse_mass * force - mobile * damping.like(ground);

@@ -29,7 +29,6 @@ pub(super) struct Turn {
 impl Ahead {
     /// The same on a clock that shows less.
     pub(super) fn set_back(&mut self, by: f64) {
-        self.flight = self.flight.later(-by);
         self.end -= by;
         if let Some(turn) = &mut self.turn {
             turn.time -= by;

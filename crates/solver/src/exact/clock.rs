@@ -40,6 +40,11 @@ impl Past {
         self.zero + self.time
     }
 
+    /// The same as a sum that is not rounded.
+    pub(super) fn instant(self) -> [f64; 2] {
+        [self.zero, self.time]
+    }
+
     /// What its clock showed \[s\].
     pub(super) fn time(self) -> f64 {
         self.time

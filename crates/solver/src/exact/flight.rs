@@ -33,6 +33,8 @@ struct Interval {
     /// The samples' instants \[s\].
     from: f64,
     to: f64,
+    /// The first of them as recorders tell it: the same whatever the clock shows later \[s\].
+    origin: f64,
     /// Acceleration at the start \[m/s²\], its slope \[m/s³\], and acceleration at the end.
     value: f64,
     slope: f64,
@@ -169,7 +171,7 @@ impl Interval {
     /// The flight of a structure from its state on.
     fn flight(&self, member: &Member, len: usize) -> Flight {
         Flight {
-            origin: self.from,
+            origin: self.origin,
             displacement: member.state.displacement,
             velocity: member.state.velocity,
             restoring_force: member.state.restoring_force,
@@ -262,6 +264,7 @@ impl<R: Recorder> Run<'_, R> {
         (starts && to <= self.end).then(|| Interval {
             from: time,
             to,
+            origin: self.clock.absolute(time),
             value,
             slope: (last - value) / step,
             last,
@@ -322,7 +325,7 @@ impl<R: Recorder> Run<'_, R> {
                     impulse_from_left: 0.0,
                     impulse_from_right: 0.0,
                     below: None,
-                    path: Path::Flight(flight.later(clock.zero())),
+                    path: Path::Flight(flight),
                 });
             };
             let State {

@@ -7,7 +7,7 @@ use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
 use crate::exact::{CHATTER, Run};
 
-/// Impacts of a pair within the shortest remainder after which the next one is plastic.
+/// Impacts of a pair within the shortest remainder after which the next one is plastic, whatever its neighbours do.
 const BURST: u32 = 50;
 
 /// A chain of impulsive pairs that touch at one instant.
@@ -103,8 +103,21 @@ impl<R: Recorder> Run<'_, R> {
             last += 1;
         }
         let contacts = &self.contacts[first..=last];
-        let again = |contact: &Contact| time - contact.hit < CHATTER && contact.burst >= BURST;
+        let soon = |contact: &Contact| time - contact.hit < CHATTER;
         let rests = |contact: &Contact| contact.link == Link::Resting;
+        // A floor that two neighbours hit in turn rests against one of them: all that this series would still give the other pair is
+        // given at once.
+        let caught = |index: usize| {
+            let beside = [index.checked_sub(1), Some(index + 1)];
+            let mut beside = beside
+                .into_iter()
+                .flatten()
+                .filter_map(|other| contacts.get(other));
+            beside.any(|other| rests(other) && soon(other))
+        };
+        let stops = |(index, contact): (usize, &Contact)| {
+            soon(contact) && (contact.burst >= BURST || caught(index))
+        };
         let parts = |contact: &Contact| contact.gap == Gap::Parts;
         let left = self.lefts[first];
         let members = &self.members[left..=self.lefts[last] + 1];
@@ -117,7 +130,7 @@ impl<R: Recorder> Run<'_, R> {
             rates: contacts.iter().map(|contact| contact.rate).collect(),
             rested: contacts.iter().map(rests).collect(),
             parts: contacts.iter().map(parts).collect(),
-            plastic: contacts.iter().map(again).collect(),
+            plastic: contacts.iter().enumerate().map(stops).collect(),
             impulses: vec![0.0; contacts.len()],
         }
     }
@@ -127,12 +140,15 @@ impl<R: Recorder> Run<'_, R> {
         let Some(travel) = &self.travel else {
             return Vec::new();
         };
-        let time = self.clock.absolute(time);
-        let velocity = |node: usize| travel.ground(node, time).velocity;
+        let instant = self.clock.past(time).instant();
         let wall = nodes.clone().find(|node| self.members[*node].is_wall());
-        let middle = 0.5 * (velocity(nodes.start) + velocity(nodes.end - 1));
-        let reference = wall.map_or(middle, velocity);
-        nodes.map(|node| velocity(node) - reference).collect()
+        let ahead = |node: usize, of: usize| travel.opening_at([node, of], instant).velocity;
+        let (first, last) = (nodes.start, nodes.end - 1);
+        let velocity = |node: usize| match wall {
+            Some(wall) => ahead(node, wall),
+            None => 0.5 * (ahead(node, first) + ahead(node, last)),
+        };
+        nodes.map(velocity).collect()
     }
 
     fn share_a_building(&self, a: &Hit, b: &Hit) -> bool {

@@ -141,7 +141,7 @@ impl<R: Recorder> Run<'_, R> {
                 [start, (&below.state).into()]
             }),
             path: match &member.ahead {
-                Some(ahead) => Path::Flight(ahead.flight.later(self.clock.zero())),
+                Some(ahead) => Path::Flight(ahead.flight),
                 None => Path::Series(Series {
                     origin: start_time,
                     power: body.power,

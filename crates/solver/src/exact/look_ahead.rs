@@ -126,7 +126,7 @@ impl<R: Recorder> Run<'_, R> {
             let start = starts[0].max(starts[1]);
             let length = (bodies[0].end.min(bodies[1].end) - start).max(0.0);
             let [opening, others @ ..] =
-                travel.cubic_opening([left, left + 1], self.clock.absolute(start));
+                travel.cubic_opening([left, left + 1], self.clock.past(start).instant());
             let bound = |sum: f64, c: &f64| sum * length + c.abs();
             closest += opening + length * others.iter().rev().fold(0.0, bound);
         }
@@ -185,7 +185,7 @@ impl<R: Recorder> Run<'_, R> {
         let Some(travel) = &self.travel else {
             return 0;
         };
-        let cubic = travel.cubic_ground(node, begin.absolute());
+        let cubic = travel.cubic_ground(node, begin.instant());
         let mut ground = [0.0; CAPACITY];
         ground[..cubic.len()].copy_from_slice(&cubic);
         let len = match power {

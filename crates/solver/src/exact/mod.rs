@@ -217,6 +217,8 @@ impl<R: Recorder> Run<'_, R> {
             let later = self.clock.absolute(time) > self.clock.absolute(now);
             at_once = if later { 0 } else { at_once + 1 };
             self.guard.look(time, self.spent())?;
+            // Before anything lands: what a piece has lasted is rounded as its ends alone say.
+            let time = time - self.set_clock(time);
             if at_once > most_at_once {
                 let events = self.work.events;
                 return Err(RunError::NoProgress { time, events });
@@ -259,7 +261,7 @@ impl<R: Recorder> Run<'_, R> {
             .as_ref()
             .filter(|_| self.contacts[pair].opens())?;
         let left = self.lefts[pair];
-        Some(travel.opening([left, left + 1], self.clock.absolute(time)))
+        Some(travel.opening_at([left, left + 1], self.clock.past(time).instant()))
     }
 
     /// Deformation and rate of a pair whose sides move like this over their grounds.
@@ -322,7 +324,8 @@ impl<R: Recorder> Run<'_, R> {
         let accelerations = [left, left + 1].map(|node| self.members[node].state.acceleration);
         let mut closing = accelerations[0] - accelerations[1];
         if let Some(travel) = self.travel.as_ref().filter(|_| contact.opens()) {
-            closing += 2.0 * travel.cubic_opening([left, left + 1], self.clock.absolute(time))[2];
+            closing +=
+                2.0 * travel.cubic_opening([left, left + 1], self.clock.past(time).instant())[2];
         }
         let motion = (contact.rate, closing);
         let time = self.clock.absolute(time);

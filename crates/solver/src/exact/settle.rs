@@ -353,12 +353,7 @@ impl<R: Recorder> Run<'_, R> {
             return;
         }
         let left = self.lefts[pair];
-        let opens = self.contacts[pair].opens();
-        let carried = self.travel.as_ref().filter(|_| opens).map(|travel| {
-            let time = self.clock.absolute(time);
-            let [first, last] = [left, left + 1].map(|node| travel.ground(node, time).velocity);
-            first - last
-        });
+        let carried = self.opening(pair, time).map(|opening| opening.velocity);
         let [a, b] = [left, left + 1].map(|node| &self.members[node]);
         let [v, w] = [a.state.velocity, b.state.velocity];
         if a.mass >= b.mass {

@@ -95,7 +95,7 @@ impl<Column: RestoringForce> Row<Column> {
         let mut memories = Vec::with_capacity(states.len());
         for (index, node) in self.nodes().iter().enumerate() {
             let drift = self.drift(index, &states);
-            let response = node.column.respond(drift, node.column.untouched());
+            let response = node.column.loaded(drift);
             states[index].restoring_force = response.force;
             memories.push(response.memory);
         }

@@ -28,6 +28,11 @@ pub trait RestoringForce<N: Number = f64>: Copy {
 
     /// Responds to a displacement \[m\], coming from `memory`.
     fn respond(&self, displacement: N, memory: Self::Memory) -> Response<Self::Memory, N>;
+
+    /// Responds to the first displacement \[m\], that of t = 0, to rounding: no step after it would mend an error of it.
+    fn loaded(&self, displacement: N) -> Response<Self::Memory, N> {
+        self.respond(displacement, self.untouched())
+    }
 }
 
 /// Columns whose loop is known in numbers; what the exact method and the ledger ask for besides [`RestoringForce`].

@@ -13,6 +13,8 @@ use crate::{Excitation, Motion};
 pub struct Travel {
     /// Time between two samples \[s\].
     time_step: f64,
+    /// The same as two numbers of few digits: whole multiples of the first one have no rounding.
+    coarse_and_fine: [f64; 2],
     samples: Vec<Sample>,
     /// Arrival at every node \[s\].
     arrivals: Vec<f64>,
@@ -22,8 +24,56 @@ pub struct Travel {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sample {
     acceleration: f64,
-    velocity: f64,
-    displacement: f64,
+    velocity: Sum,
+    displacement: Sum,
+}
+
+/// A sum, and what its rounding left: a ground moves by metres, and two of them by far less than that against each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Sum {
+    value: f64,
+    rest: f64,
+}
+
+/// Displacement of a ground as a cubic in the time since an instant.
+#[derive(Debug, Clone, Copy, Default)]
+struct Cubic {
+    displacement: Sum,
+    velocity: Sum,
+    /// Half of the acceleration.
+    bend: f64,
+    /// A sixth of its slope.
+    sixth: f64,
+}
+
+impl Sum {
+    /// With one more term; what is lost is known whichever of the two is larger (D. E. Knuth).
+    fn plus(self, term: f64) -> Self {
+        let value = self.value + term;
+        let taken = value - self.value;
+        let lost = (self.value - (value - taken)) + (term - taken);
+        Self {
+            value,
+            rest: self.rest + lost,
+        }
+    }
+
+    fn less(self, other: Self) -> f64 {
+        (self.value - other.value) + (self.rest - other.rest)
+    }
+
+    fn rounded(self) -> f64 {
+        self.value + self.rest
+    }
+}
+
+impl Cubic {
+    fn motion(self) -> Motion {
+        Motion {
+            displacement: self.displacement.rounded(),
+            velocity: self.velocity.rounded(),
+        }
+    }
 }
 
 /// Where two grounds were farthest from where they began to each other.
@@ -40,20 +90,23 @@ impl Travel {
     pub(crate) fn new(excitation: Excitation<'_>, arrivals: Vec<f64>) -> Self {
         let h = excitation.time_step();
         let samples = excitation.samples();
-        let mut ground = Motion::default();
+        let (mut displacement, mut velocity) = (Sum::default(), Sum::default());
         let mut integrated = Vec::with_capacity(samples.len());
         for (index, &acceleration) in samples.iter().enumerate() {
             integrated.push(Sample {
                 acceleration,
-                velocity: ground.velocity,
-                displacement: ground.displacement,
+                velocity,
+                displacement,
             });
             let next = samples.get(index + 1).copied().unwrap_or(0.0);
-            ground.displacement += h * (ground.velocity + h * (2.0 * acceleration + next) / 6.0);
-            ground.velocity += 0.5 * h * (acceleration + next);
+            let moved = h * (velocity.rounded() + h * (2.0 * acceleration + next) / 6.0);
+            displacement = displacement.plus(moved);
+            velocity = velocity.plus(0.5 * h * (acceleration + next));
         }
+        let coarse = f64::from_bits(h.to_bits() & COARSE);
         Self {
             time_step: h,
+            coarse_and_fine: [coarse, h - coarse],
             samples: integrated,
             arrivals,
         }
@@ -66,12 +119,21 @@ impl Travel {
 
     /// Displacement and velocity of the ground under a node at an instant \[s\].
     pub fn ground(&self, node: usize, time: f64) -> Motion {
-        self.at((time - self.arrivals[node]) / self.time_step)
+        self.under(node, [time, 0.0]).motion()
     }
 
     /// How far the ground of a left node has moved towards that of a right one, and at which rate, at an instant \[s\].
-    pub fn opening(&self, [left, right]: [usize; 2], time: f64) -> Motion {
-        self.ground(left, time).since(self.ground(right, time))
+    pub fn opening(&self, nodes: [usize; 2], time: f64) -> Motion {
+        self.opening_at(nodes, [time, 0.0])
+    }
+
+    /// The same at an instant that is the sum of two numbers \[s\], not rounded.
+    pub(crate) fn opening_at(&self, nodes: [usize; 2], instant: [f64; 2]) -> Motion {
+        let [left, right] = nodes.map(|node| self.under(node, instant));
+        Motion {
+            displacement: left.displacement.less(right.displacement),
+            velocity: left.velocity.less(right.velocity),
+        }
     }
 
     /// Where the ground of two nodes was farthest from where it began to each other, from t = 0 to an instant \[s\]; both
@@ -99,7 +161,7 @@ impl Travel {
         instants.retain(|time| *time <= until);
         instants.sort_by(f64::total_cmp);
         for ends in instants.windows(2) {
-            let [_, rate, half_bend, sixth] = self.cubic_opening(nodes, ends[0]);
+            let [_, rate, half_bend, sixth] = self.cubic_opening(nodes, [ends[0], 0.0]);
             // Zeros of rate + 2 b s + 3 c s².
             let (b, c) = (half_bend, 3.0 * sixth);
             let sum = -(b + (b * b - rate * c).sqrt().copysign(b));
@@ -119,11 +181,7 @@ impl Travel {
         let Some((index, part)) = self.place(position) else {
             return Motion::default();
         };
-        let [displacement, velocity, ..] = self.cubic(index, part * self.time_step);
-        Motion {
-            displacement,
-            velocity,
-        }
+        self.cubic(index, part * self.time_step).motion()
     }
 
     /// The last sample at or before a position, and how far behind it that is; nothing before the first one.
@@ -140,8 +198,8 @@ impl Travel {
         Some((index, position - index as f64))
     }
 
-    /// Coefficients of the ground's displacement as a cubic about an instant s \[s\] after a sample.
-    fn cubic(&self, index: usize, s: f64) -> [f64; 4] {
+    /// Displacement of the ground as a cubic about an instant s \[s\] after a sample.
+    fn cubic(&self, index: usize, s: f64) -> Cubic {
         let sample = &self.samples[index];
         // Behind the last sample the ground is not accelerated.
         let (acceleration, slope) = match self.samples.get(index + 1) {
@@ -151,33 +209,52 @@ impl Travel {
             ),
             None => (0.0, 0.0),
         };
-        [
-            sample.displacement
-                + s * (sample.velocity + s * (0.5 * acceleration + s * (slope / 6.0))),
-            sample.velocity + s * (acceleration + s * (0.5 * slope)),
-            0.5 * (acceleration + s * slope),
-            slope / 6.0,
-        ]
+        let moved = s * (sample.velocity.rounded() + s * (0.5 * acceleration + s * (slope / 6.0)));
+        let faster = s * (acceleration + s * (0.5 * slope));
+        Cubic {
+            displacement: sample.displacement.plus(moved),
+            velocity: sample.velocity.plus(faster),
+            bend: 0.5 * (acceleration + s * slope),
+            sixth: slope / 6.0,
+        }
     }
 
-    /// Coefficients of the ground's displacement under a node as a cubic in the time since an instant, valid until the
-    /// next sample arrives there.
-    pub(crate) fn cubic_ground(&self, node: usize, time: f64) -> [f64; 4] {
+    /// The ground under a node from an instant on, the sum of two numbers \[s\], until the next sample arrives there.
+    fn under(&self, node: usize, instant: [f64; 2]) -> Cubic {
         let arrival = self.arrivals[node];
         let arrives = |index: usize| index as f64 * self.time_step + arrival;
+        let time = instant[0] + instant[1];
         let last = last_sample(time, self.time_step, self.samples.len() - 1, arrives);
-        last.map_or([0.0; 4], |index| {
-            let start = index as f64 * self.time_step + arrival;
-            self.cubic(index, time - start)
+        last.map_or_else(Cubic::default, |index| {
+            // The time since the sample keeps the digits of the instant.
+            let [coarse, fine] = self.coarse_and_fine.map(|part| index as f64 * part);
+            let since = ((instant[0] - coarse) - arrival) + (instant[1] - fine);
+            self.cubic(index, since)
         })
     }
 
+    /// Coefficients of the ground's displacement under a node as a cubic in the time since an instant, the sum of two numbers \[s\],
+    /// valid until the next sample arrives there.
+    pub(crate) fn cubic_ground(&self, node: usize, instant: [f64; 2]) -> [f64; 4] {
+        let ground = self.under(node, instant);
+        let Motion {
+            displacement,
+            velocity,
+        } = ground.motion();
+        [displacement, velocity, ground.bend, ground.sixth]
+    }
+
     /// The same of the ground of a left node less that of a right one.
-    pub(crate) fn cubic_opening(&self, [left, right]: [usize; 2], time: f64) -> [f64; 4] {
-        let (left, right) = (
-            self.cubic_ground(left, time),
-            self.cubic_ground(right, time),
-        );
-        [0, 1, 2, 3].map(|n| left[n] - right[n])
+    pub(crate) fn cubic_opening(&self, nodes: [usize; 2], instant: [f64; 2]) -> [f64; 4] {
+        let [left, right] = nodes.map(|node| self.under(node, instant));
+        [
+            left.displacement.less(right.displacement),
+            left.velocity.less(right.velocity),
+            left.bend - right.bend,
+            left.sixth - right.sixth,
+        ]
     }
 }
+
+/// Sign, exponent and the first 26 digits of a number.
+const COARSE: u64 = !0 << 27;

@@ -52,14 +52,6 @@ impl Expansion {
 }
 
 impl Flight {
-    /// The same on a clock that shows more \[s\].
-    pub(crate) fn later(self, by: f64) -> Self {
-        Self {
-            origin: self.origin + by,
-            ..self
-        }
-    }
-
     /// Expands the motion: the same operations as those of a structure alone in the exact method.
     pub(crate) fn expand(&self, room: &mut Expansion) {
         let (mut u, mut v) = (self.displacement, self.velocity);

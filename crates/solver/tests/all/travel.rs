@@ -287,6 +287,31 @@ fn reference_the_ground_is_the_double_integral_of_the_record() {
     assert!((largest.distance - 0.25).abs() < 1e-14, "{largest:?}");
 }
 
+/// Grounds that have moved by 800 m each are 0.03 m apart: sums that are rounded lost three digits of that, and the two routes a
+/// thousand times their rounding.
+#[test]
+fn issue_an_opening_keeps_its_digits_where_grounds_move_far() {
+    let samples = vec![1.0; 4001];
+    let excitation = Excitation::new(0.01, &samples).expect("it is valid");
+    let row = rigid([1e5, 1e5], STEREOMECHANICAL, 1.0);
+    let arrivals = [0.0131, 0.0127];
+    let travel = row
+        .delayed(arrivals.to_vec())
+        .expect("it is valid")
+        .travel(excitation)
+        .expect("it is valid");
+    for step in 1..400 {
+        let time = 0.0997 * f64::from(step);
+        // ½ (t − τ₁)² − ½ (t − τ₂)².
+        let wanted = (arrivals[1] - arrivals[0]) * (time - 0.5 * (arrivals[0] + arrivals[1]));
+        let found = travel.opening([0, 1], time).displacement;
+        assert!(
+            (found / wanted - 1.0).abs() < 2e-14,
+            "{time}: {found} {wanted}"
+        );
+    }
+}
+
 #[test]
 fn reference_the_largest_opening_is_none_that_a_fine_search_exceeds() {
     let samples = ground();

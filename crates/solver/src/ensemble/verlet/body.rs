@@ -55,7 +55,7 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
         let displacement = rows.gather(simd, node, &|node| node.initial_displacement);
         let velocity = rows.gather(simd, node, &|node| node.initial_velocity);
         let column = Column::beside(|number| rows.gather(simd, node, &|node| number(&node.column)));
-        let response = column.respond(displacement, column.untouched());
+        let response = column.loaded(displacement);
         let constants = Self {
             inverse_mass,
             damping,

@@ -93,7 +93,7 @@ impl Account {
             None => node.initial_displacement,
             Some(below) => node.initial_displacement - row.nodes()[below].initial_displacement,
         };
-        let force = node.column.respond(drift, node.column.untouched()).force;
+        let force = node.column.loaded(drift).force;
         Self {
             mass: if node.is_wall() {
                 0.0

@@ -34,7 +34,7 @@ const OTHERWISE: [Fineness; 4] = [
         steps_per_sample: 9,
     },
 ];
-/// A distance up to so many times what the second route differs from itself is its own rounding.
+/// A distance up to so many times what a route differs from itself, in the few ways that are tried, is its own rounding.
 const OWN: f64 = 3.0;
 
 /// What becomes of a scene.
@@ -195,7 +195,7 @@ impl Checked {
         let judged = judged.map(|(two, condition)| Disagreement {
             two: *two,
             allowed: allowed(two, condition.of_data.unwrap_or_default()),
-            explained: allowed(two, condition.with_rounding),
+            explained: allowed(two, OWN * condition.with_rounding),
             own: 0.0,
         });
         let mut judged: Vec<_> = judged.collect();

@@ -6,6 +6,9 @@ use pounding_reference::Response;
 use pounding_scene::{RunResult, Simulation, ZERO, relative_to};
 use pounding_solver::Pair;
 
+/// Part of the largest impulse and force of a pair below which those of its first touch are differences of far larger forces.
+const SLIGHT: f64 = 1e-6;
+
 /// What a run says of a floor.
 #[derive(Debug, Clone, Copy, Default)]
 struct OfFloor {
@@ -122,7 +125,7 @@ impl Numbers {
             for (touch, (one, same)) in first.iter().zip(matched(first, second)).enumerate() {
                 // Later touches may be bounces that come to rest, differences of far larger velocities.
                 let scale = if touch == 0 {
-                    Largest::of(&first[..1])
+                    Largest::of(&first[..1]).at_least(SLIGHT, largest)
                 } else {
                     largest
                 };
