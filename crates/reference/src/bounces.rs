@@ -71,7 +71,7 @@ impl Runner {
         self.record.impacts(&self.motion, &impulses, &least, time);
         self.begin_or_end(&phases, time);
         for &pair in &touching {
-            self.proposal = self.proposal.min(self.flight(pair));
+            self.proposal = self.proposal.min(self.flight(pair).max(SHORTEST));
         }
     }
 

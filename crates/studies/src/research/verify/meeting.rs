@@ -25,23 +25,25 @@ pub(super) struct Meeting {
 /// Touches in the order of their starts, as one where rounding decides that they are several.
 ///
 /// How many bounces end in rest, and which of several floors that meet at once hits first, is a matter of where a route stops to tell
-/// them apart. So is how many of the bounces that a neighbour of theirs comes to rest with are passed on to a pair at rest. Of bounces
-/// of hardly an impulse only the first touch of all is told.
+/// them apart. So is how many of the bounces that a neighbour of theirs comes to rest with are passed on to a pair at rest: those of
+/// no impulse belong to the touch that goes on.
 pub(super) fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
-    let slight = SLIGHT * Largest::of(&touches).impulse;
+    let largest = Largest::of(&touches).impulse;
     let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
     let mut latest = f64::NEG_INFINITY;
     for next in touches {
         match all.last_mut() {
-            Some(last) if next.start - latest <= TOGETHER || last.goes_on_with(&next, slight) => {
-                last.add(&next, slight);
+            Some(last)
+                if next.start - latest <= TOGETHER
+                    || (last.impulse <= ROUNDING * largest
+                        && next.start - (last.start + last.lasts) <= TOGETHER) =>
+            {
+                last.add(&next);
             }
             Some(_) | None => all.push(next),
         }
         latest = next.start;
     }
-    let mut first = true;
-    all.retain(|touch| std::mem::take(&mut first) || touch.impulse > slight);
     all
 }
 
@@ -56,9 +58,6 @@ pub(super) fn are_at_once(one: &[Meeting], other: &[Meeting]) -> bool {
         near.any(|other| other.peak_force.is_none())
     })
 }
-
-/// Part of the largest impulse of a pair up to which an impact is one of the last bounces before rest, or passed on from such.
-const SLIGHT: f64 = 1e-10;
 
 /// Touches of a pair that begin within this of the one before are compared as one with it \[s\].
 const TOGETHER: f64 = 1e-9;
@@ -80,9 +79,7 @@ impl Largest {
             force: forces.fold(0.0, f64::max),
         }
     }
-}
 
-impl Largest {
     /// Not less than a part of another one.
     pub(super) fn at_least(self, part: f64, other: Self) -> Self {
         Self {
@@ -105,20 +102,11 @@ const LEAVES_ZERO: f64 = 5e-5;
 const ROUNDING: f64 = 1e-12;
 
 impl Meeting {
-    /// Whether this touch is hardly one, and neighbours do not part before the next.
-    fn goes_on_with(&self, next: &Self, slight: f64) -> bool {
-        self.impulse <= slight && next.start - (self.start + self.lasts) <= TOGETHER
-    }
-
-    /// Takes a touch that follows at once as part of this one, which begins with what is no slight bounce; an impact has no force.
-    fn add(&mut self, next: &Self, slight: f64) {
+    /// Takes a touch that follows at once as part of this one; an impact has no force.
+    fn add(&mut self, next: &Self) {
         let (one, other) = (self.peak_force, next.peak_force);
         self.peak_force = one.zip(other).map(|(one, other)| one.max(other));
-        let end = (self.start + self.lasts).max(next.start + next.lasts);
-        if self.impulse <= slight {
-            (self.start, self.uncertainty) = (next.start, next.uncertainty);
-        }
-        self.lasts = end - self.start;
+        self.lasts = self.lasts.max(next.start + next.lasts - self.start);
         self.end = self.end.zip(next.end).map(|(one, other)| one.max(other));
         self.impulse += next.impulse;
     }
