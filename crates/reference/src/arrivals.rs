@@ -57,7 +57,7 @@ impl<'a> Segments<'a> {
                 (0..).map(|sample: u32| Instant::of(f64::from(sample), interval, arrival));
             instants.extend(samples.take_while(|one| duration - one.time > SAME * interval));
         }
-        instants.sort_by(|one, other| other.since(*one).total_cmp(&0.0).reverse());
+        instants.sort_by(|one, other| one.since(*other).total_cmp(&0.0));
         instants.dedup_by(|later, earlier| later.since(*earlier) <= SAME * interval);
         instants.push(Instant {
             time: duration,

@@ -219,10 +219,8 @@ impl Interval {
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Sets the clock to this instant and flies on as far as nothing happens but turns; returns the instant from which the general
-    /// method goes on.
-    pub(super) fn fly(&mut self, time: f64) -> f64 {
-        let mut now = time - self.set_clock(time);
+    /// Flies on as far as nothing happens but turns; returns the instant from which the general method goes on.
+    pub(super) fn fly(&mut self, mut now: f64) -> f64 {
         let mut flown = false;
         if self.flights.whole && self.flies() {
             while !self.guard.is_over(self.spent())

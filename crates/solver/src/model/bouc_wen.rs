@@ -34,7 +34,7 @@ pub struct Bent {
 const PIECES: f64 = 16.0;
 /// The same for the first drift, which everything after it starts from: an error of 1e-15.
 const FIRST_PIECES: f64 = 1024.0;
-/// A change of y that is none.
+/// A change of y, as a part of it, that is none.
 const NOTHING: f64 = 1e-22;
 /// Drifts beyond so many yield displacements change z no more.
 const ENOUGH: f64 = 60.0;
@@ -79,7 +79,7 @@ impl Smoothness {
             let more = self.piece(y, (way.direction, way.h)) + rest;
             let end = y + more;
             rest = more - (end - y);
-            if more.abs() < NOTHING {
+            if more.abs() < NOTHING * y.abs() {
                 break;
             }
             y = end;
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn issue_first_displacement_to_rounding() {
         // The exact method started 2.2e-8 of the yield force off.
-        for s in [-60.0_f64, -2.0, 1e-9, 0.3, 1.0, 5.0, 1e9] {
+        for s in [-60.0_f64, -2.0, 1e-30, 1e-9, 0.3, 1.0, 5.0, 1e9] {
             for (exponent, wanted) in [(1, s.signum() * -libm::expm1(-s.abs())), (2, libm::tanh(s))]
             {
                 let y = column(exponent, 0.5).loaded(0.01 * s).memory.elastic / 0.01;
