@@ -2,7 +2,9 @@
 
 use pounding_solver::Excitation;
 
+use super::model::{displacement, velocity};
 use super::motion::Segment;
+use super::state::State;
 
 /// Part of the interval between samples below which two instants are one: quotients of decimal numbers miss a whole number
 /// by a rounding, and no segment is made for that.
@@ -42,6 +44,8 @@ pub(super) struct Segments<'a> {
     /// Instants at which a sample arrives somewhere, and the end of the run.
     instants: Vec<Instant>,
     next: usize,
+    /// Where the ground under every structure has moved by then, and how fast it moves.
+    moved: State,
 }
 
 impl<'a> Segments<'a> {
@@ -64,6 +68,7 @@ impl<'a> Segments<'a> {
             rest: 0.0,
         });
         Self {
+            moved: Segment::at_rest(arrivals.len()),
             excitation,
             arrivals,
             instants,
@@ -106,12 +111,21 @@ impl Iterator for Segments<'_> {
         };
         self.next += 1;
         let arrivals = self.arrivals.iter();
+        let grounds = arrivals.map(|arrival| self.ground(start, *arrival));
+        let (grounds, length): (Vec<_>, _) = (grounds.collect(), end.since(start));
+        let moved = self.moved.clone();
+        for (index, (acceleration, rate)) in grounds.iter().enumerate() {
+            let faster = length * (acceleration + length * (0.5 * rate));
+            let further = length * (0.5 * acceleration + length * (rate / 6.0));
+            let further = length * (moved.high[velocity(index)] + further);
+            self.moved.add(&moved, displacement(index), further);
+            self.moved.add(&moved, velocity(index), faster);
+        }
         Some(Segment {
             start: start.time,
-            length: end.since(start),
-            grounds: arrivals
-                .map(|arrival| self.ground(start, *arrival))
-                .collect(),
+            length,
+            grounds,
+            moved,
         })
     }
 }

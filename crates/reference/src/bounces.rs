@@ -2,7 +2,7 @@
 
 use super::impact::{self, NOISE, SHORTEST};
 use super::law::Law;
-use super::model::velocity;
+use super::model::{TIME, velocity};
 use super::phases::Contact;
 use super::runner::Runner;
 use super::state::Bounces;
@@ -145,7 +145,7 @@ impl Runner {
         self.unite();
     }
 
-    /// Gives floors of a block on the same ground the same velocity, to the last bit.
+    /// Gives floors of a block the velocity of the heaviest, over the ground of each, to the last digit.
     fn unite(&mut self) {
         let blocks: Vec<_> = self.motion.blocks().collect();
         for block in blocks {
@@ -157,13 +157,11 @@ impl Runner {
                 .copied()
                 .min_by(|one, other| inverse_mass(one).total_cmp(&inverse_mass(other)));
             let Some(heaviest) = heaviest else { continue };
-            let arrival = |floor: usize| model.structures[floor].arrival;
             for floor in floors {
-                if arrival(floor).total_cmp(&arrival(heaviest)).is_eq() {
-                    let [from, to] = [heaviest, floor].map(velocity);
-                    self.state.high[to] = self.state.high[from];
-                    self.state.low[to] = self.state.low[from];
-                }
+                let since = self.state.high[TIME];
+                let carried = self.motion.segment.faster([heaviest, floor], since);
+                let [from, to] = [heaviest, floor].map(velocity);
+                self.state.copy(from, to, carried);
             }
         }
     }

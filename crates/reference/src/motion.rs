@@ -4,6 +4,7 @@ use super::branch::{Branch, sign};
 use super::law::{Law, Touching};
 use super::model::{Model, TIME, displacement, velocity};
 use super::phases::{Contact, Phases};
+use super::state::State;
 use super::variable::Variable;
 
 /// Where derivatives with respect to time are asked for.
@@ -26,9 +27,24 @@ pub(super) struct Segment {
     pub length: f64,
     /// Ground acceleration at its start \[m/s²\] and its rate \[m/s³\], under every structure.
     pub grounds: Vec<(f64, f64)>,
+    /// Displacement \[m\] and velocity \[m/s\] of the ground under every structure at its start, each in the place of the structure's own.
+    pub moved: State,
 }
 
 impl Segment {
+    /// Grounds of so many structures that have not moved.
+    pub(super) fn at_rest(n_structures: usize) -> State {
+        State::zero(displacement(n_structures))
+    }
+
+    /// How much faster the ground under one structure moves than that under another one, at a time since the start of the segment \[m/s\].
+    pub(super) fn faster(&self, [one, other]: [usize; 2], since: f64) -> f64 {
+        let [(of_one, rate_of_one), (of_other, rate_of_other)] =
+            [one, other].map(|structure| self.grounds[structure]);
+        let change = (of_one - of_other) + 0.5 * since * (rate_of_one - rate_of_other);
+        self.moved.difference(velocity(one), velocity(other)) + since * change
+    }
+
     /// Ground acceleration under a structure, at a time since the start of the segment \[m/s²\].
     pub(super) fn ground(&self, structure: usize, since: f64) -> f64 {
         let (start, rate) = self.grounds[structure];

@@ -122,7 +122,7 @@ impl Runner {
         Ok(())
     }
 
-    /// Takes the deformations of pairs far apart, and their rates, from displacements and velocities again: impacts round each of the
+    /// Takes the deformations of pairs far apart, and their rates, from the motions of both sides again: impacts round each of the
     /// unknowns by itself, and over many of them a gap would become another one.
     fn measure(&mut self) {
         let Self {
@@ -131,21 +131,21 @@ impl Runner {
             scales,
             ..
         } = self;
-        let model = &motion.model;
-        for (index, pair) in model.pairs.iter().enumerate() {
-            let [left, right] =
-                [pair.left, pair.right].map(|index| model.structures[index].arrival);
+        let moved = &motion.segment.moved;
+        for (index, pair) in motion.model.pairs.iter().enumerate() {
             let apart = matches!(motion.phases.pairs[index].contact, Contact::Apart);
             let size =
                 scales.sizes()[displacement(pair.left)] + scales.sizes()[displacement(pair.right)];
             let distance = -state.high[pair.deformation];
-            if apart && left.total_cmp(&right).is_eq() && distance > FAR * size {
+            if apart && distance > FAR * size {
                 for (own, unknown, gap) in [
                     (0, displacement as fn(usize) -> usize, pair.gap),
                     (1, velocity, 0.0),
                 ] {
-                    let difference = state.difference(unknown(pair.left), unknown(pair.right));
-                    state.set(pair.deformation + own, difference - gap);
+                    let [left, right] = [pair.left, pair.right].map(unknown);
+                    let over_ground = state.difference(left, right);
+                    let closed = over_ground + moved.difference(left, right) - gap;
+                    state.set(pair.deformation + own, closed);
                 }
             }
         }

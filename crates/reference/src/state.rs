@@ -1,5 +1,5 @@
 /// The vector of unknowns, each number with what rounding took from it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct State {
     /// The unknowns.
     pub high: Vec<f64>,
@@ -27,7 +27,16 @@ impl State {
 
     /// Becomes `from` plus an increment, without a loss: many small steps would otherwise round as often.
     pub(super) fn add(&mut self, from: &Self, index: usize, increment: f64) {
-        let (base, added) = (from.high[index], from.low[index] + increment);
+        self.put(index, from.high[index], from.low[index] + increment);
+    }
+
+    /// Makes an unknown another one plus an increment, without a loss.
+    pub(super) fn copy(&mut self, from: usize, to: usize, increment: f64) {
+        self.put(to, self.high[from], self.low[from] + increment);
+    }
+
+    /// Sets an unknown to a sum.
+    fn put(&mut self, index: usize, base: f64, added: f64) {
         let sum = base + added;
         let part = sum - base;
         self.high[index] = sum;

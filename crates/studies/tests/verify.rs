@@ -48,13 +48,13 @@ fn reference_random_scenes_are_the_same_by_both_routes() {
 /// again and again. 1/202: an energy that the ledger could not explain, over pieces of 1e-18 s. 1/225: equal Bouc–Wen columns at rest
 /// against each other made no progress. 1/354, 2/350: Bouc–Wen columns that were displaced at the start had a force 2.2e-8 of their
 /// yield force off. 2/380: a floor caught between two neighbours bounced once more from the elastic one. In the second route: 2/341, 2/392
-/// had a force that an impact lets press or push anew; 2/164, 3/1 had samples that arrive 1e-15 s late.
+/// had a force that an impact lets press or push anew; 2/164 had samples that arrive 1e-15 s late.
 #[test]
 fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     for (seed, scenes) in [
         (1, vec![54, 202, 225, 354]),
         (2, vec![17, 18, 164, 341, 350, 380, 392]),
-        (3, vec![1, 4, 44, 50]),
+        (3, vec![4, 44, 50]),
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
         let apart = checked

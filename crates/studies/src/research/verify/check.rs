@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::class::{Class, rests};
 use super::compared::{Compared, Place, Two};
 use super::condition::{Condition, Data, allowed, stopped_by};
+use super::meeting::SAME;
 use super::numbers::Numbers;
 use super::stage::{ALLOWED, Stage};
 use pounding_reference::Fineness;
@@ -200,6 +201,13 @@ impl Checked {
         });
         let mut judged: Vec<_> = judged.collect();
         if judged.iter().any(Disagreement::is_wrong) {
+            let own = data.own_rounding(&exact, begin);
+            for (one, own) in judged.iter_mut().zip(own) {
+                one.explained = one.explained.max(OWN * own);
+            }
+            excuse_what_cannot_be_told(&mut judged);
+        }
+        if judged.iter().any(Disagreement::is_wrong) {
             begin(Stage::SecondRoute);
             own_rounding(data.prepared, &exact, &mut judged);
         }
@@ -236,6 +244,27 @@ impl Checked {
 impl Disagreement {
     fn is_wrong(&self) -> bool {
         self.two.distance > self.explained
+    }
+}
+
+/// A touch whose start moves by more than tells it from others, and how many such a pair has, cannot be compared where one route lacks one.
+fn excuse_what_cannot_be_told(judged: &mut [Disagreement]) {
+    let moves = |one: &&Disagreement| one.two.what == Compared::Start && one.explained > SAME;
+    let mut untold: Vec<_> = judged
+        .iter()
+        .filter(moves)
+        .map(|one| one.two.place)
+        .collect();
+    let pairs = untold.iter().filter_map(|place| match *place {
+        Place::Touch { pair, .. } => Some(Place::Pair(pair)),
+        Place::Floor(_) | Place::Pair(_) | Place::Run => None,
+    });
+    let pairs: Vec<_> = pairs.collect();
+    untold.extend(pairs);
+    for one in judged {
+        if one.two.distance.is_infinite() && untold.contains(&one.two.place) {
+            one.explained = f64::INFINITY;
+        }
     }
 }
 

@@ -154,7 +154,7 @@ impl Meeting {
 }
 
 /// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\].
-const SAME: f64 = 1e-7;
+pub(super) const SAME: f64 = 1e-7;
 
 /// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the one
 /// that begins nearest to it of those that begin at the same time.
