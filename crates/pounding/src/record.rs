@@ -5,6 +5,17 @@ use pounding::text::digits;
 
 use crate::text::short;
 
+/// Source and peak.
+pub(crate) fn brief(prepared: &Simulation) -> String {
+    let scene = prepared.scene();
+    let (_, peak) = prepared.record().peak();
+    format!(
+        "{}, peak {} g",
+        scene.record.source,
+        short(peak.abs() / scene.record.gravity_m_per_s2)
+    )
+}
+
 /// Source, peak, what was read and from which line, what was done, and what the file says of itself.
 pub(crate) fn lines(prepared: &Simulation) -> Vec<String> {
     let (scene, record) = (prepared.scene(), prepared.record());

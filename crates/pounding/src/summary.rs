@@ -1,5 +1,7 @@
 //! What happened in a scene, and how far each number is from the exact run, as plain text.
 
+mod brief;
+pub(crate) mod direction;
 mod tables;
 
 use pounding::scene::{
@@ -11,15 +13,28 @@ use pounding::text::digits;
 
 use crate::record;
 use crate::text::{paragraph, percent, short};
+pub(crate) use brief::Blow;
 
-/// Summary of a run.
-pub(crate) fn of(prepared: &Simulation, review: &Review) -> String {
+/// What matters of a run: a screen of it.
+pub(crate) fn brief(prepared: &Simulation, review: &Review) -> String {
+    joined([
+        brief::scene(prepared, review),
+        brief::pairs(prepared, &review.outcome),
+        tables::leaning(prepared.floors(), &review.outcome),
+        brief::buildings(prepared, &review.outcome),
+        warnings(&of_run(prepared, review)),
+        brief::more(),
+    ])
+}
+
+/// Everything that is printed of a run.
+pub(crate) fn details(prepared: &Simulation, review: &Review) -> String {
     let scene = prepared.scene();
     let Review {
         outcome, errors, ..
     } = review;
     let measured = review.measured();
-    [
+    joined([
         paragraph("Scene", &scene.name),
         paragraph("Record", &record::lines(prepared).join("\n")),
         paragraph("Method", &method_lines(prepared)),
@@ -30,11 +45,13 @@ pub(crate) fn of(prepared: &Simulation, review: &Review) -> String {
         paragraph("Errors", &error_lines(scene, errors)),
         warnings(&of_run(prepared, review)),
         paragraph("Work", &work_lines(&scene.method, outcome.work, errors)),
-    ]
-    .into_iter()
-    .filter(|part| !part.is_empty())
-    .collect::<Vec<_>>()
-    .join("\n")
+    ])
+}
+
+/// Parts with a line between them, without those that are empty.
+fn joined<const PARTS: usize>(parts: [String; PARTS]) -> String {
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 /// What a user should know before believing the numbers.

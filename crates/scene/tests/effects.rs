@@ -149,6 +149,8 @@ fn reference_a_line_for_every_floor_and_direction() {
     let prepared = prepared(&towers());
     let effects = Effects::of(&prepared).expect("it runs");
     let csv = effects.to_csv(prepared.floors());
+    assert!(csv.contains(",\"slow, floor 1\","), "{csv}");
+    let csv = csv.replace(", floor", " floor");
     let lines: Vec<_> = csv.lines().collect();
     let columns = lines[0].split(',').count();
     assert_eq!(lines.len(), 1 + 2 * 5);
@@ -156,8 +158,14 @@ fn reference_a_line_for_every_floor_and_direction() {
         lines.iter().all(|line| line.split(',').count() == columns),
         "{csv}"
     );
-    assert!(lines[1].starts_with("1,1,slow 1,as given,"), "{csv}");
-    assert!(lines[10].starts_with("2,2,quick 2,reversed,"), "{csv}");
+    assert!(
+        lines[1].starts_with("1,1,\"slow floor 1\",as given,"),
+        "{csv}"
+    );
+    assert!(
+        lines[10].starts_with("2,2,\"quick floor 2\",reversed,"),
+        "{csv}"
+    );
 }
 
 #[test]

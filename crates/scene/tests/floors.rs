@@ -100,15 +100,15 @@ fn issue_a_wall_is_named_by_its_level_where_it_faces_several() {
         pairs
     };
     let both = [
-        "four 1 – two 1",
-        "four 2 – two 2",
-        "two 1 – wall 1",
-        "two 2 – wall 2",
+        "four, floor 1 – two, floor 1",
+        "four, floor 2 – two, floor 2",
+        "two, floor 1 – wall, level 1",
+        "two, floor 2 – wall, level 2",
     ];
     assert_eq!(names([None, None]), both);
     assert_eq!(
         names([Some(&[2]), Some(&[2])]),
-        ["four 2 – two 2", "two 2 – wall"]
+        ["four, floor 2 – two, floor 2", "two, floor 2 – wall"]
     );
 }
 
@@ -133,7 +133,7 @@ fn issue_floors_at_unequal_heights_are_no_matter_where_they_cannot_touch() {
     let prepared = heights(Some(&[3])).expect("what is left faces a floor");
     let names: Vec<_> = (0..1).map(|pair| prepared.floors().names(pair)).collect();
     assert!(
-        names.contains(&["two 1".into(), "wall 1".into()]),
+        names.contains(&["two, floor 1".into(), "wall, level 1".into()]),
         "{names:?}"
     );
     let facing: Vec<_> = prepared
@@ -221,7 +221,7 @@ fn issue_warnings_name_contacts_and_not_pairs() {
         .expect("it runs");
     let warnings = simulation.warnings_before(&exact);
     let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    for pair in ["contacts[0] (a 2", "contacts[1] (b 2"] {
+    for pair in ["contacts[0] (a, floor 2", "contacts[1] (b, floor 2"] {
         assert!(
             texts.iter().any(|text| text.contains(pair)),
             "{pair}: {texts:#?}"

@@ -89,7 +89,7 @@ fn error(text: &str) -> Result<f64, String> {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
-    let mut scene: Scene = Scene::read(path).map_err(message)?;
+    let mut scene: Scene = super::read(path).map_err(message)?;
     // The method of the scene does not matter, not even whether it suits the scene.
     scene.method = Method::EXACT;
     let prepared = Simulation::new(&scene, super::folder(path)).map_err(message)?;

@@ -9,7 +9,7 @@ use pounding::scene::{
     AssessedRun, DesignSpectrum, DesignSpectrumError, Error, Method, ScaleTo, Scaling, Scene,
     Structure,
 };
-use pounding::text::json_text;
+use pounding::text::{digits, json_text};
 
 use super::suite;
 use crate::folder;
@@ -133,6 +133,21 @@ fn target(text: &str) -> Result<DesignSpectrum, String> {
 }
 
 impl Arguments {
+    /// The scaling as it was asked for, to be asked for again.
+    fn scaling_words(&self) -> String {
+        match (&self.target, &self.scale) {
+            (Some(target), _) => format!(" --target \"{target}\""),
+            (None, Some(Scaling::To(ScaleTo::PgaG(pga)))) => {
+                format!(" --scale \"pga={}g\"", digits(*pga))
+            }
+            (None, Some(Scaling::To(ScaleTo::Sa { period_s, sa_g, .. }))) => {
+                format!(" --scale \"sa({}s)={}g\"", digits(*period_s), digits(*sa_g))
+            }
+            (None, Some(Scaling::Unscaled)) => " --scale none".into(),
+            (None, Some(Scaling::AsScene | Scaling::Target(_)) | None) => String::new(),
+        }
+    }
+
     fn scaling(&self) -> Result<Scaling, String> {
         match (&self.target, &self.scale) {
             (Some(text), _) => Ok(Scaling::Target(target(text)?)),
@@ -152,7 +167,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let scaling = args.scaling()?;
     let scene = Scene {
         method: Method::EXACT,
-        ..Scene::read(path).map_err(message)?
+        ..super::read(path).map_err(message)?
     };
     let moves = |one: &Structure| !matches!(one, Structure::Wall);
     if scene.structures.len() < 2 || !scene.structures.iter().any(moves) {
@@ -210,6 +225,7 @@ impl Arguments {
             report
                 .with_remarks(said.collect())
                 .with_stiffness(self.stiffness)
+                .with_scaling(self.scaling_words())
                 .signed(self.author.clone(), self.date.clone())
         }))
     }

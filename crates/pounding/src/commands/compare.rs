@@ -19,7 +19,8 @@ Examples:
   pounding compare today.toml wider-gap.toml --json > both.json
 
 Structures are matched from the left, the floors of buildings and the pairs
-between them storey by storey.";
+between them storey by storey. Behind a number stands how much larger it is
+than that of the first scene, whatever their signs.";
 
 /// What is asked of `compare`.
 #[derive(Debug, clap::Args)]
@@ -31,6 +32,9 @@ pub(crate) struct Arguments {
     /// Do not measure the errors; saves the exact runs.
     #[arg(long)]
     no_error: bool,
+    /// Print what is alike in all scenes, too.
+    #[arg(long, conflicts_with = "json")]
+    all: bool,
     /// Print JSON, SI units: for each scene what `run --json` prints.
     #[arg(long)]
     json: bool,
@@ -61,7 +65,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         return Ok(json_of(&runs));
     }
     let mut names = names(&runs).into_iter();
-    let mut rows = vec![row("Scene", &runs, |_| names.next().unwrap_or_default())];
+    let mut rows = vec![row::<String>("Scene", &runs, |_| {
+        names.next().unwrap_or_default()
+    })];
     rows.extend(of_runs(&runs));
     let (structures, pairs) = (places(&runs, floor_places), places(&runs, pair_places));
     let words = |what: &str, place: &At, all: &[At]| {
@@ -80,7 +86,110 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     for place in &pairs {
         rows.extend(of_pair(&runs, *place, &words("Pair", place, &pairs)));
     }
-    Ok(side_by_side(&rows))
+    let (rows, alike) = if args.all { (rows, 0) } else { changed(rows) };
+    let cells: Vec<Vec<String>> = rows.iter().map(Row::cells).collect();
+    let alike = match alike {
+        0 => String::new(),
+        1 => "\n1 row is alike; --all prints it\n".into(),
+        _ => format!("\n{alike} rows are alike; --all prints them\n"),
+    };
+    Ok(format!("{}{alike}", side_by_side(&cells)))
+}
+
+/// A line of the table: a name, and a cell for every scene.
+struct Row {
+    name: String,
+    cells: Vec<Cell>,
+}
+
+/// What stands in a cell.
+enum Cell {
+    Text(String),
+    /// A number in the unit of the table; nothing where a scene has none.
+    Number(Option<f64>),
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self::Text(text.into())
+    }
+}
+
+impl From<Option<f64>> for Cell {
+    fn from(number: Option<f64>) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl Cell {
+    fn text(&self) -> String {
+        match self {
+            Self::Text(text) => text.clone(),
+            Self::Number(number) => number.map_or(NONE.into(), short),
+        }
+    }
+
+    /// How much larger the number is than that of another cell, whatever their signs: a peak may lie on the other side.
+    fn change(&self, first: &Self) -> Option<f64> {
+        let (Self::Number(Some(own)), Self::Number(Some(first))) = (self, first) else {
+            return None;
+        };
+        let change = own.abs() / first.abs() - 1.0;
+        change.is_finite().then_some(change)
+    }
+}
+
+impl Row {
+    /// Whether it heads those below it.
+    fn is_heading(&self) -> bool {
+        !self.name.starts_with(' ')
+    }
+
+    fn is_alike(&self) -> bool {
+        let texts: Vec<String> = self.cells.iter().map(Cell::text).collect();
+        texts.windows(2).all(|two| two[0] == two[1])
+    }
+
+    /// The name and the cells, numbers behind the first with their change.
+    fn cells(&self) -> Vec<String> {
+        let first = &self.cells[0];
+        let cell = |(index, cell): (usize, &Cell)| {
+            let text = cell.text();
+            match cell.change(first).filter(|_| index > 0) {
+                Some(change) if text != first.text() => {
+                    let sign = if change < 0.0 { '−' } else { '+' };
+                    let (change, digits) = (100.0 * change.abs(), usize::from(change.abs() < 0.1));
+                    format!("{text} {sign}{change:.digits$}%")
+                }
+                Some(_) | None => text,
+            }
+        };
+        let cells = self.cells.iter().enumerate().map(cell);
+        std::iter::once(self.name.clone()).chain(cells).collect()
+    }
+}
+
+/// The rows in which scenes differ, each with its heading, and how many others there are.
+fn changed(rows: Vec<Row>) -> (Vec<Row>, usize) {
+    let (mut kept, mut alike): (Vec<Row>, usize) = (Vec::new(), 0);
+    let mut heading: Option<Row> = None;
+    for (index, row) in rows.into_iter().enumerate() {
+        if row.is_heading() && index > 0 {
+            heading = Some(row);
+        } else if index > 0 && row.is_alike() {
+            alike += 1;
+        } else {
+            kept.extend(heading.take());
+            kept.push(row);
+        }
+    }
+    (kept, alike)
 }
 
 /// Where a floor or a pair stands, whatever its number in a run: the structure or the contact from the left, and the storey, of
@@ -163,16 +272,17 @@ fn json_of(runs: &[Run]) -> String {
 }
 
 /// A name and a cell for every scene.
-fn row(name: &str, runs: &[Run], cell: impl FnMut(&Run) -> String) -> Vec<String> {
-    std::iter::once(name.to_string())
-        .chain(runs.iter().map(cell))
-        .collect()
+fn row<C: Into<Cell>>(name: &str, runs: &[Run], mut cell: impl FnMut(&Run) -> C) -> Row {
+    Row {
+        name: name.into(),
+        cells: runs.iter().map(|run| cell(run).into()).collect(),
+    }
 }
 
-fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
+fn of_runs(runs: &[Run]) -> Vec<Row> {
     let peak = |run: &Run| {
         let gravity = run.prepared.scene().record.gravity_m_per_s2;
-        short(run.prepared.record().peak().1.abs() / gravity)
+        Some(run.prepared.record().peak().1.abs() / gravity)
     };
     vec![
         row("Record", runs, |run| {
@@ -186,9 +296,9 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
         }),
         row("  time step [s]", runs, |run| {
             let step = run.prepared.scene().method.time_step();
-            step.map_or(NONE.into(), digits)
+            step.map_or(String::from(NONE), digits)
         }),
-        row("  largest error", runs, |run| match &run.review.errors {
+        row::<String>("  largest error", runs, |run| match &run.review.errors {
             Errors::Exact => "exact".into(),
             Errors::NotMeasured => "not measured".into(),
             Errors::Doubtful | Errors::Unknown(_) => "not known".into(),
@@ -201,13 +311,21 @@ fn of_runs(runs: &[Run]) -> Vec<Vec<String>> {
 }
 
 /// A number of a place, if the run has that place, in the unit of the table.
-fn number(run: &Run, quantity: impl Into<Quantity>, index: Option<usize>, unit: f64) -> String {
-    let value =
-        index.and_then(|index| run.review.outcome.values(&run.prepared).of(quantity, index));
-    value.map_or(NONE.into(), |value| short(value / unit))
+fn number(
+    run: &Run,
+    quantity: impl Into<Quantity>,
+    index: Option<usize>,
+    unit: f64,
+) -> Option<f64> {
+    let value = run
+        .review
+        .outcome
+        .values(&run.prepared)
+        .of(quantity, index?);
+    Some(value? / unit)
 }
 
-fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
+fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     let of = |name: &str, quantity: FloorQuantity, unit: fn(&Run) -> f64| {
         row(name, runs, |run| {
             number(
@@ -220,12 +338,12 @@ fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
     };
     let mut rows = vec![
         row(heading, runs, |run| {
-            floor_at(run, place).map_or(NONE.into(), |(_, floor)| floor.name.clone())
+            floor_at(run, place).map_or(String::from(NONE), |(_, floor)| floor.name.clone())
         }),
         row("  period [s]", runs, |run| {
             let floor = floor_at(run, place).map(|there| there.1);
             let oscillation = floor.and_then(|floor| floor.oscillation(run.prepared.scene()));
-            oscillation.map_or(NONE.into(), |(period, _)| short(period))
+            oscillation.map(|(period, _)| period)
         }),
         of(
             "  peak displacement [mm]",
@@ -267,7 +385,7 @@ fn of_structure(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
     rows
 }
 
-fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
+fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Row> {
     let index = |run: &Run| pair_at(run, place);
     let of = |name: &str, quantity: PairQuantity, unit: f64| {
         row(name, runs, |run| number(run, quantity, index(run), unit))
@@ -275,16 +393,19 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
     vec![
         row(heading, runs, |run| {
             let names = index(run).map(|index| run.prepared.floors().names(index));
-            names.map_or(NONE.into(), |[left, right]| format!("{left} – {right}"))
+            names.map_or(String::from(NONE), |[left, right]| {
+                format!("{left} – {right}")
+            })
         }),
         row("  gap [mm]", runs, |run| {
-            let gap = index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap);
-            gap.map_or(NONE.into(), short)
+            index(run).map(|index| 1e3 * run.prepared.pairs()[index].gap)
         }),
         row("  collisions", runs, |run| {
-            index(run).map_or(NONE.into(), |index| collisions(run, index))
+            index(run).map_or(String::from(NONE), |index| collisions(run, index))
         }),
-        of("  first [s]", PairQuantity::FirstStartS, 1.0),
+        row("  first [s]", runs, |run| {
+            instant(number(run, PairQuantity::FirstStartS, index(run), 1.0))
+        }),
         of(
             "  largest impulse [kN·s]",
             PairQuantity::LargestImpulseNS,
@@ -293,9 +414,14 @@ fn of_pair(runs: &[Run], place: At, heading: &str) -> Vec<Vec<String>> {
         of("  peak force [kN]", PairQuantity::PeakForceN, 1e3),
         row("    at [s]", runs, |run| {
             let force = index(run).and_then(|index| run.review.outcome.of_pair(index).peak_force);
-            force.map_or(NONE.into(), |force| short(force.time))
+            instant(force.map(|force| force.time))
         }),
     ]
+}
+
+/// An instant \[s\], of which no part is a change.
+fn instant(time: Option<f64>) -> String {
+    time.map_or(NONE.into(), short)
 }
 
 /// Number of collisions, and that of the exact run where it is another.

@@ -51,9 +51,11 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
     folder::write(&results, &report.files())?;
+    let other = summary::direction::other(&prepared);
     Ok(format!(
-        "{}\n{}\n{}",
-        summary::of(&prepared, report.review()),
+        "{}\n{}\n{}\n{}",
+        summary::direction::text(&prepared, &report.review().outcome, &other),
+        summary::brief(&prepared, report.review()),
         paragraph(
             "Results",
             &results.join("report.html").display().to_string()

@@ -55,7 +55,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
-    let mut scene: Scene = Scene::read(path).map_err(message)?;
+    let mut scene: Scene = super::read(path).map_err(message)?;
     // The method of the scene does not matter: the script steps by its own.
     scene.method = Method::EXACT;
     one_storey(&scene).map_err(|what| format!("{}: {what}", path.display()))?;

@@ -54,7 +54,7 @@ type Line = suite::Line<Vec<Separation>>;
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
-    let scene: Scene = Scene::read(path).map_err(message)?;
+    let scene: Scene = super::read(path).map_err(message)?;
     if scene.structures.len() < 2 {
         return Err(format!(
             "{}: structures: found {}, allowed two or more: a gap lies between two",

@@ -1,5 +1,6 @@
 //! `pounding init`: a scene to begin with, whose comments say what else may stand there.
 
+mod buildings;
 mod record;
 
 use std::path::PathBuf;
@@ -15,6 +16,7 @@ const EXAMPLES: &str = "\
 Examples:
   pounding init                                   # writes scene.toml
   pounding init towers.toml --record quake.AT2    # shaken by a record of yours
+  pounding init towers.toml --storeys 8,5 --gap 0.04
   pounding init towers.json                       # JSON, which has no comments
   pounding run towers.toml
 
@@ -24,6 +26,9 @@ itself, such as its unit, stands in the scene as a comment to fill in.";
 
 /// The scene that is written; `RECORD` stands for its ground motion.
 const TEMPLATE: &str = include_str!("init/scene.toml");
+
+/// Two structures of one storey, and what lies between them.
+const ONE_STOREY: &str = include_str!("init/one-storey.toml");
 
 /// A ground motion without a file, so that the scene runs at once.
 const GENERATED: &str = r#"# A motion from a formula; with a record of yours instead:
@@ -41,6 +46,13 @@ pub(crate) struct Arguments {
     /// The record that shakes it, seen from here; without it a motion from a formula.
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
+    /// Buildings of so many storeys each, from the left, such as 8,5; without it two
+    /// structures of one storey.
+    #[arg(long, value_name = "N,N…", value_delimiter = ',', value_parser = buildings::storeys)]
+    storeys: Vec<usize>,
+    /// The gap between neighbours \[m\].
+    #[arg(long, value_name = "M", default_value_t = 0.02, value_parser = buildings::gap)]
+    gap: f64,
     /// Also where the file is there already.
     #[arg(long)]
     overwrite: bool,
@@ -56,7 +68,16 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let motion = named
         .as_ref()
         .map_or_else(|| GENERATED.into(), Named::lines);
-    let text = TEMPLATE.replace("RECORD", &motion);
+    let structures = if args.storeys.is_empty() {
+        ONE_STOREY.into()
+    } else {
+        buildings::structures(&args.storeys)
+    };
+    let n_gaps = args.storeys.len().max(2) - 1;
+    let text = TEMPLATE
+        .replace("RECORD", &motion)
+        .replace("STRUCTURES\n", &structures)
+        .replace("CONTACTS\n", &buildings::contacts(n_gaps, args.gap));
     let is_json = args.scene.extension().is_some_and(|end| end == "json");
     let text = if is_json { json_of(&text)? } else { text };
     let path = args.scene.display();

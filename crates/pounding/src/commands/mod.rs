@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod completions;
 mod demo;
+mod explain;
 mod export;
 mod gap;
 mod init;
@@ -18,6 +19,7 @@ mod schema;
 mod suite;
 mod sweep;
 
+use std::io::Read as _;
 use std::path::Path;
 
 use clap::{Parser, Subcommand};
@@ -75,6 +77,8 @@ enum Command {
     Laws(laws::Arguments),
     /// Print what a contact law and a method deliver to a free impact.
     Certify(certify::Arguments),
+    /// Say what a word of the program means.
+    Explain(explain::Arguments),
     /// Print the JSON Schema of a scene or sweep file, for editors.
     Schema(schema::Arguments),
     /// Print a script that lets a shell complete commands.
@@ -117,6 +121,7 @@ impl Program {
             Command::Advise(args) => advise::run(args),
             Command::Laws(args) => Ok(laws::run(args)),
             Command::Certify(args) => certify::run(args),
+            Command::Explain(args) => explain::run(args),
             Command::Schema(args) => Ok(schema::run(args)),
             Command::Completions(args) => Ok(completions::run(args)),
         };
@@ -126,7 +131,7 @@ impl Program {
 
 /// Reads and prepares a scene, with a bar where its method has to be found; `force` as in [`Options`].
 fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
-    let scene = Scene::read(path)?;
+    let scene = read(path)?;
     let progress = Progress::new();
     let step = |of| progress.step(of);
     let options = Options {
@@ -135,6 +140,23 @@ fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
         ..folder(path).into()
     };
     Simulation::new(&scene, options)
+}
+
+/// Longest text of a scene that is read from standard input \[bytes\], that of a file.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// The scene of a file, or where its name is `-` of standard input, as TOML or JSON; records are then named from here.
+fn read(path: &Path) -> Result<Scene, Error> {
+    if path != Path::new("-") {
+        return Scene::read(path);
+    }
+    let mut text = Vec::new();
+    let read = std::io::stdin().take(MOST_BYTES).read_to_end(&mut text);
+    read.map_err(|source| Error::Unreadable {
+        path: path.to_path_buf(),
+        source,
+    })?;
+    Scene::parse(&text, path)
 }
 
 /// Folder of a file.

@@ -1,7 +1,6 @@
 //! `pounding run`: runs a scene and says what happened.
 
 mod batch;
-mod direction;
 mod effects;
 
 use std::path::{Path, PathBuf};
@@ -43,7 +42,7 @@ nothing tells, the motion counts as horizontal and is listed under Direction.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The scene, a TOML or JSON file.
+    /// The scene, a TOML or JSON file; - is standard input.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     #[command(flatten)]
@@ -53,15 +52,10 @@ pub(crate) struct Arguments {
     /// 24 exact runs, whatever the method of the scene. Of one record at a time.
     #[arg(long)]
     effects: bool,
-    /// Run the direction of the scene only; by default the first lines also say
-    /// what the reversed shaking does.
-    #[arg(long, conflicts_with = "records")]
-    one_direction: bool,
     #[command(flatten)]
     suite: Suite,
-    /// Print JSON, SI units.
-    #[arg(long, conflicts_with = "csv")]
-    json: bool,
+    #[command(flatten)]
+    shown: Shown,
     #[command(flatten)]
     results: Results,
 }
@@ -78,6 +72,21 @@ struct How {
     /// Print what is refused, too, with a warning.
     #[arg(long, conflicts_with = "records")]
     force: bool,
+}
+
+/// What is printed.
+#[derive(Debug, clap::Args)]
+struct Shown {
+    /// Run the direction of the scene only; by default the first lines also say
+    /// what the reversed shaking does.
+    #[arg(long, conflicts_with = "records")]
+    one_direction: bool,
+    /// Print every floor and pair, what was read of the record, errors and work.
+    #[arg(long, conflicts_with_all = ["records", "json"])]
+    details: bool,
+    /// Print JSON, SI units.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
 }
 
 /// Under which records.
@@ -118,7 +127,7 @@ enum Printed {
 
 impl Arguments {
     fn printed(&self) -> Printed {
-        match (self.suite.csv, self.json) {
+        match (self.suite.csv, self.shown.json) {
             (true, _) => Printed::Csv,
             (_, true) => Printed::Json,
             _ => Printed::Text,
@@ -153,25 +162,26 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
         format!("{}{hint}", refused(error))
     })?;
-    let other = if args.json || args.one_direction {
+    let other = if args.shown.json || args.shown.one_direction {
         None
     } else {
-        Some(direction::other(&prepared))
+        Some(summary::direction::other(&prepared))
     };
     let Some(out) = &args.results.out else {
         let review = prepared.review(measure).map_err(refused)?;
-        let other = other.map(|other| direction::text(&prepared, &review.outcome, &other));
-        let text = printed(args.json, &prepared, effects, &review);
+        let other = other.map(|other| summary::direction::text(&prepared, &review.outcome, &other));
+        let text = printed(args, &prepared, effects, &review);
         return Ok(other.map_or(text.clone(), |other| format!("{other}\n{text}")));
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
     let report = report.with_effects(effects.clone());
     folder::write(out, &report.files())?;
-    let text = printed(args.json, &prepared, effects, report.review());
-    let other = other.map(|other| direction::text(&prepared, &report.review().outcome, &other));
+    let text = printed(args, &prepared, effects, report.review());
+    let other =
+        other.map(|other| summary::direction::text(&prepared, &report.review().outcome, &other));
     let text = other.map_or(text.clone(), |other| format!("{other}\n{text}"));
     let page = out.join("report.html");
-    Ok(if args.json {
+    Ok(if args.shown.json {
         text
     } else {
         format!(
@@ -186,12 +196,21 @@ const EFFECTS_OF_ONE: &str = "--effects takes one record at a time, 24 runs of i
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// What is printed of a run.
-fn printed(json: bool, prepared: &Simulation, effects: Option<Effects>, review: &Review) -> String {
-    if json {
+fn printed(
+    args: &Arguments,
+    prepared: &Simulation,
+    effects: Option<Effects>,
+    review: &Review,
+) -> String {
+    if args.shown.json {
         let summary = Summary::of(prepared, review);
         return Summary { effects, ..summary }.to_json();
     }
-    let run = summary::of(prepared, review);
+    let run = if args.shown.details {
+        summary::details(prepared, review)
+    } else {
+        summary::brief(prepared, review)
+    };
     match effects {
         Some(effects) => format!("{run}\n{}", effects::text(prepared, &effects)),
         None => run,

@@ -232,11 +232,11 @@ pub(super) fn pairs(
     if leaning.is_empty() {
         return table;
     }
-    format!("{table}\n{}", paragraph("Leaning", &leaning))
+    format!("{table}\n{leaning}")
 }
 
 /// Pairs that lean on each other; nothing where none does.
-fn leaning(floors: &Floors, outcome: &RunResult) -> String {
+pub(super) fn leaning(floors: &Floors, outcome: &RunResult) -> String {
     let said = |pair: usize| {
         let one = outcome.of_pair(pair).leaning()?;
         let [left, right] = floors.names(pair);
@@ -251,9 +251,12 @@ fn leaning(floors: &Floors, outcome: &RunResult) -> String {
     if said.is_empty() {
         return String::new();
     }
-    format!(
-        "touches of more than 0.25 s are pushes, and their impulses no measure of a blow: {}",
-        said.join("; ")
+    paragraph(
+        "Leaning",
+        &format!(
+            "touches of more than 0.25 s are pushes, and their impulses no measure of a blow: {}",
+            said.join("; ")
+        ),
     )
 }
 

@@ -39,7 +39,7 @@ fn issue_the_factor_of_every_record_is_shown() {
         let shown = line.and_then(|line| line.split_whitespace().nth(2));
         assert_eq!(shown, Some(&*pounding::text::short(factor)));
     }
-    let alone = pounding(&folder, &["run", "changed.toml"]);
+    let alone = pounding(&folder, &["run", "changed.toml", "--details"]);
     assert!(printed(&alone).contains("; in all × "), "{}", alone.stdout);
 }
 

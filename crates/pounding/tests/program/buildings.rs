@@ -43,8 +43,8 @@ fn column(histories: &mut csv::Reader<fs::File>, name: &str) -> Vec<f64> {
 fn issue_residuals_accelerations_and_drifts_are_those_of_the_histories() {
     let (summary, page, mut histories) = reported("building_numbers", "");
     let five = &summary.structures[2];
-    assert_eq!(five.name, "five 2");
-    let mut of = |quantity: &str| column(&mut histories, &format!("five_2_{quantity}"));
+    assert_eq!(five.name, "five, floor 2");
+    let mut of = |quantity: &str| column(&mut histories, &format!("five_floor_2_{quantity}"));
     let (displacements, drifts) = (of("displacement_m"), of("storey_drift_m"));
     let close = |found: f64, wanted: Option<f64>| {
         let wanted = wanted.expect("a number");
@@ -119,7 +119,7 @@ fn issue_the_report_tables_the_scene_and_names_a_period_once() {
     for words in [
         "<th>Mass [t]</th>",
         "<th>Yields at [kN]</th>",
-        "<td>five 5</td><td>300.0</td>",
+        "<td>five, floor 5</td><td>300.0</td>",
         "hardening 0.03",
         "0.05 and 0.05 in modes 1 and 3",
         "nonlinear viscoelastic",

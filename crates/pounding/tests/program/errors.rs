@@ -35,8 +35,12 @@ fn paragraph<'a>(stdout: &'a str, label: &str) -> Vec<&'a str> {
 
 #[test]
 fn limit_without_errors_the_numbers_are_the_same() {
-    let with = pounding(Path::new(HERE), &["run", EXAMPLE]).stdout;
-    let without = pounding(Path::new(HERE), &["run", EXAMPLE, "--no-error"]).stdout;
+    let with = pounding(Path::new(HERE), &["run", EXAMPLE, "--details"]).stdout;
+    let without = pounding(
+        Path::new(HERE),
+        &["run", EXAMPLE, "--no-error", "--details"],
+    )
+    .stdout;
     assert_eq!(
         paragraph(&without, "Errors"),
         ["Errors    not measured (--no-error)"]
@@ -98,7 +102,7 @@ fn limit_an_accuracy_chooses_what_is_advised() {
     let advice = pounding(&folder, &["advise", "scene.json", "--error", "30%"]);
     let snippet = paragraph(printed(&advice), "  \"method\"").join("");
     let pasted: Value = serde_json::from_str(&format!("{{{snippet}}}")).expect("JSON");
-    let chosen = pounding(&folder, &["run", "scene.json"]);
+    let chosen = pounding(&folder, &["run", "scene.json", "--details"]);
     let named = pasted["method"]
         .as_object()
         .expect("a method")
@@ -139,7 +143,7 @@ fn folder_of(test: &str, mut scene: Value) -> PathBuf {
 fn run_example(test: &str, method: &Value) -> Ended {
     pounding(
         &folder_of(test, example_with(method)),
-        &["run", "scene.json"],
+        &["run", "scene.json", "--details"],
     )
 }
 
@@ -218,7 +222,7 @@ fn extreme_advice_without_an_exact_run() {
     let law = &mut scene["contacts"][0]["law"]["nonlinear_viscoelastic"];
     law["impact_stiffness_n_per_m1_5"] = json!(1e300);
     let folder = folder_of("no_exact", scene);
-    let ended = pounding(&folder, &["run", "scene.json"]);
+    let ended = pounding(&folder, &["run", "scene.json", "--details"]);
     assert_snapshot!(refusal(&ended));
     let advice = pounding(&folder, &["advise", "scene.json", "--error", "1%"]);
     assert_eq!(refusal(&advice), refusal(&ended));

@@ -215,3 +215,39 @@ fn issue_a_scene_in_json_is_json() {
       pounding run asks.json --out results
     "#);
 }
+
+#[test]
+fn reference_buildings_to_begin_with() {
+    let folder = folder("init_storeys");
+    let wrote = pounding(&folder, &["init", "--storeys", "8,5,3", "--gap", "0.04"]);
+    assert_eq!((wrote.code, wrote.stderr.as_str()), (0, ""));
+    let scene = fs::read(folder.join("scene.toml")).expect("a scene");
+    let scene = pounding::scene::Scene::parse(&scene, Path::new("scene.toml")).expect("a scene");
+    let storeys = scene.structures.iter().map(|one| match one {
+        pounding::scene::Structure::Building(building) => building.storeys.len(),
+        pounding::scene::Structure::Sdof(_) | pounding::scene::Structure::Wall => 0,
+    });
+    assert_eq!(storeys.collect::<Vec<_>>(), [8, 5, 3]);
+    let gaps = scene.contacts.iter().flatten().map(|one| one.gap_m);
+    assert_eq!(gaps.collect::<Vec<_>>(), [0.04, 0.04]);
+    let refused = pounding(&folder, &["init", "x.toml", "--storeys", "8,0"]);
+    assert_eq!(refused.code, 2);
+    let message = refused.stderr.lines().next();
+    assert_snapshot!(message.expect("a message"), @"error: invalid value '0' for '--storeys <N,N…>': allowed is a whole number from 1 to 200");
+}
+
+/// A scene may come from standard input.
+#[test]
+fn limit_standard_input_is_a_scene() {
+    let folder = suite("standard_input");
+    let file = pounding(&folder, &["run", "towers.toml", "--json"]);
+    let mut command = assert_cmd::Command::cargo_bin("pounding").expect("the program");
+    let scene = fs::read(folder.join("towers.toml")).expect("a scene");
+    let piped = command
+        .current_dir(&folder)
+        .args(["run", "-", "--json"])
+        .write_stdin(scene)
+        .output()
+        .expect("it runs");
+    assert_eq!(String::from_utf8_lossy(&piped.stdout), file.stdout);
+}

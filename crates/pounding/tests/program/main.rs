@@ -7,6 +7,7 @@ mod buildings;
 mod certificates;
 mod documents;
 mod errors;
+mod explain;
 mod exports;
 mod finite;
 mod folders;
@@ -105,7 +106,7 @@ fn run(test: &str, scene: &str, record: Option<&str>) -> Ended {
     if let Some(record) = record {
         fs::write(folder.join("record.csv"), record).expect("the record can be written");
     }
-    pounding(&folder, &["run", "scene.json"])
+    pounding(&folder, &["run", "scene.json", "--details"])
 }
 
 /// A record at rest: `n_samples` of 0, 0.01 s apart.

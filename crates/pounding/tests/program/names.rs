@@ -15,7 +15,10 @@ fn issue_scenes_of_one_name_are_told_by_their_files() {
     let wide = TOWERS.replace("gap_m = 0.01", "gap_m = 0.1");
     fs::write(folder.join("wide.toml"), wide).expect("a file");
     let heading = |files: &[&str]| {
-        let text = pounding(&folder, &[&["compare", "--no-error"], files].concat());
+        let text = pounding(
+            &folder,
+            &[&["compare", "--no-error", "--all"], files].concat(),
+        );
         let mut lines = printed(&text).lines().map(String::from);
         let lines = lines
             .by_ref()
@@ -52,13 +55,13 @@ fn issue_long_names_are_whole() {
         .replace("\"towers\"", &format!("\"{long}\""))
         .replace("\"left\"", &format!("\"{long}\""));
     fs::write(folder.join("long.toml"), scene).expect("a file");
-    let text = pounding(&folder, &["run", "long.toml"]);
+    let text = pounding(&folder, &["run", "long.toml", "--details"]);
     assert!(
         printed(&text).lines().any(|line| line == long),
         "{}",
         text.stdout
     );
-    let text = pounding(&folder, &["compare", "long.toml", "towers.toml"]);
+    let text = pounding(&folder, &["compare", "long.toml", "towers.toml", "--all"]);
     let letters = |text: &str| text.split_whitespace().collect::<String>();
     let column = printed(&text)
         .lines()
@@ -107,7 +110,7 @@ fn issue_advice_is_in_the_words_of_the_file() {
     let snippet: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
     let pasted = format!("{TOWERS}\n{}\n", snippet.join("\n"));
     fs::write(folder.join("pasted.toml"), pasted).expect("a file");
-    let ran = pounding(&folder, &["run", "pasted.toml"]);
+    let ran = pounding(&folder, &["run", "pasted.toml", "--details"]);
     let name = snippet[0]
         .trim()
         .trim_start_matches("[method.")

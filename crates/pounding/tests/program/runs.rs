@@ -227,8 +227,12 @@ fn limit_the_full_model_prints_the_same() {
             let (numbers, _) = printed(&ended).split_once("\nWork").expect("work");
             numbers.to_string()
         };
-        let lean = numbers(&["run", scene]);
-        assert_eq!(lean, numbers(&["run", scene, "--full"]), "{scene}");
+        let lean = numbers(&["run", scene, "--details"]);
+        assert_eq!(
+            lean,
+            numbers(&["run", scene, "--full", "--details"]),
+            "{scene}"
+        );
     }
     // Structures that stand apart have pairs then, out of reach: still none is printed.
     let mut scene = good_scene();

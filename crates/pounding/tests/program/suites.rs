@@ -172,7 +172,7 @@ fn limit_a_line_is_a_run() {
     );
     let json: Value = serde_json::from_str(&json.stdout).expect("JSON");
     let peak = json["motions"][0]["structures"][0]["peak_displacement_m"].as_f64();
-    let alone = pounding(&folder, &["run", "towers.toml"]);
+    let alone = pounding(&folder, &["run", "towers.toml", "--details"]);
     let line = printed(&alone)
         .lines()
         .find(|line| line.starts_with("left "));
@@ -354,7 +354,10 @@ fn extreme_a_scene_that_cannot_be_compared() {
 #[test]
 fn limit_many_scenes_are_printed_in_blocks() {
     let folder = suite("compare_many");
-    let text = pounding(&folder, &[&["compare"][..], &["towers.toml"; 7]].concat());
+    let text = pounding(
+        &folder,
+        &[&["compare", "--all"][..], &["towers.toml"; 7]].concat(),
+    );
     let blocks: Vec<&str> = printed(&text).split("\n\n").collect();
     let columns = |block: &&str| block.lines().next().unwrap_or("").matches("towers").count();
     let columns: Vec<usize> = blocks.iter().map(columns).collect();

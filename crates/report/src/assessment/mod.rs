@@ -31,6 +31,7 @@ pub struct AssessmentReport {
     motions: Vec<AssessedMotion>,
     remarks: Vec<String>,
     stiffness: [f64; 2],
+    scaling: String,
     author: Option<String>,
     date: Option<String>,
 }
@@ -56,6 +57,7 @@ impl AssessmentReport {
             motions,
             remarks: Vec::new(),
             stiffness: [1.0; 2],
+            scaling: String::new(),
             author: None,
             date: None,
         }))
@@ -71,6 +73,12 @@ impl AssessmentReport {
     #[must_use]
     pub fn with_stiffness(self, stiffness: [f64; 2]) -> Self {
         Self { stiffness, ..self }
+    }
+
+    /// With what records were scaled to, in the words of the command line; empty where the scene says it.
+    #[must_use]
+    pub fn with_scaling(self, scaling: String) -> Self {
+        Self { scaling, ..self }
     }
 
     /// With an author and a date for the page.

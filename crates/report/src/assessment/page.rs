@@ -270,6 +270,13 @@ fn again(report: &AssessmentReport) -> String {
             "those named under Motions; assess.json lists them".into(),
         ),
         (
+            "Scaling of records".into(),
+            match report.scaling.trim() {
+                "" => "as the scene says".into(),
+                scaling => scaling.into(),
+            },
+        ),
+        (
             "Stiffness of impacts".into(),
             format!(
                 "{} to {} times that of the scene",
@@ -280,8 +287,11 @@ fn again(report: &AssessmentReport) -> String {
     ]);
     format!(
         "<h2>How to repeat it</h2>\n<p>Save the scene below as <code>scene.json</code> and run, with pounding {},</p>\n\
-         <pre>pounding assess scene.json --records FOLDER --out assessed</pre>\n{said}<pre class=\"scene\">{}</pre>\n",
+         <pre>pounding assess scene.json --records FOLDER{} --stiffness {}..{} --out assessed</pre>\n{said}<pre class=\"scene\">{}</pre>\n",
         env!("CARGO_PKG_VERSION"),
+        escaped(&report.scaling),
+        short(report.stiffness[0]),
+        short(report.stiffness[1]),
         escaped(&scene)
     )
 }

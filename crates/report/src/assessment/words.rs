@@ -8,12 +8,7 @@ use super::AssessmentReport;
 impl AssessmentReport {
     /// Name of a floor: that of its building, and its number; of a structure of one storey and a wall its own.
     pub fn floor_name(&self, floor: usize) -> String {
-        let one = &self.floors.all()[floor];
-        let building = self.scene.structures[one.structure].name();
-        match one.storey {
-            Some(storey) => format!("{building}, floor {storey}"),
-            None => building.into(),
-        }
+        self.floors.all()[floor].name.clone()
     }
 
     /// Names of the neighbours of a gap.
@@ -134,6 +129,13 @@ impl AssessmentReport {
     /// What harms the answer, the worst first.
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses();
+        let mut unusual: Vec<&String> = Vec::new();
+        for one in self.motions.iter().flat_map(|one| &one.run.unusual) {
+            if !unusual.contains(&one) {
+                unusual.push(one);
+            }
+        }
+        said.extend(unusual.into_iter().cloned());
         let far: Vec<String> = self
             .motions
             .iter()
@@ -193,7 +195,7 @@ impl AssessmentReport {
                 .max_by(|one, other| one.1.p84().total_cmp(&other.1.p84()));
             said.extend(worst.map(|(what, ratio)| {
                 format!(
-                    "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, × {} in 84 % of those runs.",
+                    "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, at most × {} in 84 % of those runs.",
                     storeys(worse.len()),
                     self.floor_name(*floor),
                     two_decimals(ratio.median()),

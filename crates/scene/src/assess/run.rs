@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::peaks::{FloorPeaks, peaks};
 use super::separation::{Separation, separations_of};
 use crate::simulation::Extras;
-use crate::{Error, Excess, PairQuantity, RunResult, Scene, Simulation};
+use crate::{Error, Excess, Implausible, PairQuantity, RunResult, Scene, Simulation};
 
 /// Factors on the impact stiffness: soft, as the scene has it, and stiff.
 pub type StiffnessFactors = [f64; 3];
@@ -27,6 +27,8 @@ pub struct AssessedRun {
     pub pairs: Vec<AssessedPair>,
     /// Responses beyond the model or beyond codes, beside its neighbours.
     pub excesses: Vec<Excess>,
+    /// What looks wrong in the scene, in words; not what only this record has.
+    pub unusual: Vec<String>,
 }
 
 /// Peaks of a floor alone and beside its neighbours; of a wall they are 0.
@@ -110,6 +112,11 @@ impl Simulation {
                     .map(|one| one[index].drift / before[index].drift),
             ),
         };
+        // Of records others judge.
+        let doubts = self.doubts();
+        let of_row = doubts
+            .iter()
+            .filter(|one| one.place.starts_with("structures") || one.place.starts_with("contacts"));
         Ok(AssessedRun {
             scale: self.scale(),
             separations: separations_of(&apart, &alone),
@@ -118,6 +125,7 @@ impl Simulation {
                 .map(|pair| assessed_pair(&exact, &variants, pair))
                 .collect(),
             excesses,
+            unusual: of_row.map(Implausible::brief).collect(),
         })
     }
 

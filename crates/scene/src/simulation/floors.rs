@@ -248,7 +248,7 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
             Floor {
                 structure: index,
                 storey: Some(storey + 1),
-                name: format!("{name} {}", storey + 1),
+                name: format!("{name}, floor {}", storey + 1),
                 elevation_m: elevations(structure).map(|heights| heights[storey]),
                 made_of: Some(StoreyProperties {
                     mass_kg: one.mass_kg,
@@ -263,7 +263,7 @@ fn floor(scene: &Scene, levels: &Levels, node: usize) -> Floor {
             storey: None,
             name: match levels.of(index) {
                 [_] => name,
-                _ => format!("{name} {}", levels.level(node) + 1),
+                _ => format!("{name}, level {}", levels.level(node) + 1),
             },
             elevation_m: None,
             made_of: None,

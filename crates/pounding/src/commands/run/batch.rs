@@ -90,7 +90,8 @@ impl Found {
 /// The scene under every record of a folder.
 pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
     let path = &args.scene;
-    let scene: Scene = Scene::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
+    let scene: Scene =
+        super::super::read(path).map_err(|error: Error| error.in_file(path).to_string())?;
     let directions: &[bool] = if args.suite.both {
         &[false, true]
     } else {

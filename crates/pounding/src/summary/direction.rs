@@ -2,15 +2,16 @@
 
 use pounding::scene::{Error, PairOutcome, RunResult, Simulation};
 
+use super::Blow;
 use crate::text::{paragraph, short};
 
 /// Runs the scene under the reversed record, by its own method.
-pub(super) fn other(prepared: &Simulation) -> Result<RunResult, Error> {
+pub(crate) fn other(prepared: &Simulation) -> Result<RunResult, Error> {
     prepared.under(|record| record.scaled(-1.0))?.run(None)
 }
 
 /// What each direction does, the worse one first.
-pub(super) fn text(
+pub(crate) fn text(
     prepared: &Simulation,
     given: &RunResult,
     other: &Result<RunResult, Error>,
@@ -32,7 +33,12 @@ pub(super) fn text(
         }
     };
     let mut both = [(names[0], given), (names[1], other)];
-    let harm = |result: &RunResult| (touching(prepared, result), impulse(result));
+    let harm = |result: &RunResult| {
+        (
+            touching(prepared, result),
+            Blow::all(result).into_iter().next(),
+        )
+    };
     if harm(other) > harm(given) {
         both.reverse();
     }
@@ -48,30 +54,25 @@ fn touching(prepared: &Simulation, result: &RunResult) -> usize {
         .count()
 }
 
-/// Largest impulse of a collision \[N·s\].
-fn impulse(result: &RunResult) -> f64 {
-    let all = PairOutcome::of(result.collisions.all());
-    all.largest.map_or(0.0, |largest| largest.impulse)
-}
-
 fn said(prepared: &Simulation, result: &RunResult) -> String {
     let all = PairOutcome::of(result.collisions.all());
     let pairs = prepared.pairs().len();
-    let Some(largest) = all.largest else {
+    let Some(hardest) = Blow::all(result).into_iter().next() else {
         return "nothing touches".into();
     };
-    let [left, right] = prepared.floors().names(largest.pair);
-    let forces = result
-        .collisions
-        .all()
-        .iter()
-        .filter_map(|one| one.peak_force);
-    let force = forces.reduce(f64::max).map_or(String::new(), |force| {
-        format!(
-            ", up to {} kN with the contact stiffness of the scene",
+    let [left, right] = prepared.floors().names(hardest.pair);
+    let how = match hardest {
+        Blow {
+            force: Some(force), ..
+        } => format!(
+            "with up to {} kN by the contact stiffness of the scene",
             short(1e-3 * force)
-        )
-    });
+        ),
+        Blow {
+            speed: Some(speed), ..
+        } => format!("at up to {} m/s", short(speed)),
+        Blow { impulse, .. } => format!("with up to {} kN·s", short(1e-3 * impulse)),
+    };
     let times = match all.collisions {
         1 => "once".into(),
         2 => "twice".into(),
@@ -84,8 +85,10 @@ fn said(prepared: &Simulation, result: &RunResult) -> String {
             touching(prepared, result)
         ),
     };
-    format!(
-        "they touch {times}{at}{force}; largest impulse {} kN·s, {left} – {right}",
-        short(1e-3 * largest.impulse)
-    )
+    let place = if pairs > 1 {
+        format!(" ({left} – {right})")
+    } else {
+        String::new()
+    };
+    format!("they touch {times}{at}, {how}{place}")
 }

@@ -1,0 +1,84 @@
+//! `pounding explain`: what a word of the program means.
+
+use crate::text::paragraph;
+
+const EXAMPLES: &str = "\
+Examples:
+  pounding explain ductility
+  pounding explain \"transferred momentum\"
+  pounding explain                       # all words";
+
+/// The page of words, a line that begins with its words in bold for each.
+const GLOSSARY: &str = include_str!("../../../../docs/glossary.md");
+
+/// What is asked of `explain`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The word, or a part of it; without it all words are listed.
+    #[arg(value_name = "WORD", num_args = 0..)]
+    words: Vec<String>,
+}
+
+/// A word, and what it means.
+struct Entry {
+    word: String,
+    meaning: String,
+}
+
+/// What the word means; of a word that is not known the nearest ones.
+pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+    let entries = entries();
+    if args.words.is_empty() {
+        let words: Vec<&str> = entries.iter().map(|one| one.word.as_str()).collect();
+        return Ok(paragraph("Words", &words.join("; ")));
+    }
+    let asked = args.words.join(" ");
+    let wanted = asked.to_lowercase();
+    let names = |entry: &&Entry| entry.word.to_lowercase().contains(&wanted);
+    let mentions = |entry: &&Entry| entry.meaning.to_lowercase().contains(&wanted);
+    let mut found: Vec<&Entry> = entries.iter().filter(names).collect();
+    if found.is_empty() {
+        found = entries.iter().filter(mentions).collect();
+    }
+    if found.is_empty() {
+        return Err(not_known(&asked, &entries));
+    }
+    let text = found
+        .iter()
+        .map(|one| format!("{}\n{}", one.word, paragraph("", &one.meaning)));
+    Ok(text.collect::<Vec<_>>().join("\n"))
+}
+
+fn not_known(asked: &str, entries: &[Entry]) -> String {
+    let likeness = |entry: &Entry| strsim::jaro_winkler(&entry.word, asked);
+    let nearest = entries
+        .iter()
+        .max_by(|one, other| likeness(one).total_cmp(&likeness(other)));
+    let nearest = nearest.map_or("", |entry| entry.word.as_str());
+    format!(
+        "found no word \"{asked}\", allowed are those that `pounding explain` lists; the nearest is \"{nearest}\""
+    )
+}
+
+/// The words of the page; a meaning goes on over lines that are set in.
+fn entries() -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for line in GLOSSARY.lines() {
+        if let Some((word, meaning)) = line
+            .strip_prefix("- **")
+            .and_then(|line| line.split_once("**"))
+        {
+            // The symbol and unit stand between the word and the colon.
+            let (unit, meaning) = meaning.split_once(':').unwrap_or(("", meaning));
+            entries.push(Entry {
+                word: format!("{word}{unit}"),
+                meaning: meaning.trim().into(),
+            });
+        } else if let (Some(text), Some(last)) = (line.strip_prefix("  "), entries.last_mut()) {
+            last.meaning.push(' ');
+            last.meaning.push_str(text.trim());
+        }
+    }
+    entries
+}
