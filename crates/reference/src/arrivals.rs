@@ -68,7 +68,8 @@ impl<'a> Segments<'a> {
             rest: 0.0,
         });
         Self {
-            moved: Segment::at_rest(arrivals.len()),
+            // As many unknowns as come before the displacement of one more.
+            moved: State::zero(displacement(arrivals.len())),
             excitation,
             arrivals,
             instants,

@@ -32,11 +32,6 @@ pub(super) struct Segment {
 }
 
 impl Segment {
-    /// Grounds of so many structures that have not moved.
-    pub(super) fn at_rest(n_structures: usize) -> State {
-        State::zero(displacement(n_structures))
-    }
-
     /// How much faster the ground under one structure moves than that under another one, at a time since the start of the segment \[m/s\].
     pub(super) fn faster(&self, [one, other]: [usize; 2], since: f64) -> f64 {
         let [(of_one, rate_of_one), (of_other, rate_of_other)] =

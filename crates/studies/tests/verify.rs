@@ -48,11 +48,12 @@ fn reference_random_scenes_are_the_same_by_both_routes() {
 /// again and again. 1/202: an energy that the ledger could not explain, over pieces of 1e-18 s. 1/225: equal Bouc–Wen columns at rest
 /// against each other made no progress. 1/354, 2/350: Bouc–Wen columns that were displaced at the start had a force 2.2e-8 of their
 /// yield force off. 2/380: a floor caught between two neighbours bounced once more from the elastic one. In the second route: 2/341, 2/392
-/// had a force that an impact lets press or push anew; 2/164 had samples that arrive 1e-15 s late.
+/// had a force that an impact lets press or push anew; 2/164 had samples that arrive 1e-15 s late;
+/// 1/103, 1/172 gaps that drifted over travelling grounds, and floors at rest there with velocities of their own.
 #[test]
 fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     for (seed, scenes) in [
-        (1, vec![54, 202, 225, 354]),
+        (1, vec![54, 103, 172, 202, 225, 354]),
         (2, vec![17, 18, 164, 341, 350, 380, 392]),
         (3, vec![4, 44, 50]),
     ] {
@@ -82,4 +83,15 @@ fn limit_a_scene_is_its_file() {
         let read = serde_json::from_str(&text).expect("what is written is a scene");
         assert_eq!(scene, read, "scene {index}");
     }
+}
+
+/// What no route can decide is told from what one does wrong: 3/33 loses touches with the last digits of its data, and 2/197 moves where
+/// samples are put between those of its record.
+#[test]
+fn limit_what_rounding_decides_is_no_disagreement() {
+    let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;
+    let lost = verdict(3, 33);
+    assert!(matches!(lost, Verdict::Unknowable(_)), "{lost:?}");
+    let rounds = verdict(2, 197);
+    assert!(matches!(rounds, Verdict::ExactRounds(_)), "{rounds:?}");
 }

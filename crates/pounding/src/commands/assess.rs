@@ -134,17 +134,19 @@ fn target(text: &str) -> Result<DesignSpectrum, String> {
 
 impl Arguments {
     /// The scaling as it was asked for, to be asked for again.
-    fn scaling_words(&self) -> String {
+    fn scaling_words(&self) -> Option<String> {
         match (&self.target, &self.scale) {
-            (Some(target), _) => format!(" --target \"{target}\""),
+            (Some(target), _) => Some(format!("--target \"{target}\"")),
             (None, Some(Scaling::To(ScaleTo::PgaG(pga)))) => {
-                format!(" --scale \"pga={}g\"", digits(*pga))
+                Some(format!("--scale \"pga={}g\"", digits(*pga)))
             }
-            (None, Some(Scaling::To(ScaleTo::Sa { period_s, sa_g, .. }))) => {
-                format!(" --scale \"sa({}s)={}g\"", digits(*period_s), digits(*sa_g))
-            }
-            (None, Some(Scaling::Unscaled)) => " --scale none".into(),
-            (None, Some(Scaling::AsScene | Scaling::Target(_)) | None) => String::new(),
+            (None, Some(Scaling::To(ScaleTo::Sa { period_s, sa_g, .. }))) => Some(format!(
+                "--scale \"sa({}s)={}g\"",
+                digits(*period_s),
+                digits(*sa_g)
+            )),
+            (None, Some(Scaling::Unscaled)) => Some("--scale none".into()),
+            (None, Some(Scaling::AsScene | Scaling::Target(_)) | None) => None,
         }
     }
 

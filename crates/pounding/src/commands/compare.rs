@@ -1,5 +1,7 @@
 //! `pounding compare`: several scenes side by side.
 
+mod rows;
+
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,6 +14,7 @@ use pounding::text::{digits, json_text};
 
 use crate::progress::Waiting;
 use crate::text::{NONE, percent, short, side_by_side};
+use rows::{Cell, Row, changed};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -94,102 +97,6 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         _ => format!("\n{alike} rows are alike; --all prints them\n"),
     };
     Ok(format!("{}{alike}", side_by_side(&cells)))
-}
-
-/// A line of the table: a name, and a cell for every scene.
-struct Row {
-    name: String,
-    cells: Vec<Cell>,
-}
-
-/// What stands in a cell.
-enum Cell {
-    Text(String),
-    /// A number in the unit of the table; nothing where a scene has none.
-    Number(Option<f64>),
-}
-
-impl From<String> for Cell {
-    fn from(text: String) -> Self {
-        Self::Text(text)
-    }
-}
-
-impl From<&str> for Cell {
-    fn from(text: &str) -> Self {
-        Self::Text(text.into())
-    }
-}
-
-impl From<Option<f64>> for Cell {
-    fn from(number: Option<f64>) -> Self {
-        Self::Number(number)
-    }
-}
-
-impl Cell {
-    fn text(&self) -> String {
-        match self {
-            Self::Text(text) => text.clone(),
-            Self::Number(number) => number.map_or(NONE.into(), short),
-        }
-    }
-
-    /// How much larger the number is than that of another cell, whatever their signs: a peak may lie on the other side.
-    fn change(&self, first: &Self) -> Option<f64> {
-        let (Self::Number(Some(own)), Self::Number(Some(first))) = (self, first) else {
-            return None;
-        };
-        let change = own.abs() / first.abs() - 1.0;
-        change.is_finite().then_some(change)
-    }
-}
-
-impl Row {
-    /// Whether it heads those below it.
-    fn is_heading(&self) -> bool {
-        !self.name.starts_with(' ')
-    }
-
-    fn is_alike(&self) -> bool {
-        let texts: Vec<String> = self.cells.iter().map(Cell::text).collect();
-        texts.windows(2).all(|two| two[0] == two[1])
-    }
-
-    /// The name and the cells, numbers behind the first with their change.
-    fn cells(&self) -> Vec<String> {
-        let first = &self.cells[0];
-        let cell = |(index, cell): (usize, &Cell)| {
-            let text = cell.text();
-            match cell.change(first).filter(|_| index > 0) {
-                Some(change) if text != first.text() => {
-                    let sign = if change < 0.0 { '−' } else { '+' };
-                    let (change, digits) = (100.0 * change.abs(), usize::from(change.abs() < 0.1));
-                    format!("{text} {sign}{change:.digits$}%")
-                }
-                Some(_) | None => text,
-            }
-        };
-        let cells = self.cells.iter().enumerate().map(cell);
-        std::iter::once(self.name.clone()).chain(cells).collect()
-    }
-}
-
-/// The rows in which scenes differ, each with its heading, and how many others there are.
-fn changed(rows: Vec<Row>) -> (Vec<Row>, usize) {
-    let (mut kept, mut alike): (Vec<Row>, usize) = (Vec::new(), 0);
-    let mut heading: Option<Row> = None;
-    for (index, row) in rows.into_iter().enumerate() {
-        if row.is_heading() && index > 0 {
-            heading = Some(row);
-        } else if index > 0 && row.is_alike() {
-            alike += 1;
-        } else {
-            kept.extend(heading.take());
-            kept.push(row);
-        }
-    }
-    (kept, alike)
 }
 
 /// Where a floor or a pair stands, whatever its number in a run: the structure or the contact from the left, and the storey, of

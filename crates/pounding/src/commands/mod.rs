@@ -19,11 +19,10 @@ mod schema;
 mod suite;
 mod sweep;
 
-use std::io::Read as _;
 use std::path::Path;
 
 use clap::{Parser, Subcommand};
-use pounding::scene::{Error, Options, Scene, Simulation};
+use pounding::scene::{Error, Options, Scene, Simulation, bytes_of};
 
 use crate::progress::Progress;
 
@@ -142,17 +141,12 @@ fn prepare(path: &Path, force: bool) -> Result<Simulation, Error> {
     Simulation::new(&scene, options)
 }
 
-/// Longest text of a scene that is read from standard input \[bytes\], that of a file.
-const MOST_BYTES: u64 = 64 << 20;
-
 /// The scene of a file, or where its name is `-` of standard input, as TOML or JSON; records are then named from here.
 fn read(path: &Path) -> Result<Scene, Error> {
     if path != Path::new("-") {
         return Scene::read(path);
     }
-    let mut text = Vec::new();
-    let read = std::io::stdin().take(MOST_BYTES).read_to_end(&mut text);
-    read.map_err(|source| Error::Unreadable {
+    let text = bytes_of(std::io::stdin()).map_err(|source| Error::Unreadable {
         path: path.to_path_buf(),
         source,
     })?;

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use pounding::scene::{Errors, Floor, QuantityGroup, Review, RunResult, Simulation};
+use pounding::scene::{Errors, QuantityGroup, Review, RunResult, Simulation};
 use pounding::text::digits;
 
 use crate::record;
@@ -155,13 +155,13 @@ pub(super) fn buildings(prepared: &Simulation, outcome: &RunResult) -> String {
             known.reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
         };
         let peaks = |one: usize| outcome.peaks.of(one);
-        let ratio = |one: usize, floor: &Floor| floor.drift_ratio(peaks(one).drift().value);
+        let ratio = |one: usize| floors.all()[one].drift_ratio(peaks(one).drift().value);
         let at = |one: usize, text: String| match floors.all()[one].storey {
             Some(storey) => format!("{text} ({storey})"),
             None => text,
         };
         let displacement = worst(&|one| Some(peaks(one).displacement.value.abs()))?;
-        let drift = if let Some((one, ratio)) = worst(&|one| ratio(one, &floors.all()[one])) {
+        let drift = if let Some((one, ratio)) = worst(&ratio) {
             at(one, percent(ratio))
         } else {
             let (one, drift) = worst(&|one| Some(peaks(one).drift().value.abs()))?;

@@ -277,3 +277,30 @@ fn extreme_what_cannot_be_assessed_says_why() {
     ];
     insta::assert_snapshot!(all.join("\n"));
 }
+
+/// A gap in millimetres passed as one in metres: "30000 mm is enough".
+#[test]
+fn issue_what_is_unusual_in_the_scene_is_said() {
+    let scene = TOWERS.replace("gap_m = 0.04", "gap_m = 40");
+    let ended = assess(&workplace("assess_unusual", &scene), &[]);
+    assert!(
+        ended.stdout.contains("contacts[0].gap_m"),
+        "{}",
+        ended.stdout
+    );
+}
+
+/// The report named no scaling, and who repeated it got another answer.
+#[test]
+fn issue_the_report_repeats_the_scaling() {
+    let work = workplace("assess_repeated", TOWERS);
+    let target = "ec8:a_g=0.3g,ground=C";
+    let ended = assess(&work, &["--target", target, "--out", "out"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
+    let command = page
+        .lines()
+        .find(|line| line.contains("pounding assess scene.json"));
+    let command = command.expect("the command that repeats it");
+    assert!(command.contains(target), "{command}");
+}

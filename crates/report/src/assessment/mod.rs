@@ -31,7 +31,7 @@ pub struct AssessmentReport {
     motions: Vec<AssessedMotion>,
     remarks: Vec<String>,
     stiffness: [f64; 2],
-    scaling: String,
+    scaling: Option<String>,
     author: Option<String>,
     date: Option<String>,
 }
@@ -57,7 +57,7 @@ impl AssessmentReport {
             motions,
             remarks: Vec::new(),
             stiffness: [1.0; 2],
-            scaling: String::new(),
+            scaling: None,
             author: None,
             date: None,
         }))
@@ -75,9 +75,9 @@ impl AssessmentReport {
         Self { stiffness, ..self }
     }
 
-    /// With what records were scaled to, in the words of the command line; empty where the scene says it.
+    /// With what records were scaled to, in the words of the command line; `None` if the scene says it.
     #[must_use]
-    pub fn with_scaling(self, scaling: String) -> Self {
+    pub fn with_scaling(self, scaling: Option<String>) -> Self {
         Self { scaling, ..self }
     }
 

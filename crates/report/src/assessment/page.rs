@@ -263,6 +263,8 @@ fn motions(report: &AssessmentReport) -> String {
 }
 
 fn again(report: &AssessmentReport) -> String {
+    let scaling = report.scaling.as_ref();
+    let scaling = scaling.map_or(String::new(), |scaling| format!(" {scaling}"));
     let scene = serde_json::to_string_pretty(&report.scene).unwrap_or_default();
     let said = facts(&[
         (
@@ -271,10 +273,7 @@ fn again(report: &AssessmentReport) -> String {
         ),
         (
             "Scaling of records".into(),
-            match report.scaling.trim() {
-                "" => "as the scene says".into(),
-                scaling => scaling.into(),
-            },
+            report.scaling.clone().unwrap_or("as the scene says".into()),
         ),
         (
             "Stiffness of impacts".into(),
@@ -289,7 +288,7 @@ fn again(report: &AssessmentReport) -> String {
         "<h2>How to repeat it</h2>\n<p>Save the scene below as <code>scene.json</code> and run, with pounding {},</p>\n\
          <pre>pounding assess scene.json --records FOLDER{} --stiffness {}..{} --out assessed</pre>\n{said}<pre class=\"scene\">{}</pre>\n",
         env!("CARGO_PKG_VERSION"),
-        escaped(&report.scaling),
+        escaped(&scaling),
         short(report.stiffness[0]),
         short(report.stiffness[1]),
         escaped(&scene)

@@ -1,11 +1,24 @@
 //! Files that people write: JSON or TOML, of one form.
 
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use serde::de::{DeserializeOwned, IgnoredAny};
 
 use crate::{Error, Fault, Scene, file::position};
+
+/// Reads what a stream gives to its end, as much as a file may have.
+///
+/// # Errors
+/// What the system says of the stream.
+pub fn bytes_of(stream: impl Read) -> std::io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    stream.take(MOST_BYTES + 1).read_to_end(&mut text)?;
+    if text.len() as u64 > MOST_BYTES {
+        return Err(std::io::Error::new(ErrorKind::InvalidInput, TOO_LONG));
+    }
+    Ok(text)
+}
 
 /// Reads a JSON or TOML file; an error names the line and the field.
 ///
@@ -21,6 +34,7 @@ pub fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
 
 /// Longest file \[bytes\]: some hundred thousand structures.
 const MOST_BYTES: u64 = 64 << 20;
+const TOO_LONG: &str = "it is longer than 64 MB, allowed are 64 MB; take fewer structures";
 
 /// The bytes of a file that people write; of one that has no end, or of a pipe that nobody fills, an error.
 ///
@@ -36,7 +50,7 @@ pub fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
         return refused("it is a pipe or a device, allowed is a file; write its text into one");
     }
     if about.len() > MOST_BYTES {
-        return refused("it is longer than 64 MB, allowed are 64 MB; take fewer structures");
+        return refused(TOO_LONG);
     }
     std::fs::read(path)
 }
