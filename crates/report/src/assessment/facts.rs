@@ -32,6 +32,7 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
         "warnings": report.warnings(),
         "runs": assessment.runs,
         "stiffness_factors": report.stiffness,
+        "scaling": report.scaling,
         "gaps": gaps.collect::<Vec<_>>(),
         "floors": floors.collect::<Vec<_>>(),
         "pairs": pairs.collect::<Vec<_>>(),

@@ -1,6 +1,8 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
-use pounding_scene::{ExcessKind, FloorAssessment, GapAssessment, PairAssessment, USUAL_FACTORS};
+use pounding_scene::{
+    Distribution, ExcessKind, FloorAssessment, GapAssessment, PairAssessment, USUAL_FACTORS, WORSE,
+};
 use pounding_text::{digits, millimetres, rounded_up, short, two_decimals, two_digits};
 
 use super::AssessmentReport;
@@ -93,19 +95,17 @@ impl AssessmentReport {
         )]
     }
 
-    /// The storeys that get worse by touching, those first whose worst response grows most; their numbers in the row.
+    /// The storeys that get worse by touching: those first whose drift or shear force grows, then those whose acceleration does alone, of
+    /// each those that grow most; their numbers in the row.
     pub fn worse(&self) -> Vec<(usize, &FloorAssessment)> {
         let floors = self.assessment.floors.iter().enumerate();
         let worse = floors.filter_map(|(index, floor)| Some((index, floor.as_ref()?)));
         let mut worse: Vec<_> = worse.filter(|(_, floor)| floor.is_worse()).collect();
-        let most = |floor: &FloorAssessment| {
-            floor
-                .drift
-                .p84()
-                .max(floor.shear.p84())
-                .max(floor.acceleration.p84())
-        };
-        worse.sort_by(|one, other| most(other.1).total_cmp(&most(one.1)));
+        worse.sort_by(|one, other| {
+            let [one, other] = [one.1, other.1].map(Worst::of);
+            let first = other.strains.cmp(&one.strains);
+            first.then(other.ratio.p84().total_cmp(&one.ratio.p84()))
+        });
         worse
     }
 
@@ -152,9 +152,13 @@ impl AssessmentReport {
             ));
         }
         let records = self.records();
-        if records < FEW {
+        if records < ENOUGH {
+            let found = match records {
+                1 => "one record".into(),
+                n => format!("{n} records"),
+            };
             said.push(format!(
-                "{records} records: ASCE 7-16, 16.2.2, wants 11 and EN 1998-1, 4.3.3.4.3, {FEW} for a mean; medians of so few say little"
+                "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH} and EN 1998-1, 4.3.3.4.3, 7 for a mean; medians of so few say little"
             ));
         }
         if self
@@ -176,8 +180,39 @@ fn storeys(count: usize) -> String {
     }
 }
 
-/// Fewest records for statistics.
-const FEW: usize = 7;
+/// Records from which on a code takes their mean: ASCE 7-16, 16.2.2.
+const ENOUGH: usize = 11;
+
+/// The response of a storey that harms it most.
+struct Worst<'f> {
+    /// Whether it strains the columns.
+    strains: bool,
+    what: &'static str,
+    ratio: &'f Distribution,
+}
+
+impl<'f> Worst<'f> {
+    /// Of drift and shear force the one that grows most where it gets worse, else the acceleration.
+    fn of(floor: &'f FloorAssessment) -> Self {
+        let (what, ratio) = if floor.drift.p84() >= floor.shear.p84() {
+            ("drift", &floor.drift)
+        } else {
+            ("shear force", &floor.shear)
+        };
+        if ratio.p84() > WORSE {
+            return Self {
+                strains: true,
+                what,
+                ratio,
+            };
+        }
+        Self {
+            strains: false,
+            what: "acceleration",
+            ratio: &floor.acceleration,
+        }
+    }
+}
 
 impl AssessmentReport {
     /// What touching does, in a sentence each: the storey that gets worst, and the hardest pair.
@@ -185,23 +220,14 @@ impl AssessmentReport {
         let mut said = Vec::new();
         let worse = self.worse();
         if let Some((floor, one)) = worse.first() {
-            let responses = [
-                ("drift", &one.drift),
-                ("shear force", &one.shear),
-                ("acceleration", &one.acceleration),
-            ];
-            let worst = responses
-                .into_iter()
-                .max_by(|one, other| one.1.p84().total_cmp(&other.1.p84()));
-            said.extend(worst.map(|(what, ratio)| {
-                format!(
-                    "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, at most × {} in 84 % of those runs.",
-                    storeys(worse.len()),
-                    self.floor_name(*floor),
-                    two_decimals(ratio.median()),
-                    two_decimals(ratio.p84()),
-                )
-            }));
+            let Worst { what, ratio, .. } = Worst::of(one);
+            said.push(format!(
+                "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, at most × {} in 84 % of those runs.",
+                storeys(worse.len()),
+                self.floor_name(*floor),
+                two_decimals(ratio.median()),
+                two_decimals(ratio.p84()),
+            ));
         }
         if let Some((index, pair)) = self.hit().first() {
             let facing = self.floors.facing()[*index];

@@ -209,10 +209,12 @@ impl<R: Recorder> Run<'_, R> {
         self.clean(first, time, power);
         let group = self.groups.of(first);
         let members = &mut self.members;
+        let alone = group.pairs().is_empty();
         let mut corrected = false;
         for node in group.nodes() {
             if let Some((member, below)) = member::with_below(members, *node) {
                 corrected |= member.turns_back(below, power.order());
+                corrected |= alone && member.goes_astray(below, power.order());
             }
         }
         for joined in group.pairs() {

@@ -228,13 +228,7 @@ impl Member {
     /// Ends yielding where the motion from a standstill leads back, and turns columns that yield smoothly the way it leads;
     /// true when it did either.
     pub(super) fn turns_back(&mut self, below: Option<&Self>, p: usize) -> bool {
-        let coefficients = self.drift_rate().iter().enumerate();
-        // Where the acceleration is zero by an event, rounding has no say in it.
-        let leading = coefficients
-            .filter(|(n, coefficient)| coefficient.abs() > self.noise_of_rate(below, p, *n))
-            .map(|(_, coefficient)| *coefficient)
-            .next();
-        let Some(leading) = leading else {
+        let Some(leading) = self.leading_rate(below, p) else {
             return false;
         };
         if let Some(bend) = &mut self.bend {
@@ -251,11 +245,33 @@ impl Member {
         back
     }
 
-    /// Clears what rounding leaves of the first rates of the drift from a standstill: columns would yield again at once.
+    /// Whether what rounding leaves of the first rates of the drift leads another way than the motion: it would turn at once, again
+    /// and again.
+    pub(super) fn goes_astray(&self, below: Option<&Self>, p: usize) -> bool {
+        let first = self.drift_rate().iter().find(|rate| **rate != 0.0);
+        let leading = self.leading_rate(below, p);
+        first
+            .zip(leading)
+            .is_some_and(|(first, leading)| (*first > 0.0) != (leading > 0.0))
+    }
+
+    /// The first coefficient of the rate of the drift that is more than rounding.
+    fn leading_rate(&self, below: Option<&Self>, p: usize) -> Option<f64> {
+        let mut rates = self.drift_rate().iter().enumerate();
+        // Where the acceleration is zero by an event, rounding has no say in it.
+        let leading = rates.find(|(n, rate)| rate.abs() > self.noise_of_rate(below, p, *n));
+        leading.map(|(_, rate)| *rate)
+    }
+
+    /// Clears what rounding leaves of the first rates of the drift from a standstill: columns would yield, or turn, again at once.
     pub(super) fn clear_standstill(&mut self, below: Option<&Self>, p: usize) {
         for n in 0..CAPACITY - p {
             if self.drift_rate()[n].abs() > self.noise_of_rate(below, p, n) {
                 return;
+            }
+            // Of a drift that does not begin the force of smooth columns is none: it would pass through zero again at once.
+            if let Some(bend) = &mut self.bend {
+                bend.force[n + p] = 0.0;
             }
             if let Some(storey) = &mut self.storey {
                 (storey.rate[n], storey.drift[n + p]) = (0.0, 0.0);

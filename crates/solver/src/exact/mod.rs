@@ -50,6 +50,7 @@ use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
+use roots::SHORTEST_WAY;
 
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -213,8 +214,9 @@ impl<R: Recorder> Run<'_, R> {
             if time >= self.end && self.bodies_at_end() {
                 return Ok(());
             }
-            // By the clock of recorders: what is shorter is no progress.
-            let later = self.clock.absolute(time) > self.clock.absolute(now);
+            // By the clock of recorders: what is shorter is no progress. Near 0 s it tells any two instants apart.
+            let [before, time_shown] = [now, time].map(|time| self.clock.absolute(time));
+            let later = time_shown > before + SHORTEST_WAY;
             at_once = if later { 0 } else { at_once + 1 };
             self.guard.look(time, self.spent())?;
             // Before anything lands: what a piece has lasted is rounded as its ends alone say.

@@ -1,15 +1,26 @@
 //! What happens at t = 0, and what is refused before it.
 
+use crate::towers::{self, Rayleigh};
 use crate::watch::Watch;
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Elastic, Exact, Excitation, Integrator, Ledger, MoreauJean, Node, Pair, Row, RunError,
+    BoucWen, Budget, Clock, Elastic, Exact, Excitation, Integrator, Ledger, MoreauJean, Node, Pair,
+    Row, RunError, SimultaneousImpacts, Smoothness,
 };
 
 const CLOCK: Clock = Clock {
     time_step: 1e-3,
     n_steps: 500,
 };
+
+const START: Clock = Clock {
+    time_step: 1e-3,
+    n_steps: 10,
+};
+const EXACT: Integrator = Integrator::Exact(Exact {
+    tolerance: 1e-16,
+    simultaneous_impacts: SimultaneousImpacts::Together,
+});
 
 /// Two structures that touch, the left one moving towards the other at 0.5 m/s and bent by 2 cm.
 fn row(stiffness: f64) -> Row<Elastic> {
@@ -48,6 +59,84 @@ fn issue_an_impact_at_the_very_start_was_left_out_of_the_balances() {
         for balance in [ledger.identity(), ledger.momentum()] {
             assert!(balance < 1e-12, "{method:?}: {balance:e}");
         }
+    }
+}
+
+#[test]
+fn issue_a_high_tower_leaves_its_standstill() {
+    // The drift of a high storey begins with a high power of time. What rounding left of the powers below it turned the storey back,
+    // or its force through zero, after 1e-24 s, and again after as long, without end.
+    // Stiffness [MN/m], yield force [MN] and hardening.
+    const STOREYS: [(f64, f64, f64); 12] = [
+        (186.63, 4.9348, 0.25471),
+        (181.18, 1.9018, 0.19487),
+        (175.72, 2.1867, 0.2273),
+        (170.27, 0.64935, 0.0),
+        (164.81, 4.1478, 0.16133),
+        (159.36, 1.597, 0.0),
+        (153.9, 1.4074, 0.0),
+        (148.45, 4.6367, 0.18186),
+        (142.99, 3.7146, 0.080_426),
+        (137.54, 4.0455, 0.0),
+        (132.08, 2.1228, 0.23114),
+        (126.63, 1.9158, 0.23964),
+    ];
+    let columns = STOREYS.map(|(stiffness, yield_force, hardening)| BoucWen {
+        stiffness: 1e6 * stiffness,
+        hardening,
+        yield_force: 1e6 * yield_force,
+        smoothness: Smoothness {
+            exponent: 1,
+            unloading: 0.937_955,
+        },
+    });
+    let mut tower = columns.map(|column| (122_310.0, column)).to_vec();
+    tower[11].0 = 62_133.0;
+    for index in 0..1000 {
+        let part = f64::from(index);
+        let damping = Rayleigh {
+            alpha: 0.36,
+            beta: 5e-3 + 1e-6 * part,
+        };
+        let (row, _) = towers::row(&[tower.clone()], damping, |_, _, _| None);
+        let samples = [0.0, 0.08 + 1e-4 * part];
+        let shaking = Excitation::new(0.01, &samples).expect("a record");
+        let run = EXACT.watch(&row, shaking, START, &mut ());
+        assert!(run.is_ok(), "{index}: {run:?}");
+    }
+}
+
+#[test]
+fn issue_a_tower_that_moves_as_one_bends() {
+    // All floors begin with one velocity. The drift of each storey begins with a higher power of time than that of the one below it, and
+    // what rounding left of lower powers turned it back every 1e-16 s.
+    let column = |stiffness| Elastic {
+        stiffness: 1e4 * stiffness,
+    };
+    let mut tower = [41_606.0, 36_986.0, 32_366.0, 27_746.0, 23_126.0]
+        .map(|stiffness| (349_850.0, column(stiffness)))
+        .to_vec();
+    tower[4].0 = 277_400.0;
+    for index in 0..1000 {
+        let part = f64::from(index);
+        let damping = Rayleigh {
+            alpha: 0.4 + 1e-4 * part,
+            beta: 1.5e-3 + 1.7e-7 * part,
+        };
+        let (row, _) = towers::row(&[tower.clone()], damping, |_, _, _| None);
+        let moving = |node: &Node<Elastic>| Node {
+            initial_velocity: -0.38929 - 1e-3 * part,
+            ..*node
+        };
+        let nodes = row.nodes().iter().map(moving).collect();
+        let row = Row::new(nodes, Vec::new()).expect("a row");
+        let shaking = Excitation::new(0.01, &[0.0]).expect("a record");
+        let few = Budget {
+            pieces: 1e4,
+            ..Budget::default()
+        };
+        let run = EXACT.run(&row, shaking, START.within(few), &mut ());
+        assert!(run.is_ok(), "{index}: {run:?}");
     }
 }
 

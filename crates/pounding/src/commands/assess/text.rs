@@ -129,7 +129,7 @@ fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
         ]
     };
     let rows: Vec<_> = all.iter().take(most).map(row).collect();
-    (!rows.is_empty()).then(|| table(&header, &rows))
+    (!rows.is_empty()).then(|| table(&header, &rows) + &rest(all.len(), most))
 }
 
 fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
@@ -167,7 +167,15 @@ fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
             ]
         })
         .collect();
-    (!rows.is_empty()).then(|| table(&header, &rows))
+    (!rows.is_empty()).then(|| table(&header, &rows) + &rest(hit.len(), most))
+}
+
+/// What a table leaves out.
+fn rest(all: usize, most: usize) -> String {
+    match all.saturating_sub(most) {
+        0 => String::new(),
+        left => format!("and {left} more: --details\n"),
+    }
 }
 
 fn runs(report: &AssessmentReport) -> String {

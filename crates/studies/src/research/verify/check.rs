@@ -201,10 +201,6 @@ impl Checked {
         });
         let mut judged: Vec<_> = judged.collect();
         if judged.iter().any(Disagreement::is_wrong) {
-            let own = data.own_rounding(&exact, begin);
-            for (one, own) in judged.iter_mut().zip(own) {
-                one.explained = one.explained.max(OWN * own);
-            }
             excuse_what_cannot_be_told(&mut judged);
         }
         if judged.iter().any(Disagreement::is_wrong) {

@@ -18,8 +18,6 @@ const CHANGES: [f64; 2] = [1e-12, 1e-15];
 const N_RECORDS: usize = 4;
 /// Scenes with other masses, columns and gaps.
 const N_SCENES: usize = 4;
-/// Parts that the intervals of a record are divided into, powers of two: where its samples are has no other rounding then.
-const PARTS: [usize; 3] = [2, 4, 8];
 /// Everything that is tried with a change: the scaled record and those above, and a record with its samples further apart, as if all
 /// structures were faster.
 const N_NEAR: usize = 1 + N_RECORDS + 1 + N_SCENES;
@@ -122,46 +120,6 @@ impl Data<'_> {
         }?;
         let outcome = near.run_unjudged(Extras::default())?;
         Ok(Numbers::of_exact(&near, &outcome))
-    }
-
-    /// How far the numbers of the exact run are from those of itself where it takes shorter pieces, between samples that are put between
-    /// those of the record: in the units of their distances.
-    pub(super) fn own_rounding(&self, truth: &Numbers, begin: &dyn Fn(Stage)) -> Vec<f64> {
-        let mut own: Vec<f64> = Vec::new();
-        for parts in PARTS {
-            if self.stop.load(Ordering::Relaxed) {
-                break;
-            }
-            begin(Stage::Condition);
-            let Ok(again) = self.with_samples_between(parts) else {
-                continue;
-            };
-            let apart = truth.beside(&again).into_iter().map(|two| two.distance);
-            own = if own.is_empty() {
-                apart.collect()
-            } else {
-                let both = own.iter().zip(apart);
-                both.map(|(own, apart)| own.max(apart)).collect()
-            };
-        }
-        own
-    }
-
-    /// The exact run under its record with the intervals divided into parts.
-    fn with_samples_between(&self, parts: usize) -> Result<Numbers, pounding_scene::Error> {
-        let finer = self.prepared.under(|record| {
-            let between = |ends: &[f64]| -> Vec<f64> {
-                let slope = (ends[1] - ends[0]) / parts as f64;
-                (0..parts)
-                    .map(|part| ends[0] + part as f64 * slope)
-                    .collect()
-            };
-            let mut samples: Vec<f64> = record.samples().windows(2).flat_map(between).collect();
-            samples.extend(record.samples().last());
-            Record::new(record.time_step() / parts as f64, samples, record.source())
-        })?;
-        let outcome = finer.run_unjudged(Extras::default())?;
-        Ok(Numbers::of_exact(&finer, &outcome))
     }
 
     /// The scene under its record with samples further apart.
