@@ -85,8 +85,8 @@ fn limit_a_scene_is_its_file() {
     }
 }
 
-/// What no route can decide is told from what one does wrong: 3/33 loses touches with the last digits of its data, and 2/197 moves where
-/// samples are put between those of its record.
+/// What no route can decide is told from what one does wrong: 3/33 loses touches with the last digits of its data, and changes of
+/// its data by 1e-15 move 2/197.
 #[test]
 fn limit_what_rounding_decides_is_no_disagreement() {
     let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;
