@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use pounding_scene::{
-    Goal, LEAST_PART, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation, advise,
+    Extras, Goal, LEAST_PART, PairQuantity, Quantity, QuantityGroup, RunErrors, Scene, Simulation,
+    advise,
 };
 use serde_json::{Value, json};
 
@@ -36,12 +37,12 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
             quantity: QuantityGroup::All,
         };
         let advice = advise(&prepared, goal, &|_| ()).expect("the exact method runs");
-        let exact = prepared.run_compared().expect("it runs");
+        let exact = prepared.run_with(Extras::COMPARED).expect("it runs");
         let chosen = advice.methods.iter().filter_map(|rungs| rungs.chosen());
         let mut held = 0;
         for trial in chosen {
             let run = scene(&law, &json!(trial.method));
-            let run = run.run_compared().expect("it runs");
+            let run = run.run_with(Extras::COMPARED).expect("it runs");
             for floor in 0..prepared.floors().all().len() {
                 let [found, wanted] = [&run, &exact].map(|run| run.last.of(floor));
                 let peak = exact.peaks.of(floor).displacement.value.abs();
@@ -67,10 +68,14 @@ fn issue_an_accuracy_holds_for_residuals_by_their_own_size() {
 fn limit_every_number_is_measured() {
     let law = json!({"kelvin_voigt": {"impact_stiffness_n_per_m": 5e7, "restitution": 0.65}});
     let prepared = scene(&law, &json!("exact"));
-    let exact = prepared.run_compared().expect("it runs");
+    let exact = prepared.run_with(Extras::COMPARED).expect("it runs");
     let method = json!({"velocity_verlet": {"time_step_s": 0.002, "impacts": "velocity_jump"}});
     let coarse = scene(&law, &method);
-    let errors = RunErrors::between(&coarse.run_compared().expect("it runs"), &exact, &prepared);
+    let errors = RunErrors::between(
+        &coarse.run_with(Extras::COMPARED).expect("it runs"),
+        &exact,
+        &prepared,
+    );
     for quantity in Quantity::COMPARED {
         if quantity != PairQuantity::Collisions.into() {
             assert!(errors.of(quantity) > 0.0, "{quantity:?}");

@@ -190,14 +190,11 @@ impl Sweep {
             closings: self.closings,
         };
         let outcome = if self.verdict {
-            let audited = prepared.audited_with(asked).map_err(reason)?;
-            match audited.broken {
-                Some(broken) => return Err(broken.reason()),
-                None => audited.outcome,
-            }
+            prepared.run_with(asked)
         } else {
-            prepared.run_unjudged(asked).map_err(reason)?
-        };
+            prepared.run_unjudged(asked)
+        }
+        .map_err(reason)?;
         let values = outcome.values(prepared);
         let none = f64::NAN;
         for floor in 0..self.row.floors.len() {

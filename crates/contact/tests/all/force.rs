@@ -2,7 +2,7 @@
 
 use crate::{PAIR, damped, law};
 use pounding_contact::{
-    Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap,
+    Action, Calibration, Clamp, ContactForce, ContactLaw, Hertz, LawName, LinearSpring, Overlap,
     SLOWEST_APPROACH,
 };
 use proptest::prelude::*;
@@ -28,6 +28,22 @@ fn respond(law: &ContactLaw, deformation: f64, rate: f64, approach_speed: f64) -
         approach_speed,
     })
     .expect("compliant")
+}
+
+#[test]
+fn limit_laws_that_would_pull_have_powers_that_differ_by_0_or_1() {
+    // The exact method clamps them by K δ^(n − κ) + C δ̇ and reads n − κ as 0 or 1.
+    for name in damped() {
+        let law = law(name, 0.5, Calibration::Exact).expect("within range");
+        let form = law.form(PAIR.reduced_mass, PAIR.approach_speed);
+        let form = form.expect("compliant");
+        let apart = form.spring.power.value() - form.damper.power.value();
+        let known = [0.0, 1.0].iter().any(|one| apart.total_cmp(one).is_eq());
+        assert!(
+            form.action == Action::Approach || known,
+            "{name:?}: {apart}"
+        );
+    }
 }
 
 proptest! {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::accuracy::ladder::{Ladder, entries};
 use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob};
 use crate::{
-    Advice, Error, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial,
+    Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial,
 };
 
 /// Longest time step of the ladder \[s\]; each next one is half as long.
@@ -27,7 +27,7 @@ pub fn advise(
 ) -> Result<Advice, Error> {
     let twin = prepared.exact()?;
     let exact = twin
-        .run_compared()
+        .run_with(Extras::COMPARED)
         .map_err(|error| Error::NoReference(error.into()))?;
     let ladder = Ladder::halved(prepared.scene(), LONGEST_STEP, MOST_STEPS.into());
     let runs: Vec<_> = entries(prepared.scene(), &ladder)
@@ -81,7 +81,7 @@ fn trial(
 ) -> Option<Trial> {
     let method = (contender.method)(step);
     let prepared = prepared.with_method(method).ok()?;
-    let (error, worst, cost) = match prepared.run_compared() {
+    let (error, worst, cost) = match prepared.run_with(Extras::COMPARED) {
         Ok(outcome) => {
             let errors = RunErrors::between(&outcome, exact, &prepared);
             let (error, worst) = errors.largest(quantity);

@@ -83,7 +83,7 @@ impl Simulation {
             closings: true,
             ..Extras::default()
         };
-        let alone = apart.run_unjudged(asked)?;
+        let alone = apart.run_with(asked)?;
         let beside = exact.run(None)?;
         let excesses = exact.excesses(&beside);
         let mut variants = Vec::new();

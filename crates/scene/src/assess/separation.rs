@@ -167,14 +167,14 @@ impl Simulation {
     /// Gaps and contact laws of the scene do not matter: wide enough gaps leave every structure alone.
     ///
     /// # Errors
-    /// [`Error::Run`] when a run ends early.
+    /// As of [`run_with`](Self::run_with).
     pub fn separations(&self) -> Result<Vec<Separation>, Error> {
         let apart = self.apart()?.exact()?;
         let asked = Extras {
             closings: true,
             ..Extras::default()
         };
-        let alone = apart.run_unjudged(asked)?;
+        let alone = apart.run_with(asked)?;
         Ok(separations_of(&apart, &alone))
     }
 }

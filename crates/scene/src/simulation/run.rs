@@ -78,8 +78,8 @@ pub struct Extras {
 }
 
 impl Extras {
-    /// Everything that errors are measured by.
-    pub(crate) const COMPARED: Self = Self {
+    /// Everything that [`RunErrors`](crate::RunErrors) compare.
+    pub const COMPARED: Self = Self {
         interval: None,
         closings: true,
     };
@@ -120,23 +120,23 @@ impl Simulation {
     /// Runs the scene; histories with a state every `interval` \[s\] only where asked for.
     ///
     /// # Errors
-    /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics: nobody reads a
-    /// warning here.
+    /// As of [`run_with`](Self::run_with).
     pub fn run(&self, interval: Option<f64>) -> Result<RunResult, Error> {
-        let Audited {
-            outcome, broken, ..
-        } = self.audited(interval)?;
-        broken.map_or(Ok(outcome), Err)
+        self.run_with(Extras {
+            interval,
+            ..Extras::default()
+        })
     }
 
-    /// The same with everything that [`RunErrors`](crate::RunErrors) compare.
+    /// The same with what is asked for.
     ///
     /// # Errors
-    /// As of a [`run`](Self::run).
-    pub fn run_compared(&self) -> Result<RunResult, Error> {
+    /// [`Error::Run`] when the run ends early, [`Error::Broken`] when it breaks a law of mechanics: nobody reads a
+    /// warning here.
+    pub fn run_with(&self, asked: Extras) -> Result<RunResult, Error> {
         let Audited {
             outcome, broken, ..
-        } = self.audited_with(Extras::COMPARED)?;
+        } = self.audited_with(asked)?;
         broken.map_or(Ok(outcome), Err)
     }
 
@@ -158,7 +158,7 @@ impl Simulation {
     /// [`Error::Run`] when the run ends early.
     pub fn audited_with(&self, asked: Extras) -> Result<Audited, Error> {
         let ledger = self.ledger().held_to(self.integrator.laws());
-        let (outcome, ledger) = self.run_with(asked, ledger)?;
+        let (outcome, ledger) = self.watched(asked, ledger)?;
         Ok(Audited {
             outcome,
             broken: ledger.verdict().err().map(|source| self.broke(source)),
@@ -170,16 +170,17 @@ impl Simulation {
         })
     }
 
-    /// The same without the ledger, which for the exact method takes a third of the time.
+    /// The same without the ledger, which for the exact method takes a third of the time: of timings, and of what is judged
+    /// elsewhere.
     ///
     /// # Errors
     /// [`Error::Run`] when the run ends early.
     pub fn run_unjudged(&self, asked: Extras) -> Result<RunResult, Error> {
-        Ok(self.run_with(asked, ())?.0)
+        Ok(self.watched(asked, ())?.0)
     }
 
     /// Runs the scene with a ledger or without one.
-    fn run_with<L: Recorder>(&self, asked: Extras, ledger: L) -> Result<(RunResult, L), Error> {
+    fn watched<L: Recorder>(&self, asked: Extras, ledger: L) -> Result<(RunResult, L), Error> {
         let mut recorders = self.all_recorders(asked, ledger);
         let work = self.integrate(&mut recorders)?;
         Ok(RunResult::of(recorders, work))

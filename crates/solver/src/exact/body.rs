@@ -118,7 +118,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let nodes = self.groups.of(first).nodes();
         let wall = nodes.iter().all(|node| self.members[*node].is_wall());
-        // A wall that is carried on its own meets others with a cubic of its ground.
+        // The motion of a wall knows no samples where all grounds move alike.
         let stop = if wall && self.travel.is_none() {
             self.end
         } else {
@@ -194,7 +194,7 @@ impl<R: Recorder> Run<'_, R> {
         Ok(length)
     }
 
-    /// Expands a body; once more where the first expansion shows that columns unload, or what is but rounding.
+    /// Expands a body; once more where the first expansion shows that columns unload, or that its first coefficients are only rounding.
     fn expand_corrected(&mut self, first: usize, time: f64) -> (Power, usize) {
         let group = self.groups.of(first);
         for joined in group.pairs() {
@@ -213,8 +213,9 @@ impl<R: Recorder> Run<'_, R> {
         let mut corrected = false;
         for node in group.nodes() {
             if let Some((member, below)) = member::with_below(members, *node) {
-                corrected |= member.turns_back(below, power.order());
-                corrected |= alone && member.goes_astray(below, power.order());
+                let known = (power.order(), len);
+                corrected |= member.turns_back(below, known);
+                corrected |= alone && member.goes_astray(below, known);
             }
         }
         for joined in group.pairs() {
@@ -228,7 +229,7 @@ impl<R: Recorder> Run<'_, R> {
         self.clean(first, time, power);
         for node in self.groups.of(first).nodes() {
             if let Some((member, below)) = member::with_below(&mut self.members, *node) {
-                member.clear_standstill(below, power.order());
+                member.clear_standstill(below, (power.order(), len));
             }
         }
         (power, len)
@@ -256,15 +257,15 @@ impl<R: Recorder> Run<'_, R> {
         Ok(())
     }
 
-    /// Restitution whose remaining impulse is below the tolerance is over.
+    /// Restitution whose remaining energy is below the tolerance is over.
     fn find_partings(&mut self, first: usize) {
         for joined in self.groups.of(first).pairs() {
             let contact = &mut self.contacts[joined.pair];
             let Some(left) = contact.rough_remainder() else {
                 continue;
             };
-            let momentum = contact.reduced_mass * contact.rate * contact.rate;
-            let over = contact.rate < 0.0 && left <= self.settings.tolerance * momentum;
+            let energy = contact.reduced_mass * contact.rate * contact.rate;
+            let over = contact.rate < 0.0 && left <= self.settings.tolerance * energy;
             if contact.link == Link::Touching(Phase::Restitution) && over {
                 contact.link = Link::Touching(Phase::Parting);
             }
@@ -282,7 +283,7 @@ impl<R: Recorder> Run<'_, R> {
         let (left, right) = self.forces_on(node);
         // As at its end: what rounding leaves of a force that fades does not pull.
         let force =
-            |pair: Option<usize>| pair.map_or(0.0, |pair| self.contacts[pair].force[0].max(0.0));
+            |pair: Option<usize>| pair.map_or(0.0, |pair| pushing(self.contacts[pair].force[0]));
         let (left, right) = (force(left), -force(right));
         let member = &mut self.members[node];
         member.state.acceleration = member.acceleration[0];
@@ -325,6 +326,11 @@ impl<R: Recorder> Run<'_, R> {
 pub(crate) fn in_flight(part: f64) -> usize {
     let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
     enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len)
+}
+
+/// A contact force without what rounding lets it pull; what is no number stays.
+pub(super) fn pushing(force: f64) -> f64 {
+    if force < 0.0 { 0.0 } else { force }
 }
 
 fn touching(contact: &Contact) -> bool {

@@ -289,7 +289,8 @@ impl Contact {
 
     /// The force before the clamp divided by δ^κ, K δ^(n−κ) + C δ̇, which has the same sign.
     ///
-    /// n − κ is 0 or 1 in every law that would pull: no root, so that it stays smooth where the deformation vanishes.
+    /// n − κ is 0 or 1 in every law that would pull, which a test of the laws holds: no root, so that it stays smooth where the
+    /// deformation vanishes.
     fn pull(&self, form: &Form, n: usize) -> f64 {
         // Known to be zero, and not what rounding made of that.
         if n == 0 && self.crossed >= self.time {

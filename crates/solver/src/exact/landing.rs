@@ -2,6 +2,7 @@
 
 use crate::exact::Run;
 use crate::exact::ahead::Ahead;
+use crate::exact::body::pushing;
 use crate::exact::member::{Branch, Member};
 use crate::exact::watch::Event;
 use crate::span::{Power, Series, rise, value};
@@ -17,7 +18,7 @@ impl<R: Recorder> Run<'_, R> {
         let now = self.clock.past(time);
         let (x, full) = (body.position(now), time >= body.end);
         let advanced = now.since(body.start) > 0.0;
-        // What is known of the start holds as long as rounding could deny it.
+        // What an event set to zero at the start stays known until the recorders' clock has moved on.
         let later = now.absolute() > body.start.absolute();
         for place in self.groups.nodes_of(first) {
             self.landed[self.groups.node(place)] = true;
@@ -66,7 +67,7 @@ impl<R: Recorder> Run<'_, R> {
         let (left, right) = self.forces_on(node);
         let force = |pair: Option<usize>| {
             pair.map_or(0.0, |pair| {
-                value(&self.contacts[pair].force[..len], x).max(0.0)
+                pushing(value(&self.contacts[pair].force[..len], x))
             })
         };
         let mut end = State {

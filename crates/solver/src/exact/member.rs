@@ -226,46 +226,38 @@ impl Member {
     }
 
     /// Ends yielding where the motion from a standstill leads back, and turns columns that yield smoothly the way it leads;
-    /// true when it did either.
-    pub(super) fn turns_back(&mut self, below: Option<&Self>, p: usize) -> bool {
-        let Some(leading) = self.leading_rate(below, p) else {
+    /// true when it did either. As below, `len` coefficients of this expansion are known.
+    pub(super) fn turns_back(&mut self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
+        let Some(leading) = self.leading_rate(below, (p, len)) else {
             return false;
         };
         if let Some(bend) = &mut self.bend {
             return bend.goes_with(leading);
         }
-        let back = match self.branch {
-            Branch::Right => leading < 0.0,
-            Branch::Left => leading > 0.0,
-            Branch::Elastic => false,
-        };
-        if back {
-            self.branch = Branch::Elastic;
-        }
-        back
+        self.unload(leading)
     }
 
     /// Whether what rounding leaves of the first rates of the drift leads another way than the motion: it would turn at once, again
     /// and again.
-    pub(super) fn goes_astray(&self, below: Option<&Self>, p: usize) -> bool {
-        let first = self.drift_rate().iter().find(|rate| **rate != 0.0);
-        let leading = self.leading_rate(below, p);
+    pub(super) fn goes_astray(&self, below: Option<&Self>, (p, len): (usize, usize)) -> bool {
+        let first = self.drift_rate()[..len].iter().find(|rate| **rate != 0.0);
+        let leading = self.leading_rate(below, (p, len));
         first
             .zip(leading)
             .is_some_and(|(first, leading)| (*first > 0.0) != (leading > 0.0))
     }
 
     /// The first coefficient of the rate of the drift that is more than rounding.
-    fn leading_rate(&self, below: Option<&Self>, p: usize) -> Option<f64> {
-        let mut rates = self.drift_rate().iter().enumerate();
-        // Where the acceleration is zero by an event, rounding has no say in it.
+    fn leading_rate(&self, below: Option<&Self>, (p, len): (usize, usize)) -> Option<f64> {
+        let mut rates = self.drift_rate()[..len].iter().enumerate();
+        // An event sets the rounding of what it makes zero to zero.
         let leading = rates.find(|(n, rate)| rate.abs() > self.noise_of_rate(below, p, *n));
         leading.map(|(_, rate)| *rate)
     }
 
     /// Clears what rounding leaves of the first rates of the drift from a standstill: columns would yield, or turn, again at once.
-    pub(super) fn clear_standstill(&mut self, below: Option<&Self>, p: usize) {
-        for n in 0..CAPACITY - p {
+    pub(super) fn clear_standstill(&mut self, below: Option<&Self>, (p, len): (usize, usize)) {
+        for n in 0..len.min(CAPACITY - p) {
             if self.drift_rate()[n].abs() > self.noise_of_rate(below, p, n) {
                 return;
             }
@@ -284,8 +276,8 @@ impl Member {
         }
     }
 
-    /// Columns yield no longer once their drift, at this rate, turns.
-    pub(super) fn unload(&mut self, rate: f64) {
+    /// Columns yield no longer once their drift, at this rate, turns; true where they did.
+    pub(super) fn unload(&mut self, rate: f64) -> bool {
         let turned = match self.branch {
             Branch::Elastic => false,
             Branch::Right => rate < 0.0,
@@ -294,6 +286,7 @@ impl Member {
         if turned {
             self.branch = Branch::Elastic;
         }
+        turned
     }
 
     /// Rounding of coefficient `n` of the rate of the drift.

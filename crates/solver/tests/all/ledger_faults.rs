@@ -120,6 +120,22 @@ fn issue_energy_that_an_exact_run_does_not_explain_is_named() {
 }
 
 #[test]
+fn issue_energy_that_is_no_number_is_named() {
+    // The largest of a value and NaN was the value.
+    let spoil = |span: &mut Span<'_>| {
+        if span.start_time > 1.0 {
+            span.end.restoring_force = f64::NAN;
+        }
+    };
+    let ([.., residual], verdict) = found(EXACT, spoil, keep);
+    assert!(residual.is_nan(), "{residual:e}");
+    assert!(
+        matches!(verdict, Err(LedgerError::EnergyUnexplained { found, .. }) if found.is_nan()),
+        "{verdict:?}"
+    );
+}
+
+#[test]
 fn limit_a_looser_tolerance_leaves_no_more_than_its_bound() {
     let samples = ground();
     let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");

@@ -36,6 +36,8 @@ struct Side {
     impulse: f64,
     /// Sum of the magnitudes of those impulses \[N·s\].
     pushed: f64,
+    /// Sum of the magnitudes of all impulses on this structure \[N·s\].
+    momentum: f64,
     /// Work on this structure since both sides were last seen at one instant \[J\].
     work: f64,
 }
@@ -67,6 +69,8 @@ pub(super) struct Push {
     pub(super) forces: (f64, f64),
     /// Impulse \[N·s\].
     pub(super) impulse: f64,
+    /// Sum of the magnitudes of all impulses on the structure so far \[N·s\].
+    pub(super) momentum: f64,
     /// Work on the structure \[J\], half of what grounds that move towards each other do taken off.
     pub(super) work: f64,
 }
@@ -152,7 +156,12 @@ impl Contact {
                 push.impulse
             };
             side.pushed += push.impulse.abs();
-            let transferred = side.pushed + self.impacts;
+            side.momentum = push.momentum;
+            let pushed = side.pushed;
+            let [left, right] = &self.sides;
+            // A wall has no momentum.
+            let magnitude = pushed + self.impacts + left.momentum.max(right.momentum);
+            let side = &mut self.sides[index];
             side.work += push.work;
             self.loss -= push.work;
             let collision = self.collision.get_or_insert(Touching {
@@ -164,7 +173,7 @@ impl Contact {
                 exchanged: 0.0,
             });
             collision.end = push.times.1;
-            pulls(pair, push, transferred)?;
+            pulls(pair, push, magnitude)?;
         }
         self.separate(push.exact);
         let [left, right] = &self.sides;
@@ -247,12 +256,12 @@ impl Touching {
     }
 }
 
-/// Neighbours push, they do not pull; they have `transferred` impulses \[N·s\] so far.
-fn pulls(pair: usize, push: &Push, transferred: f64) -> Result<(), LedgerError> {
+/// Neighbours push, they do not pull; the structure has seen impulses of this `magnitude` \[N·s\] so far.
+fn pulls(pair: usize, push: &Push, magnitude: f64) -> Result<(), LedgerError> {
     let (start, end) = push.times;
     let allowed = PULL * push.forces.0.abs().max(push.forces.1.abs());
     // A piece that is hardly longer than clocks can tell has rounding for its impulse.
-    let mean = if push.impulse < -ROUNDING * transferred {
+    let mean = if push.impulse < -ROUNDING * magnitude {
         push.impulse / (end - start)
     } else {
         0.0

@@ -41,14 +41,23 @@ impl Largest {
         self.momentum_scale += momentum_magnitude;
     }
 
-    /// The larger one of each.
+    /// The larger one of each; what is no number stays.
     pub(super) fn max(self, other: Self) -> Self {
         Self {
-            scale: self.scale.max(other.scale),
-            identity: self.identity.max(other.identity),
-            residual: self.residual.max(other.residual),
-            momentum_scale: self.momentum_scale.max(other.momentum_scale),
-            momentum: self.momentum.max(other.momentum),
+            scale: larger(self.scale, other.scale),
+            identity: larger(self.identity, other.identity),
+            residual: larger(self.residual, other.residual),
+            momentum_scale: larger(self.momentum_scale, other.momentum_scale),
+            momentum: larger(self.momentum, other.momentum),
         }
+    }
+}
+
+/// Of two values; unlike [`f64::max`] it keeps NaN, so that a verdict sees it.
+fn larger(one: f64, other: f64) -> f64 {
+    if other > one || other.is_nan() {
+        other
+    } else {
+        one
     }
 }

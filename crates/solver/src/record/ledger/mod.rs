@@ -232,7 +232,8 @@ impl<'a> Ledger<'a> {
         }
         let found = self.residual();
         match self.bound() {
-            Some(allowed) if found > allowed => {
+            // Nor does rounding explain what is no number.
+            Some(allowed) if found > allowed || found.is_nan() => {
                 Err(LedgerError::EnergyUnexplained { found, allowed })
             }
             _ => Ok(self.terms()),
@@ -343,12 +344,14 @@ impl Recorder for Ledger<'_> {
         let ground = self.travel.as_ref().map_or(0.0, |travel| {
             travel.ground(span.structure, span.end_time).displacement
         });
+        let momentum = self.accounts[span.structure].momentum_magnitude();
         let push = |forces, impulse, work| Push {
             times: (span.start_time, span.end_time),
             displacement: span.end.displacement + ground,
             exact: !matches!(span.path, Path::Cubic(_)),
             forces,
             impulse,
+            momentum,
             work,
         };
         if let Some(pair) = left {

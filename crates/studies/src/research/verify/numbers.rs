@@ -207,6 +207,9 @@ impl Numbers {
     }
 }
 
+/// A magnitude, in any SI unit, that is none: a row that cannot move is left with 1e-105 m by iteration.
+const NOTHING: f64 = 1e-60;
+
 impl OfFloor {
     fn beside(&self, other: &Self, place: Place, largest: f64) -> [Two; 5] {
         let two = |what, first: f64, second: f64, scale: f64| Two {
@@ -214,9 +217,9 @@ impl OfFloor {
             place,
             first,
             second,
-            distance: relative_to(second, first, scale),
+            distance: relative_to(second, first, scale.max(NOTHING)),
         };
-        let own = |what, first: f64, second: f64| two(what, first, second, first);
+        let own = |what, first: f64, second: f64| two(what, first, second, first.abs());
         [
             own(
                 Compared::Displacement,
