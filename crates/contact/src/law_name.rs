@@ -1,3 +1,5 @@
+use strum::EnumCount;
+
 use crate::{
     Calibration, ContactLaw, FreePair, Hertz, HertzDamp, HertzDampFormula, KelvinVoigt,
     KuwabaraKono, LinearSpring, ModifiedKelvin, ModifiedLinearViscoelastic, NonlinearViscoelastic,
@@ -7,7 +9,7 @@ use crate::{
 /// The laws of the literature by name: a force, and a formula that chooses its damping for an e.
 ///
 /// Four names share the force of [`HertzDamp`] and differ in the formula.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub enum LawName {
     /// See [`Stereomechanical`].
     Stereomechanical,
@@ -76,7 +78,7 @@ const BOTH_PHASES: &str = "a(1+e) = ln[(1+a)/(1−ea)]";
 
 impl LawName {
     /// All laws, in the order in which lists print them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::Stereomechanical,
         Self::LinearSpring,
         Self::Hertz,

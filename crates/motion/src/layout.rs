@@ -1,7 +1,9 @@
 //! The layouts of record files, by their names.
 
+use strum::EnumCount;
+
 /// A `Format` is a layout of record files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, EnumCount)]
 pub enum Format {
     /// Two-column CSV with a header of this project.
     Csv,
@@ -55,7 +57,7 @@ pub enum Format {
 
 impl Format {
     /// All formats that are read.
-    pub const ALL: [Self; 24] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::Csv,
         Self::PeerAt2,
         Self::CsmipV1,

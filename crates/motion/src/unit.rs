@@ -1,7 +1,9 @@
 //! The units in which files give accelerations.
 
+use strum::EnumCount;
+
 /// An `AccelerationUnit` is the unit of the values in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, EnumCount)]
 pub enum AccelerationUnit {
     /// Multiples of the acceleration of gravity, g.
     StandardGravity,
@@ -19,7 +21,7 @@ pub enum AccelerationUnit {
 
 impl AccelerationUnit {
     /// All units, in the order of their definition.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::StandardGravity,
         Self::MetrePerSecondSquared,
         Self::CentimetrePerSecondSquared,

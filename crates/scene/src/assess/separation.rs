@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use strum::EnumCount;
 
 use crate::simulation::Extras;
 use crate::simulation::floors::EQUAL_HEIGHTS;
@@ -29,7 +30,7 @@ pub struct Separation {
 }
 
 /// A rule for the width of a gap.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub enum Rule {
     /// Sum of both peak displacements.
     Abs,
@@ -65,7 +66,7 @@ impl Rule {
     ];
 
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::Abs,
         Self::Srss,
         Self::Ddc,

@@ -4,6 +4,7 @@
 
 use pounding_motion::Record;
 use pounding_solver::Clock;
+use strum::EnumCount;
 
 /// The choices of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -140,7 +141,7 @@ impl Program {
 }
 
 /// A choice, to be taken back.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub(crate) enum Choice {
     Start,
     Loads,
@@ -152,7 +153,7 @@ pub(crate) enum Choice {
 }
 
 impl Choice {
-    pub(crate) const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; Self::COUNT] = [
         Self::Start,
         Self::Loads,
         Self::LastLoad,

@@ -7,9 +7,10 @@ use pounding_scene::{
     Source, Structure,
 };
 use std::path::Path;
+use strum::EnumCount;
 
 /// What a row does that the leanest one leaves out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub enum Burden {
     /// Nothing: elastic columns, no pairs, peaks and impulses recorded, nothing else.
     None,
@@ -27,7 +28,7 @@ pub enum Burden {
 
 impl Burden {
     /// All of them, the leanest first.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::None,
         Self::Yielding,
         Self::Pairs,

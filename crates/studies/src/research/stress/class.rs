@@ -1,6 +1,7 @@
 //! What becomes of a number at the edge.
 
 use pounding_scene::DOUBTFUL;
+use strum::EnumCount;
 
 /// Error up to which a number is exact to tolerance \[–\].
 const EXACT: f64 = 1e-6;
@@ -16,7 +17,7 @@ const _: () = assert!(
 );
 
 /// What becomes of a number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub(super) enum Class {
     /// Within 1e-6 of the exact run.
     ExactToTolerance,
@@ -39,7 +40,7 @@ pub(super) enum Class {
 }
 
 impl Class {
-    pub(super) const ALL: [Self; 9] = [
+    pub(super) const ALL: [Self; Self::COUNT] = [
         Self::ExactToTolerance,
         Self::Accurate,
         Self::Degraded,

@@ -8,6 +8,7 @@ use super::compared::{Compared, Place, Two};
 use super::condition::{Condition, Data, allowed, stopped_by};
 use super::meeting::SAME;
 use super::numbers::Numbers;
+use super::room;
 use super::stage::{ALLOWED, Stage};
 use pounding_reference::Fineness;
 use pounding_scene::{Audited, Scene, Simulation};
@@ -140,7 +141,13 @@ impl Checked {
             balance,
         } = match prepared.audited(None) {
             Ok(audited) => audited,
-            Err(error) => return ended(Verdict::ExactFails(Failure::of(&error))),
+            Err(error) => {
+                let mut failure = Failure::of(&error);
+                if !room::is_explained(&prepared, &error) {
+                    failure.kind += ", with room left";
+                }
+                return ended(Verdict::ExactFails(failure));
+            }
         };
         let mut checked = Self {
             residual: Some(balance.residual),

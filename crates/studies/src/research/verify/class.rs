@@ -1,9 +1,10 @@
 //! What is in a scene: classes by which a campaign counts.
 
 use pounding_scene::{Columns, Contact, Generated, RunResult, Scene, Source, Structure};
+use strum::EnumCount;
 
 /// Something that a scene has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumCount)]
 pub enum Class {
     /// All contacts are impulsive.
     Impulsive,
@@ -51,7 +52,7 @@ pub enum Class {
 
 impl Class {
     /// All of them, in the order of tables.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::Impulsive,
         Self::Compliant,
         Self::BothContacts,

@@ -1,7 +1,9 @@
 //! The kinds of numbers that are compared, and two of a kind.
 
+use strum::EnumCount;
+
 /// A kind of number that is compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumCount)]
 pub enum Compared {
     /// Peak displacement of a floor, relative to it.
     Displacement,
@@ -29,7 +31,7 @@ pub enum Compared {
 
 impl Compared {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::Displacement,
         Self::Drift,
         Self::RestoringForce,

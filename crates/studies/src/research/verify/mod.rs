@@ -16,6 +16,7 @@ mod meeting;
 mod motions;
 mod numbers;
 mod random;
+mod room;
 mod stage;
 mod table;
 

@@ -7,6 +7,7 @@ use super::check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};
 use super::class::Class;
 use super::compared::{Compared, Place};
 use pounding_text::to_csv;
+use strum::EnumCount;
 
 /// A failure that the documentation of limits names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +43,7 @@ pub const LIMITS: [KnownLimit; 4] = [
 pub struct Summary<'a>(pub &'a [Checked]);
 
 /// Kinds of verdicts, in the order of tables.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumCount)]
 enum Fate {
     Agrees,
     Disagrees,
@@ -58,7 +59,7 @@ enum Fate {
 }
 
 impl Fate {
-    const ALL: [Self; 11] = [
+    const ALL: [Self; Self::COUNT] = [
         Self::Agrees,
         Self::Disagrees,
         Self::SecondRouteRounds,

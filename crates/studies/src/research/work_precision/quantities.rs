@@ -3,9 +3,10 @@
 use pounding_reference::Response;
 use pounding_scene::{AT_ONCE, Recorders, RunResult, ZERO, relative_to};
 use pounding_solver::{Collision, Collisions, Peaks, TransferredMomentum};
+use strum::EnumCount;
 
 /// A quantity in which methods are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub(crate) enum MethodQuantity {
     FirstTime,
     FirstImpulse,
@@ -16,7 +17,7 @@ pub(crate) enum MethodQuantity {
 }
 
 impl MethodQuantity {
-    pub(crate) const ALL: [Self; 6] = [
+    pub(crate) const ALL: [Self; Self::COUNT] = [
         Self::FirstTime,
         Self::FirstImpulse,
         Self::Momentum,

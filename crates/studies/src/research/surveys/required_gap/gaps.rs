@@ -6,6 +6,7 @@ use crate::research::surveys::cases::{Case, Response, each, with_gap};
 use crate::research::surveys::statistics::{quantile, sorted};
 use pounding_scene::Scene;
 use pounding_text::digits;
+use strum::EnumCount;
 
 /// Runs of pairs over gaps.
 pub(super) struct Gaps<'a> {
@@ -25,7 +26,7 @@ pub(super) struct Swept<'a> {
 }
 
 /// What is compared from gap to gap.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 pub(super) enum Quantity {
     Impulse,
     LeftDrift,
@@ -37,7 +38,7 @@ pub(super) enum Quantity {
 }
 
 impl Quantity {
-    pub(super) const ALL: [Self; 6] = [
+    pub(super) const ALL: [Self; Self::COUNT] = [
         Self::LeftDrift,
         Self::RightDrift,
         Self::LeftBeyond,

@@ -9,6 +9,7 @@ use crate::study::surveys::{HeldConstant, StiffnessRatio};
 use crate::{StudyError, StudyFile};
 use pounding_scene::{Scene, Structure};
 use pounding_text::digits;
+use strum::EnumCount;
 
 /// Place of the middle structure.
 const MIDDLE: usize = 1;
@@ -42,14 +43,14 @@ struct Middle {
 }
 
 /// Quantities of it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
 enum Quantity {
     Peak,
     Travel,
 }
 
 impl Quantity {
-    const ALL: [Self; 2] = [Self::Peak, Self::Travel];
+    const ALL: [Self; Self::COUNT] = [Self::Peak, Self::Travel];
 
     fn of(self, middle: &Middle) -> Option<f64> {
         match self {
