@@ -1,5 +1,6 @@
 //! What must pass before a change lands.
 
+use std::ffi::OsStr;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
@@ -32,11 +33,32 @@ const STEPS: [(&str, &[&str], (&str, &str)); 4] = [
     ),
 ];
 
+/// Holds the dependencies to deny.toml, where cargo-deny is installed; advisories, which it fetches, are left to who asks for them.
+fn denied(root: &Path, cargo: &OsStr) -> Result<(), String> {
+    let deny = |arguments: &[&str]| {
+        let mut command = Command::new(cargo);
+        command.arg("deny").args(arguments).current_dir(root);
+        command
+    };
+    println!("── dependencies: cargo deny check bans licenses sources");
+    let asked = deny(&["--version"]).output();
+    if !asked.is_ok_and(|ended| ended.status.success()) {
+        println!("   left out: cargo-deny is not installed (cargo install cargo-deny)");
+        return Ok(());
+    }
+    let ended = deny(&["check", "bans", "licenses", "sources"]).status();
+    match ended {
+        Ok(status) if status.success() => Ok(()),
+        _ => Err("dependencies break deny.toml".into()),
+    }
+}
+
 /// Runs every step and stops at the first that fails.
 pub(crate) fn run(root: &Path) -> Result<(), String> {
     println!("── rooms: cargo xtask rooms");
     crate::rooms::check(root)?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    denied(root, &cargo)?;
     for (name, arguments, (variable, value)) in STEPS {
         println!("── {name}: cargo {}", arguments.join(" "));
         let started = Instant::now();

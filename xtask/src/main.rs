@@ -16,6 +16,7 @@
 //! | `rooms` | the crates, their sizes, and arrows that run up | – |
 //! | `bench` | timings | `results/` |
 //! | `fuzz` | random bytes for every reader | `fuzz/artifacts/` |
+//! | `torture` | kills, races, damage, power failures, full disks: what exit code 0 promises | – |
 //! | `hyperqueue`, `slurm` | a sweep by a scheduler, held to the bytes of one without | – |
 //!
 //! Left out: the results themselves, which `pounding-studies` makes; timings, which `pounding-bench` runs; and what users of the program
@@ -37,6 +38,7 @@ mod results;
 mod rooms;
 mod schedulers;
 mod studies;
+mod torture;
 mod verify;
 
 use std::path::{Path, PathBuf};
@@ -105,6 +107,9 @@ enum Task {
     /// Run the same sweep by SLURM on this machine and compare it with one without; needs root and Debian's packages slurm-wlm and munge,
     /// no part of `check`.
     Slurm,
+    /// Kill, race, damage and cut off sweeps, and hold them to docs/exit-code-0.md; some minutes, no part of `check`, whose tests hold a
+    /// part of it. As root on Linux with ext4, strace and Python it leaves nothing out.
+    Torture(torture::Rounds),
     /// Feed random bytes to every reader, to scene and to sweep files; needs cargo-fuzz, no part of `check`.
     Fuzz {
         /// How long each target runs, in seconds.
@@ -131,6 +136,7 @@ fn main() -> ExitCode {
         Task::Bench { arguments } => bench(&root(), &arguments),
         Task::Hyperqueue => schedulers::hyperqueue(&root()),
         Task::Slurm => schedulers::slurm(&root()),
+        Task::Torture(rounds) => torture::run(&root(), &rounds),
         Task::Fuzz { seconds } => fuzz::run(&root(), seconds),
     };
     match outcome {

@@ -15,7 +15,7 @@ use source::Source;
 
 /// Folders of the crates in storeys, from the ground up: a crate may use what is below its storey.
 const CRATES: [&[&str]; 8] = [
-    &["crates/text"],
+    &["crates/files", "crates/text"],
     &["crates/contact", "crates/motion", "crates/plot"],
     &["crates/solver"],
     &["crates/reference", "crates/scene"],

@@ -62,7 +62,7 @@ pub enum RecordError {
         /// Duration of the record \[s\].
         duration: f64,
         /// Largest number of samples.
-        allowed: u32,
+        allowed: usize,
     },
     /// A setting of a filter or of a generated motion is out of its range.
     #[error("{setting} is {}, allowed is {allowed}", plain(*found))]

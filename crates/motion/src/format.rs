@@ -109,7 +109,7 @@ pub fn read(bytes: &[u8]) -> Result<Accelerogram, ReadError> {
 /// Says where, what was found there, what is allowed and what to do; see [`ReadError`]. Refuses what
 /// neither the file nor the caller says, and what both say differently.
 pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, ReadError> {
-    let file = File::new(bytes);
+    let file = File::new(bytes)?;
     let reader = reader(&file)?;
     let components = (reader.components)(&file)?;
     let index = chosen(&components, declared.component.as_deref())?;
@@ -123,7 +123,8 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
 ///
 /// A file of a known format may still be refused when it is read.
 pub fn recognised(bytes: &[u8]) -> Option<Format> {
-    reader(&File::new(bytes)).ok().map(|reader| reader.format)
+    let file = File::new(bytes).ok()?;
+    reader(&file).ok().map(|reader| reader.format)
 }
 
 /// Returns the names of the components of a file, in their order; none for a file with one that
@@ -132,7 +133,7 @@ pub fn recognised(bytes: &[u8]) -> Option<Format> {
 /// # Errors
 /// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
 pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
-    let file = File::new(bytes);
+    let file = File::new(bytes)?;
     let components = (reader(&file)?.components)(&file)?;
     Ok(names(components))
 }
@@ -174,20 +175,15 @@ fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {
 fn unknown(file: &File<'_>) -> ReadError {
     let begin = || match file.first() {
         None => ReadError::Empty,
-        Some(line) => ReadError::UnknownFormat {
-            line: line.number,
-            found: line.excerpt(),
-        },
+        Some(line) => ReadError::UnknownFormat { line: line.number },
     };
     foreign::binary(file.bytes).unwrap_or_else(begin)
 }
 
 impl<'t> File<'t> {
-    fn new(bytes: &'t [u8]) -> Self {
-        Self {
-            bytes,
-            lines: lines(bytes),
-        }
+    fn new(bytes: &'t [u8]) -> Result<Self, ReadError> {
+        let lines = lines(bytes)?;
+        Ok(Self { bytes, lines })
     }
 
     /// The first line that is neither blank nor a comment.

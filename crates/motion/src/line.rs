@@ -72,10 +72,24 @@ impl<'a> Line<'a> {
     }
 }
 
+/// Most lines of a text: two for each sample of the longest record. They take 480 MB.
+const MOST: usize = 20_000_000;
+
 /// The lines of a text that end in LF, CR LF or CR, without a byte order mark.
-pub(crate) fn lines(bytes: &[u8]) -> Vec<Line<'_>> {
+///
+/// # Errors
+/// Refuses a text of too many lines, before it takes memory for them.
+pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, ReadError> {
     let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let mut lines = Vec::new();
+    let count = |end: u8| rest.iter().filter(|byte| **byte == end).count();
+    let n_ends = count(b'\n').max(count(b'\r'));
+    if n_ends > MOST {
+        return Err(ReadError::TooManyLines {
+            found: n_ends,
+            allowed: MOST,
+        });
+    }
+    let mut lines = Vec::with_capacity(n_ends + 1);
     while !rest.is_empty() {
         let end = rest
             .iter()
@@ -91,7 +105,7 @@ pub(crate) fn lines(bytes: &[u8]) -> Vec<Line<'_>> {
             .or_else(|| after.get(1..))
             .unwrap_or_default();
     }
-    lines
+    Ok(lines)
 }
 
 /// A number as C or Fortran writes it, `1.5D-3` included; blanks around it are skipped.

@@ -36,17 +36,35 @@ pub enum ReadError {
         /// The byte.
         found: u8,
     },
-    /// The text looks like none of the formats known.
+    /// The text has more lines than a record.
     #[error(
-        "line {line} reads {found:?}, which begins none of the formats known: {}; \
+        "found {found} lines, allowed are {allowed}; cut the record to the shaking that matters"
+    )]
+    TooManyLines {
+        /// Its lines.
+        found: usize,
+        /// Most that are read.
+        allowed: usize,
+    },
+    /// The record has more samples than can be used.
+    #[error(
+        "found {found} samples, allowed are {allowed}; cut the record to the shaking that matters, or resample it"
+    )]
+    TooManySamples {
+        /// Its samples.
+        found: usize,
+        /// Most that are read.
+        allowed: usize,
+    },
+    /// The text looks like none of the formats known. It is not repeated: it may be none of anybody else's business.
+    #[error(
+        "line {line} begins none of the formats known: {}; \
          fetch the file again in one of them, or write one number to a line",
         Format::names()
     )]
     UnknownFormat {
         /// Line that is neither blank nor a comment, the first of them.
         line: usize,
-        /// What that line holds.
-        found: String,
     },
     /// The header of a CSV is absent or names a column that is not known.
     #[error(

@@ -9,8 +9,8 @@ use crate::{RecordError, error};
 /// measured.
 const COINCIDENCE: f64 = 1e-9;
 
-/// Largest number of samples that resampling and formulas make: 80 MB of them, of which a run keeps some copies.
-const MAX_SAMPLES: u32 = 10_000_000;
+/// Largest number of samples that is read, and that resampling and formulas make: 80 MB of them, of which a run keeps some copies.
+pub(crate) const MAX_SAMPLES: usize = 10_000_000;
 
 /// A `Record` is a uniformly sampled ground acceleration \[m/s²\] together with where it came from.
 ///
@@ -179,7 +179,7 @@ impl Record {
 pub(crate) fn steps(duration: f64, time_step: f64) -> Result<usize, RecordError> {
     checked_step(time_step)?;
     let steps = (duration / time_step + COINCIDENCE).floor();
-    if steps >= f64::from(MAX_SAMPLES) {
+    if steps >= MAX_SAMPLES as f64 {
         return Err(RecordError::TooManySamples {
             time_step,
             duration,

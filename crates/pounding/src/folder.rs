@@ -1,12 +1,15 @@
-//! A folder of results: written beside its place under another name, then put there, so that nobody finds half of it.
+//! A folder of results: written beside its place under another name and synced, then put there, so that nobody finds half of it.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
+use pounding::files::{Lock, Users, folder_of, sync_folder};
 use pounding::report::{AssessmentReport, Report};
+
+use crate::new_file;
 
 /// The files of a run under a folder of records.
 pub(crate) const OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
@@ -25,77 +28,129 @@ enum Found {
     Other(String),
 }
 
-/// Checks that a folder can be written, before anything runs.
-///
-/// # Errors
-/// What stands in the way, and what to do about it.
-pub(crate) fn check(folder: &Path, overwrite: bool) -> Result<(), String> {
-    beside(folder, "new")?;
-    match found(folder)? {
-        Found::Other(name) if !overwrite => Err(format!(
-            "--out: {} holds other things than results, such as \"{name}\"; allowed is a folder that does not exist, is empty or \
-             holds the results of an earlier run: name another, or let --overwrite put the results beside them",
-            folder.display()
-        )),
-        Found::Nothing | Found::Results | Found::Other(_) => Ok(()),
-    }
+/// A folder that this process alone writes, until it is dropped.
+#[derive(Debug)]
+pub(crate) struct ResultFolder {
+    path: PathBuf,
+    /// Hidden names beside it: what is being written, and what it replaces.
+    new: PathBuf,
+    old: PathBuf,
+    _lock: Lock,
 }
 
-/// Writes files into a folder; what it holds besides results stays.
-///
-/// # Errors
-/// What cannot be written, and what the system says.
-pub(crate) fn write(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
-    let found = found(folder)?;
-    let new = beside(folder, "new")?;
-    let failed = |path: &Path, error: &io::Error| {
-        // What was begun is of no use to anybody.
-        let _ = fs::remove_dir_all(&new);
-        format!("--out: {} cannot be written: {error}", path.display())
-    };
-    let all = || {
-        if new.exists() {
-            fs::remove_dir_all(&new)?;
-        }
-        fs::create_dir_all(&new)?;
-        files
-            .iter()
-            .try_for_each(|(name, bytes)| fs::write(new.join(name), bytes))
-    };
-    all().map_err(|error| failed(&new, &error))?;
-    let placed = match found {
-        Found::Nothing => fs::rename(&new, folder),
-        Found::Results => replace(folder, &new, &beside(folder, "old")?),
-        Found::Other(_) => mix(folder, &new, files),
-    };
-    placed.map_err(|error| failed(folder, &error))
-}
-
-/// Puts a folder in the place of another.
-fn replace(folder: &Path, new: &Path, old: &Path) -> io::Result<()> {
-    if old.exists() {
-        fs::remove_dir_all(old)?;
-    }
-    fs::rename(folder, old)?;
-    fs::rename(new, folder)?;
-    fs::remove_dir_all(old)
-}
-
-/// Puts files among others; results of an earlier run go.
-fn mix(folder: &Path, new: &Path, files: &BTreeMap<String, Vec<u8>>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let name = entry?.file_name();
-        let stale = name
-            .to_str()
-            .is_some_and(|name| is_result(name) && !files.contains_key(name));
-        if stale {
-            fs::remove_file(folder.join(name))?;
+impl ResultFolder {
+    /// Takes a folder and checks that it can be written, before anything runs.
+    ///
+    /// # Errors
+    /// What stands in the way, and what to do about it.
+    pub(crate) fn open(path: &Path, overwrite: bool) -> Result<Self, String> {
+        let [new, old] = ["new", "old"].map(|end| beside(path, end));
+        found(path)?;
+        let lock = Lock::of(path, Users::One).map_err(|error| format!("--out: {error}"))?;
+        let folder = Self {
+            path: path.to_path_buf(),
+            new: new?,
+            old: old?,
+            _lock: lock,
+        };
+        folder.restore().map_err(|error| folder.refused(&error))?;
+        match found(path)? {
+            Found::Other(name) if !overwrite => Err(format!(
+                "--out: {} holds other things than results, such as \"{name}\"; allowed is a folder that does not exist, is empty or \
+                 holds the results of an earlier run: name another, or let --overwrite put the results beside them",
+                path.display()
+            )),
+            Found::Nothing | Found::Results | Found::Other(_) => Ok(folder),
         }
     }
-    for name in files.keys() {
-        fs::rename(new.join(name), folder.join(name))?;
+
+    /// Where it is.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
     }
-    fs::remove_dir(new)
+
+    /// Refuses a folder whose results are among the files that were read.
+    ///
+    /// # Errors
+    /// Names the file.
+    pub(crate) fn keep(&self, inputs: &[PathBuf]) -> Result<(), String> {
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let mut results = entries.filter(|entry| is_result(&entry.file_name().to_string_lossy()));
+        results.try_for_each(|entry| new_file::keep(&entry.path(), inputs))
+    }
+
+    /// Writes files into the folder; what it holds besides results stays. They are on disk when this returns, and before it nobody
+    /// finds some of them.
+    ///
+    /// # Errors
+    /// What cannot be written, and what the system says.
+    pub(crate) fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+        let found = found(&self.path)?;
+        let placed = self.fill(files).and_then(|()| match found {
+            Found::Nothing => fs::rename(&self.new, &self.path),
+            Found::Results => self.replace(),
+            Found::Other(_) => self.mix(files),
+        });
+        let placed = placed.and_then(|()| sync_folder(folder_of(&self.path)));
+        placed.map_err(|error| {
+            // What was begun is of no use to anybody.
+            let _ = fs::remove_dir_all(&self.new);
+            self.refused(&error)
+        })
+    }
+
+    fn refused(&self, error: &io::Error) -> String {
+        format!("--out: {} cannot be written: {error}", self.path.display())
+    }
+
+    /// Undoes what an earlier process was ended in.
+    fn restore(&self) -> io::Result<()> {
+        if self.new.exists() {
+            fs::remove_dir_all(&self.new)?;
+        }
+        match (self.old.exists(), self.path.exists()) {
+            (true, false) => fs::rename(&self.old, &self.path),
+            (true, true) => fs::remove_dir_all(&self.old),
+            (false, _) => Ok(()),
+        }
+    }
+
+    /// Writes files under the hidden name.
+    fn fill(&self, files: &BTreeMap<String, Vec<u8>>) -> io::Result<()> {
+        fs::create_dir_all(&self.new)?;
+        for (name, bytes) in files {
+            let mut file = File::create_new(self.new.join(name))?;
+            file.write_all(bytes)?;
+            file.sync_all()?;
+        }
+        sync_folder(&self.new)
+    }
+
+    /// Puts the new folder in the place of the old one.
+    fn replace(&self) -> io::Result<()> {
+        fs::rename(&self.path, &self.old)?;
+        fs::rename(&self.new, &self.path)?;
+        sync_folder(folder_of(&self.path))?;
+        fs::remove_dir_all(&self.old)
+    }
+
+    /// Puts files among others; then results of an earlier run go.
+    fn mix(&self, files: &BTreeMap<String, Vec<u8>>) -> io::Result<()> {
+        for name in files.keys() {
+            fs::rename(self.new.join(name), self.path.join(name))?;
+        }
+        sync_folder(&self.path)?;
+        for entry in fs::read_dir(&self.path)? {
+            let name = entry?.file_name();
+            let stale = name
+                .to_str()
+                .is_some_and(|name| is_result(name) && !files.contains_key(name));
+            if stale {
+                fs::remove_file(self.path.join(name))?;
+            }
+        }
+        fs::remove_dir(&self.new)
+    }
 }
 
 /// What lies there.

@@ -30,6 +30,7 @@
 //! | [`sweep`] | one scene over many values | figures |
 //! | [`plot`] | figures as data, drawn to SVG and PNG | mechanics |
 //! | [`report`] | a run as a folder of tables and figures | sweeps |
+//! | [`files`] | files written whole and durably, read within bounds, locked | what they hold |
 //! | [`text`] | numbers as people read them, tables as CSV | units |
 //!
 //! Left out: finding out who can touch whom (neighbours are named), and units other than SI anywhere but in printed tables. The numbers of
@@ -42,6 +43,7 @@
 //! - [`report::Report`] for a folder of results, [`sweep::Sweep`] for thousands of runs.
 
 pub use pounding_contact as contact;
+pub use pounding_files as files;
 pub use pounding_motion as motion;
 pub use pounding_plot as plot;
 pub use pounding_report as report;

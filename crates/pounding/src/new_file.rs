@@ -1,11 +1,22 @@
-//! Files that the program writes, and does not write over.
+//! Files that the program writes: whole, on disk when it says so, never over what was read, and over others only when asked to.
 
-use std::fs::File;
-use std::io::{ErrorKind, Write as _};
-use std::path::Path;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
-/// Refuses a file that is there already unless `overwrite` is set, before anything is written.
-pub(crate) fn check(path: &Path, overwrite: bool) -> Result<(), String> {
+use pounding::files::{Existing, input_at};
+
+/// What becomes of a file that is there already.
+pub(crate) fn existing(overwrite: bool) -> Existing {
+    if overwrite {
+        Existing::Replaced
+    } else {
+        Existing::Kept
+    }
+}
+
+/// Refuses one of the files that were read, and unless `overwrite` is set a file that is there already, before anything is written.
+pub(crate) fn check(path: &Path, inputs: &[PathBuf], overwrite: bool) -> Result<(), String> {
+    keep(path, inputs)?;
     if path.exists() && !overwrite {
         Err(there_already(path))
     } else {
@@ -13,7 +24,21 @@ pub(crate) fn check(path: &Path, overwrite: bool) -> Result<(), String> {
     }
 }
 
-fn there_already(path: &Path) -> String {
+/// Refuses to write over what was read, under any of its names.
+pub(crate) fn keep(path: &Path, inputs: &[PathBuf]) -> Result<(), String> {
+    match input_at(path, inputs) {
+        None => Ok(()),
+        Some(input) => Err(format!(
+            "{}: is the file that is read ({}), allowed is another, also with --overwrite: what was read cannot be made again; \
+             name a new file",
+            path.display(),
+            input.display()
+        )),
+    }
+}
+
+/// What is said of a file that is there already.
+pub(crate) fn there_already(path: &Path) -> String {
     format!(
         "{}: is there already, allowed is a new file; name another one or add --overwrite",
         path.display()
@@ -22,19 +47,11 @@ fn there_already(path: &Path) -> String {
 
 /// Writes a file; one that is there already is refused unless `overwrite` is set.
 pub(crate) fn write(path: &Path, bytes: &[u8], overwrite: bool) -> Result<(), String> {
-    let file = if overwrite {
-        File::create(path)
-    } else {
-        File::create_new(path)
-    };
-    let shown = path.display();
-    let mut file = file.map_err(|error| {
+    pounding::files::write(path, bytes, existing(overwrite)).map_err(|error| {
         if error.kind() == ErrorKind::AlreadyExists {
             there_already(path)
         } else {
-            format!("{shown}: cannot be written: {error}")
+            format!("{}: cannot be written: {error}", path.display())
         }
-    })?;
-    file.write_all(bytes)
-        .map_err(|error| format!("{shown}: cannot be written: {error}"))
+    })
 }

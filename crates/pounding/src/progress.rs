@@ -76,10 +76,6 @@ enum Log {
 }
 
 /// How far work is, as a line.
-#[expect(
-    clippy::print_stderr,
-    reason = "who reads a log wants to know that work goes on"
-)]
 fn line(bar: &ProgressBar) {
     let [done, of] = [bar.position(), bar.length().unwrap_or(0)].map(HumanCount);
     let passed = FormattedDuration(bar.elapsed());
@@ -88,7 +84,7 @@ fn line(bar: &ProgressBar) {
         Duration::ZERO => String::new(),
         left => format!(", {} left", FormattedDuration(left)),
     };
-    eprintln!("{done} of {of} runs, {passed}{left}");
+    crate::say(&format!("{done} of {of} runs, {passed}{left}"));
 }
 
 impl Drop for Shown {

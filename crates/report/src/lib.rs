@@ -50,7 +50,7 @@ use sampling::Sampling;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
-    RecordSummary, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+    RecordSummary, SCHEMA_VERSION, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
 };
 
 /// A run with its histories, ready to be written to a folder.

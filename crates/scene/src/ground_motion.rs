@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::file::{FileUse, Generated, ScaleTo, check};
-use crate::{Error, MotionError, RecordUse, SceneError, Source};
+use crate::{Error, MotionError, RecordUse, SceneError, Source, record_bytes};
 use pounding_motion::{Accelerogram, Declared, ReadError, Record, RecordError, read_declared};
 use sha2::{Digest, Sha256};
 
@@ -122,7 +122,7 @@ impl From<GroundMotion> for SharedMotion {
 impl Origin {
     fn read(file: &FileUse, base: &Path) -> Result<Self, Error> {
         let path = base.join(&file.file);
-        let bytes = match std::fs::read(&path) {
+        let bytes = match record_bytes(&path) {
             Ok(bytes) => bytes,
             Err(source) => return Err(Error::NoRecord { path, source }),
         };

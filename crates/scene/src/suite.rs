@@ -7,6 +7,7 @@ use pounding_motion::{Direction, components};
 
 use crate::{
     Error, FileUse, GroundMotion, Options, RecordUse, Scene, Simulation, Source, Vertical,
+    record_bytes,
 };
 
 /// One ground motion of a folder: a file, or one component of a file that holds several.
@@ -165,7 +166,7 @@ pub fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 
 /// The motions of a file: one, or one per component.
 fn of_file(path: &Path) -> Vec<Motion> {
-    let names = std::fs::read(path)
+    let names = record_bytes(path)
         .ok()
         .and_then(|bytes| components(&bytes).ok())
         .unwrap_or_default();

@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use super::manifest::MANIFEST;
 use super::place::PlaceError;
+use pounding_files::LockError;
 use pounding_scene::{Error, Fault};
-
-/// Name of the file that says of what a folder holds parts.
-pub(super) const MANIFEST: &str = "manifest.json";
 
 /// Why a sweep is refused or cannot go on; a run that fails is none of them, but a row.
 #[derive(Debug, thiserror::Error)]
@@ -154,16 +153,42 @@ pub enum SweepError {
     /// Something that is no folder of parts.
     #[error("{}: found no parts of a sweep (no {}), allowed are folders that `pounding sweep` leaves, NAME.csv.parts", .0.display(), MANIFEST)]
     NoParts(PathBuf),
-    /// A part that is not whole.
-    #[error("{}: found {found} rows, allowed are {allowed}: the part is damaged; delete it and start the sweep again, which makes it anew", path.display())]
+    /// A manifest that is not as it was written.
+    #[error(
+        "{}: found other bytes than a sweep wrote, allowed is the file as it was; delete it, then the sweep goes on with the parts that \
+         are whole",
+        .0.display()
+    )]
+    DamagedManifest(PathBuf),
+    /// Parts that another version wrote in another form.
+    #[error(
+        "{}: found {} of the form of parts, allowed is version {allowed}: another version of the program wrote them; end the sweep with \
+         that one, name another file, or let --overwrite begin anew",
+        path.display(),
+        found.map_or_else(|| "no version".into(), |found| format!("version {found}"))
+    )]
+    OtherForm {
+        /// The manifest.
+        path: PathBuf,
+        /// Its version, where it has one.
+        found: Option<u32>,
+        /// The version of this program.
+        allowed: u32,
+    },
+    /// A part that is not as it was written.
+    #[error(
+        "{}: found {found}, allowed is the file as it was written; start the sweep again, which runs this part anew",
+        path.display()
+    )]
     Damaged {
         /// The part.
         path: PathBuf,
-        /// Its rows.
-        found: u64,
-        /// Rows that it must have.
-        allowed: u64,
+        /// What it is instead.
+        found: &'static str,
     },
+    /// An output at which another process is at work.
+    #[error(transparent)]
+    Lock(#[from] LockError),
     /// Parts that are not there.
     #[error(
         "found {found} of {allowed} parts: the runs {} are missing; start again the shards that should have made them, or \
@@ -274,7 +299,10 @@ impl SweepError {
             | Self::File { .. }
             | Self::OtherSweep(_)
             | Self::NoParts(_)
+            | Self::DamagedManifest(_)
+            | Self::OtherForm { .. }
             | Self::Damaged { .. }
+            | Self::Lock(_)
             | Self::Missing { .. } => return None,
         };
         Some(place.into())

@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use pounding_files::{Existing, Lock, NewFile, Users};
 use rayon::prelude::*;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::SweepError;
-use super::parts::{Manifest, beside, own_name, path_of};
+use super::manifest::{MANIFEST, Manifest, path_of};
+use super::part::{self, Part, length_of_line};
 
 /// A table that was joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,84 +27,96 @@ pub fn compresses(out: &Path) -> bool {
     out.extension().is_some_and(|ending| ending == "zst")
 }
 
-/// Joins the parts of one sweep, wherever they lie, to a table: the same bytes whoever made which part.
-///
-/// The table is written under another name and then renamed.
+/// Joins the parts of one sweep, wherever they lie, to a table: the same bytes whoever made which part. The table is on disk when
+/// this returns; no other process writes it meanwhile.
 ///
 /// # Errors
-/// [`SweepError::NoParts`] and [`SweepError::OtherSweep`] of a folder, [`SweepError::Missing`], [`SweepError::Damaged`], and what
-/// the system refuses.
-pub fn merge(out: &Path, folders: &[PathBuf]) -> Result<Joined, SweepError> {
-    let (manifest, parts) = found(folders)?;
-    // What a kill has left. Another process that joins the same parts finds its file gone, and says so.
-    for left in leftovers(out) {
-        fs::remove_file(&left).map_err(SweepError::file(&left))?;
-    }
-    let beside = beside(out, &format!("{}{NEW}", own_name()));
-    let written = write(&manifest, parts, (&beside, compresses(out)));
-    match written {
-        Ok(joined) => {
-            fs::rename(&beside, out).map_err(SweepError::file(out))?;
-            Ok(joined)
+/// [`SweepError::NoParts`], [`SweepError::OtherSweep`] and [`SweepError::DamagedManifest`] of a folder, [`SweepError::Missing`],
+/// [`SweepError::Damaged`], [`SweepError::Lock`], and what the system refuses.
+pub fn merge(out: &Path, folders: &[PathBuf], existing: Existing) -> Result<Joined, SweepError> {
+    let _lock = Lock::of(out, Users::One)?;
+    put(out, &Sources::of(folders)?, existing)
+}
+
+/// What a table is made of: all of its parts, in order.
+pub(super) struct Sources {
+    manifest: Manifest,
+    parts: Vec<PathBuf>,
+}
+
+impl Sources {
+    /// What the folders hold parts of, and where each lies; all are there.
+    pub(super) fn of(folders: &[PathBuf]) -> Result<Self, SweepError> {
+        let mut manifest: Option<Manifest> = None;
+        let mut there = BTreeMap::new();
+        for folder in folders {
+            let own = Manifest::read(folder, MANIFEST)?;
+            let own = own.ok_or_else(|| SweepError::NoParts(folder.clone()))?;
+            if manifest.as_ref().is_some_and(|first| *first != own) {
+                return Err(SweepError::OtherSweep(folder.clone()));
+            }
+            for part in 0..own.n_parts() {
+                let path = path_of(folder, part);
+                if path.exists() {
+                    there.entry(part).or_insert(path);
+                }
+            }
+            manifest = Some(own);
         }
-        Err(error) => {
-            // What was begun is of no use to anybody.
-            let _ = fs::remove_file(&beside);
-            Err(error)
+        let manifest = manifest.ok_or_else(|| SweepError::NoParts(PathBuf::new()))?;
+        let missing = missing(&manifest, &there);
+        if !missing.is_empty() {
+            return Err(SweepError::Missing {
+                found: there.len() as u64,
+                allowed: manifest.n_parts(),
+                missing,
+            });
         }
+        let parts = there.into_values().collect();
+        Ok(Self { manifest, parts })
     }
 }
 
-/// End of the name of a table that is not whole.
-const NEW: &str = ".new";
-
-/// Tables beside one that were begun and not ended.
-fn leftovers(out: &Path) -> Vec<PathBuf> {
-    let begin = beside(out, "");
-    let folder = match out.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let begun = |entry: &fs::DirEntry| {
-        let name = entry.file_name().to_string_lossy().into_owned();
-        let begin = begin.file_name().unwrap_or_default().to_string_lossy();
-        let own = name
-            .strip_prefix(&*begin)
-            .and_then(|rest| rest.strip_suffix(NEW));
-        // With a dot it is of a table with a longer name.
-        own.is_some_and(|own| !own.contains('.'))
-    };
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    entries.filter(begun).map(|entry| entry.path()).collect()
+/// Makes the table, and puts it on disk. Call it under a lock.
+pub(super) fn put(out: &Path, sources: &Sources, existing: Existing) -> Result<Joined, SweepError> {
+    let (file, joined) = made(out, sources)?;
+    file.put(existing).map_err(SweepError::file(out))?;
+    Ok(joined)
 }
 
-/// What the folders hold parts of, and where each lies; all are there.
-fn found(folders: &[PathBuf]) -> Result<(Manifest, Vec<PathBuf>), SweepError> {
-    let mut manifest: Option<Manifest> = None;
-    let mut there = BTreeMap::new();
-    for folder in folders {
-        let own = Manifest::read(folder)?.ok_or_else(|| SweepError::NoParts(folder.clone()))?;
-        if manifest.as_ref().is_some_and(|first| *first != own) {
-            return Err(SweepError::OtherSweep(folder.clone()));
+/// Whether a table has the bytes that these parts make.
+pub(super) fn is_table_of(out: &Path, sources: &Sources) -> Result<bool, SweepError> {
+    let (file, _) = made(out, sources)?;
+    let is_same = || {
+        let (found, wanted) = (File::open(out)?, File::open(file.path())?);
+        if found.metadata()?.len() != wanted.metadata()?.len() {
+            return Ok(false);
         }
-        for part in 0..own.n_parts() {
-            let path = path_of(folder, part);
-            if path.exists() {
-                there.entry(part).or_insert(path);
+        let mut found = BufReader::new(found).bytes();
+        let mut wanted = BufReader::new(wanted).bytes();
+        loop {
+            match (found.next().transpose()?, wanted.next().transpose()?) {
+                (None, None) => return Ok(true),
+                (one, other) if one != other => return Ok(false),
+                _ => {}
             }
         }
-        manifest = Some(own);
+    };
+    is_same().map_err(SweepError::file(out))
+}
+
+/// The table under a hidden name.
+fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> {
+    for left in pounding_files::leftovers(out) {
+        fs::remove_file(&left).map_err(SweepError::file(&left))?;
     }
-    let manifest = manifest.ok_or_else(|| SweepError::NoParts(PathBuf::new()))?;
-    let missing = missing(&manifest, &there);
-    if !missing.is_empty() {
-        return Err(SweepError::Missing {
-            found: there.len() as u64,
-            allowed: manifest.n_parts(),
-            missing,
-        });
-    }
-    Ok((manifest, there.into_values().collect()))
+    let file = NewFile::beside(out).map_err(SweepError::file(out))?;
+    let joined = if compresses(out) {
+        compress(sources, file.path())
+    } else {
+        place(sources, file.path())
+    };
+    Ok((file, joined?))
 }
 
 /// First and last run of every gap.
@@ -118,60 +132,59 @@ fn missing(manifest: &Manifest, there: &BTreeMap<u64, PathBuf>) -> Vec<(u64, u64
     gaps
 }
 
-fn write(
-    manifest: &Manifest,
-    parts: Vec<PathBuf>,
-    (path, compressed): (&Path, bool),
-) -> Result<Joined, SweepError> {
-    if compressed {
-        compress(manifest, parts, path)
-    } else {
-        place(manifest, &parts, path)
-    }
-}
-
 /// Puts every part where it belongs in the table, with all threads.
-fn place(manifest: &Manifest, parts: &[PathBuf], path: &Path) -> Result<Joined, SweepError> {
+fn place(sources: &Sources, path: &Path) -> Result<Joined, SweepError> {
+    let Sources { manifest, parts } = sources;
     let header = manifest.header.as_bytes();
     fs::write(path, header).map_err(SweepError::file(path))?;
     let mut places = Vec::with_capacity(parts.len());
     let mut end = header.len() as u64;
-    for part in parts {
-        places.push(end);
-        end += fs::metadata(part).map_err(SweepError::file(part))?.len();
+    for (index, part) in parts.iter().enumerate() {
+        let about = fs::metadata(part).map_err(SweepError::file(part))?;
+        let line = length_of_line(manifest, index as u64) as u64;
+        let length = about.len().saturating_sub(line);
+        places.push(end..end + length);
+        end += length;
     }
-    let write = |(index, place): (usize, u64)| {
-        let (bytes, joined) = read(manifest, index, &parts[index])?;
+    let write = |(index, place): (usize, std::ops::Range<u64>)| {
+        let part = part::read(manifest, index as u64, &parts[index])?;
+        if part.rows().len() as u64 != place.end - place.start {
+            return Err(SweepError::Damaged {
+                path: parts[index].clone(),
+                found: "another length than a moment before",
+            });
+        }
         let written = || {
             let mut file = OpenOptions::new().write(true).open(path)?;
-            file.seek(SeekFrom::Start(place))?;
-            file.write_all(&bytes)
+            file.seek(SeekFrom::Start(place.start))?;
+            file.write_all(part.rows())
         };
         written().map_err(SweepError::file(path))?;
-        Ok(joined)
+        Ok(part.n_failed())
     };
     let places: Vec<_> = places.into_iter().enumerate().collect();
     let written = places.into_par_iter().with_max_len(1).map(write);
     // In order: of several damaged parts the first is named.
-    let written: Vec<Result<Joined, SweepError>> = written.collect();
-    let mut joined = Joined { runs: 0, failed: 0 };
-    for part in written {
-        let part = part?;
-        joined.runs += part.runs;
-        joined.failed += part.failed;
-    }
-    Ok(joined)
+    let written: Vec<Result<u64, SweepError>> = written.collect();
+    let failed = written.into_iter().sum::<Result<u64, SweepError>>()?;
+    Ok(Joined {
+        runs: manifest.runs,
+        failed,
+    })
 }
 
 /// Compresses the table, one part after the other.
-fn compress(manifest: &Manifest, parts: Vec<PathBuf>, path: &Path) -> Result<Joined, SweepError> {
-    let file = File::create(path).map_err(SweepError::file(path))?;
+fn compress(sources: &Sources, path: &Path) -> Result<Joined, SweepError> {
+    let file = OpenOptions::new().write(true).open(path);
+    let file = file.map_err(SweepError::file(path))?;
+    let manifest = &sources.manifest;
     let mut table = Table {
-        bytes: manifest.header.as_bytes().to_vec(),
+        header: manifest.header.as_bytes(),
+        part: None,
         read: 0,
-        parts: parts.into_iter().enumerate(),
+        parts: sources.parts.iter().enumerate(),
         manifest,
-        joined: Joined { runs: 0, failed: 0 },
+        failed: 0,
         refused: None,
     };
     let mut drain = Drain {
@@ -185,62 +198,46 @@ fn compress(manifest: &Manifest, parts: Vec<PathBuf>, path: &Path) -> Result<Joi
     if let Some(error) = table.refused {
         return Err(error);
     }
-    let joined = table.joined;
+    let failed = table.failed;
     drain.end().map_err(SweepError::file(path))?;
-    Ok(joined)
-}
-
-/// A part, which has all of its rows, and what is in it.
-fn read(manifest: &Manifest, index: usize, path: &Path) -> Result<(Vec<u8>, Joined), SweepError> {
-    let bytes = fs::read(path).map_err(SweepError::file(path))?;
-    let runs = manifest.runs_of(index as u64);
-    let (mut found, mut empty, allowed) = (0, 0, runs.end - runs.start);
-    // The reason is the last field of a row, and empty in one that did not fail.
-    for end in memchr::memchr_iter(b'\n', &bytes) {
-        found += 1;
-        empty += u64::from(end > 0 && bytes[end - 1] == b',');
-    }
-    if found != allowed || bytes.last() != Some(&b'\n') {
-        return Err(SweepError::Damaged {
-            path: path.to_path_buf(),
-            found,
-            allowed,
-        });
-    }
-    let joined = Joined {
-        runs: found,
-        failed: found - empty,
-    };
-    Ok((bytes, joined))
+    Ok(Joined {
+        runs: manifest.runs,
+        failed,
+    })
 }
 
 /// The bytes of a table, part after part. The encoder panics on errors: they are kept, and the table ends.
 struct Table<'a, Parts> {
-    /// The part that is read.
-    bytes: Vec<u8>,
+    header: &'a [u8],
+    /// The part that is read; before the first one, the header is.
+    part: Option<Part>,
     read: usize,
     parts: Parts,
     manifest: &'a Manifest,
-    joined: Joined,
+    failed: u64,
     refused: Option<SweepError>,
 }
 
-impl<Parts: Iterator<Item = (usize, PathBuf)>> Table<'_, Parts> {
+impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Table<'a, Parts> {
+    /// What is read now.
+    fn current(&self) -> &[u8] {
+        self.part.as_ref().map_or(self.header, Part::rows)
+    }
+
     /// Goes on to the next part; whether there is one.
     fn next(&mut self) -> Result<bool, SweepError> {
         let Some((index, path)) = self.parts.next() else {
             return Ok(false);
         };
-        let (bytes, joined) = read(self.manifest, index, &path)?;
-        (self.bytes, self.read) = (bytes, 0);
-        self.joined.runs += joined.runs;
-        self.joined.failed += joined.failed;
+        let part = part::read(self.manifest, index as u64, path)?;
+        self.failed += part.n_failed();
+        (self.part, self.read) = (Some(part), 0);
         Ok(true)
     }
 
     /// Whether there are bytes to read; those of the next part where all of this one were.
     fn goes_on(&mut self) -> bool {
-        while self.read == self.bytes.len() {
+        while self.read == self.current().len() {
             match self.next() {
                 Ok(true) => {}
                 Ok(false) => return false,
@@ -254,12 +251,12 @@ impl<Parts: Iterator<Item = (usize, PathBuf)>> Table<'_, Parts> {
     }
 }
 
-impl<Parts: Iterator<Item = (usize, PathBuf)>> Read for Table<'_, Parts> {
+impl<'a, Parts: Iterator<Item = (usize, &'a PathBuf)>> Read for Table<'a, Parts> {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
         if !self.goes_on() {
             return Ok(0);
         }
-        let rest = &self.bytes[self.read..];
+        let rest = &self.current()[self.read..];
         let n = rest.len().min(to.len());
         to[..n].copy_from_slice(&rest[..n]);
         self.read += n;

@@ -38,7 +38,9 @@ mod distribution;
 mod error;
 mod file;
 mod join;
+mod manifest;
 mod motions;
+mod part;
 mod parts;
 mod permutation;
 mod place;
@@ -94,6 +96,8 @@ pub struct Sweep {
     accuracy: Option<SweepAccuracy>,
     /// SHA-256 of everything that the rows depend on.
     sha256: String,
+    /// Files that were read.
+    inputs: Vec<PathBuf>,
 }
 
 /// The scene of a sweep as it was read.
@@ -149,6 +153,8 @@ impl Sweep {
         })?;
         let plan = Plan::new(vary, file.samples, motions.all.len())?;
         let sha256 = hash(bytes, &read.bytes, &motions);
+        let mut inputs = motions.files.clone();
+        inputs.extend([path.to_path_buf(), read.path]);
         let mut sweep = Self {
             row: Row::default(),
             closings: file.outputs.pairs.contains(&PairQuantity::LeastOpeningM),
@@ -159,6 +165,7 @@ impl Sweep {
             motions,
             accuracy: None,
             sha256,
+            inputs,
         };
         if asked.is_some() {
             sweep.set_method(&Method::EXACT);
@@ -186,6 +193,11 @@ impl Sweep {
     /// Returns the names of records whose direction nothing tells; they count as horizontal.
     pub fn untold(&self) -> &[String] {
         &self.motions.untold
+    }
+
+    /// Returns the files that were read: sweep, scene, records.
+    pub fn inputs(&self) -> &[PathBuf] {
+        &self.inputs
     }
 
     /// SHA-256 of everything that the rows depend on, in hexadecimal digits.
@@ -283,10 +295,13 @@ fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
         .map(|(_, instead)| *instead)
 }
 
-/// SHA-256 of everything that rows depend on: the program, the files of sweep and scene, the motions.
+/// SHA-256 of the sources of what computes, from the build script.
+const SOURCES: &str = env!("POUNDING_SOURCES");
+
+/// SHA-256 of everything that rows depend on: the sources of the program, the files of sweep and scene, the motions.
 fn hash(sweep: &[u8], scene: &[u8], motions: &Motions) -> String {
     let mut hash = Sha256::new();
-    hash.update(env!("CARGO_PKG_VERSION"));
+    hash.update(SOURCES);
     for bytes in [sweep, scene] {
         hash.update((bytes.len() as u64).to_le_bytes());
         hash.update(bytes);

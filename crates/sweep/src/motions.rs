@@ -1,6 +1,6 @@
 //! The ground motions of a sweep: each is read once, and processed once where no run asks for another processing.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::SweepError;
 use super::file::SweepFile;
@@ -58,6 +58,8 @@ pub(super) struct Motions {
     pub(super) left_out: Vec<String>,
     /// Names of those whose direction nothing tells.
     pub(super) untold: Vec<String>,
+    /// Files that were read, those left out included.
+    pub(super) files: Vec<PathBuf>,
     /// Whether they stand in place of the scene's own record, whose duration then does not count.
     replace: bool,
     duration_varies: bool,
@@ -85,6 +87,7 @@ impl Motions {
             all: Vec::new(),
             left_out: Vec::new(),
             untold: Vec::new(),
+            files: Vec::new(),
             replace: file.records.is_some(),
             duration_varies: axes
                 .iter()
@@ -94,6 +97,9 @@ impl Motions {
         };
         let Some(records) = &file.records else {
             let name = own_name(&record.source);
+            if let Source::File(file) = &record.source {
+                motions.files.push(of_scene.join(&file.file));
+            }
             let use_of = |reversed| RecordUse {
                 reversed,
                 ..record.clone()
@@ -149,6 +155,7 @@ impl Motions {
         };
         for motion in found {
             let name = motion.name();
+            self.files.push(motion.path.clone());
             if let Orientation::Vertical(vertical) = &motion.orientation {
                 self.left_out.push(format!("{name}: {vertical}"));
                 continue;

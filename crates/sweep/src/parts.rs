@@ -1,146 +1,33 @@
-//! The parts of a table: files of a fixed number of runs, each written under another name and then renamed, so that one that
-//! is there is whole.
+//! The parts of a table in their folder, and the sweep that goes on with them.
 
-use std::fs::{self, File};
-use std::hash::{BuildHasher, Hasher, RandomState};
+use std::fs;
 use std::io::Write as _;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
+use pounding_files::{Existing, Lock, NewFile, Users};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
-use super::error::MANIFEST;
+use super::join::{self, Joined, Sources};
+use super::manifest::{JOINED, MANIFEST, Manifest, is_own, path_of};
+use super::part::{self, sealed};
 use super::{Shard, Sweep, SweepError};
 
-/// How a table is cut into parts.
-struct Cut {
-    /// About how many parts there are, so that little is lost with the one that is not whole.
-    parts: u64,
-    /// Least runs of a part.
-    least: u64,
-    /// Most runs of a part, which a thread holds in memory.
-    most: u64,
-}
+/// Time that a part takes which is synced at once: a hundred times as long as that.
+const LONG: Duration = Duration::from_millis(500);
 
-/// Of runs that take longer than a file.
-const ALONE: Cut = Cut {
-    parts: 1024,
-    least: 1,
-    most: 4096,
-};
-/// Of runs side by side: the file of a part takes as long as some fifty of them.
-const BESIDE: Cut = Cut {
-    parts: 128,
-    least: 512,
-    most: 16_384,
-};
-
-/// Of what a folder holds parts.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Manifest {
-    /// SHA-256 of everything that the rows depend on.
-    pub(super) sweep: String,
-    /// Number of runs.
-    pub(super) runs: u64,
-    /// Number of runs of every part but the last.
-    pub(super) runs_per_part: u64,
-    /// The row that names the columns.
-    pub(super) header: String,
-}
-
-impl Manifest {
-    fn of(sweep: &Sweep) -> Self {
-        let runs = sweep.n_runs();
-        let cut = if sweep.asks_for_tallies() {
-            BESIDE
-        } else {
-            ALONE
-        };
-        let part = (runs / cut.parts).next_power_of_two();
-        Self {
-            sweep: sweep.sha256().into(),
-            runs,
-            runs_per_part: part.clamp(cut.least, cut.most),
-            header: String::from_utf8_lossy(&sweep.header()).into_owned(),
-        }
-    }
-
-    /// That of a folder; nothing where it has none.
-    pub(super) fn read(folder: &Path) -> Result<Option<Self>, SweepError> {
-        let path = folder.join(MANIFEST);
-        if !path.exists() {
-            return Ok(None);
-        }
-        let bytes = fs::read(&path).map_err(SweepError::file(&path))?;
-        Ok(Some(pounding_scene::parse(&bytes, &path)?))
-    }
-
-    /// Whether the parts of another manifest are of the same rows, however they are cut.
-    fn has_rows_of(&self, other: &Self) -> bool {
-        let cut_alike = Self {
-            runs_per_part: self.runs_per_part,
-            ..other.clone()
-        };
-        *self == cut_alike && other.runs_per_part > 0
-    }
-
-    pub(super) fn n_parts(&self) -> u64 {
-        self.runs.div_ceil(self.runs_per_part)
-    }
-
-    /// The runs of a part.
-    pub(super) fn runs_of(&self, part: u64) -> Range<u64> {
-        let start = part * self.runs_per_part;
-        start..(start + self.runs_per_part).min(self.runs)
-    }
-}
-
-/// The file of a part.
-pub(super) fn path_of(folder: &Path, part: u64) -> PathBuf {
-    folder.join(format!("part-{part:09}.csv"))
-}
-
-/// Whether a folder holds anything but what begins with a dot.
-fn has_parts(folder: &Path) -> Result<bool, SweepError> {
-    if !folder.exists() {
-        return Ok(false);
-    }
-    let entries = fs::read_dir(folder).map_err(SweepError::file(folder))?;
-    let shown = |entry: fs::DirEntry| !entry.file_name().to_string_lossy().starts_with('.');
-    Ok(entries.flatten().any(shown))
-}
-
-/// Writes a file under another name, then gives it its own, so that nobody finds half of it. What is `kept` is also there after a
-/// power failure.
-fn write_whole(path: &Path, bytes: &[u8], kept: bool) -> Result<(), SweepError> {
-    let beside = beside(path, &own_name());
-    let write = || {
-        let mut file = File::create(&beside)?;
-        file.write_all(bytes)?;
-        if kept { file.sync_all() } else { Ok(()) }
-    };
-    write().map_err(SweepError::file(&beside))?;
-    fs::rename(&beside, path).map_err(SweepError::file(path))
-}
-
-/// A name of this call alone: processes of several machines may work in one folder, with the same numbers.
-pub(super) fn own_name() -> String {
-    format!("{:x}", RandomState::new().build_hasher().finish())
-}
-
-/// A hidden name beside a file.
-pub(super) fn beside(path: &Path, end: &str) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{end}"))
-}
-
-/// The folder of parts of a table.
+/// The folder of parts of a table, which is this process's, or that of all shards together.
 #[derive(Debug)]
 pub struct Parts {
+    out: PathBuf,
     folder: PathBuf,
     manifest: Manifest,
+    shard: Shard,
+    /// Parts of the shard that are to be run, in order.
+    missing: Vec<u64>,
+    damaged: Vec<SweepError>,
+    lock: Lock,
 }
 
 impl Parts {
@@ -150,37 +37,168 @@ impl Parts {
         out.with_file_name(format!("{name}.parts"))
     }
 
-    /// Goes on with the parts beside `out`, or begins with them; parts of another sweep go where they may be `overwritten`.
+    /// Whether there is anything in the folder of parts of a table.
+    pub fn are_begun(out: &Path) -> bool {
+        fs::read_dir(Self::folder_of(out)).is_ok_and(|mut all| all.next().is_some())
+    }
+
+    /// Goes on with the parts beside `out`, or begins with them. The whole keeps other processes off `out`, shards work side by side.
+    /// Parts of another sweep go where they may be `overwritten`, which no shard does. Returns `None` if an earlier process of this sweep
+    /// has put its table on disk, and was ended while it deleted the parts: then they are gone now.
     ///
     /// # Errors
-    /// [`SweepError::OtherSweep`], and what the system refuses.
-    pub fn open(sweep: &Sweep, out: &Path, overwritten: bool) -> Result<Self, SweepError> {
-        let (folder, manifest) = (Self::folder_of(out), Manifest::of(sweep));
-        // Extras in this order: a shard that begins at the same moment writes its manifest before its first part.
-        let has_parts = has_parts(&folder)?;
-        let found = Manifest::read(&folder)?;
-        let parts = match &found {
-            // Another version may have cut the table otherwise: its parts stay what they are.
-            Some(found) if manifest.has_rows_of(found) => {
-                return Ok(Self {
-                    folder,
-                    manifest: found.clone(),
-                });
-            }
-            _ => Self { folder, manifest },
+    /// [`SweepError::Lock`], [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the system refuses.
+    pub fn open(
+        sweep: &Sweep,
+        out: &Path,
+        shard: Shard,
+        overwritten: bool,
+    ) -> Result<Option<Self>, SweepError> {
+        let folder = Self::folder_of(out);
+        let users = if shard.is_whole() {
+            Users::One
+        } else {
+            Users::Several
         };
-        if found.is_some() || has_parts {
-            // What has no manifest is not ours to delete.
-            if !overwritten || found.is_none() {
-                return Err(SweepError::OtherSweep(parts.folder));
-            }
-            fs::remove_dir_all(&parts.folder).map_err(SweepError::file(&parts.folder))?;
+        let lock = Lock::of(out, users)?;
+        let mut parts = Self {
+            out: out.to_path_buf(),
+            folder,
+            manifest: Manifest::of(sweep),
+            shard,
+            missing: Vec::new(),
+            damaged: Vec::new(),
+            lock,
+        };
+        if parts.ends_earlier_one()? {
+            return Ok(None);
         }
-        fs::create_dir_all(&parts.folder).map_err(SweepError::file(&parts.folder))?;
-        let mut text = serde_json::to_string_pretty(&parts.manifest).unwrap_or_default();
-        text.push('\n');
-        write_whole(&parts.folder.join(MANIFEST), text.as_bytes(), true)?;
-        Ok(parts)
+        parts.claim(overwritten && shard.is_whole())?;
+        parts.look()?;
+        Ok(Some(parts))
+    }
+
+    /// Ends what an earlier process had to leave when its table was on disk; whether there was anything.
+    fn ends_earlier_one(&self) -> Result<bool, SweepError> {
+        if !self.shard.is_whole() {
+            return Ok(false);
+        }
+        let joined = match Manifest::read(&self.folder, JOINED) {
+            Ok(joined) => joined,
+            // Whatever it is, it is not of this sweep.
+            Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) => None,
+            Err(error) => return Err(error),
+        };
+        if joined.as_ref() != Some(&self.manifest) {
+            return Ok(false);
+        }
+        if self.out.exists() {
+            self.clean_up()?;
+            return Ok(true);
+        }
+        // Somebody took the table away: what is left of its parts is good.
+        let name = |name| self.folder.join(name);
+        fs::rename(name(JOINED), name(MANIFEST)).map_err(SweepError::file(&self.folder))?;
+        Ok(false)
+    }
+
+    /// Makes the folder this sweep's, unless it is another's.
+    fn claim(&self, overwritten: bool) -> Result<(), SweepError> {
+        let other = || SweepError::OtherSweep(self.folder.clone());
+        // What a kill has left of a file is nobody's.
+        let is_shown = |name: &String| !name.starts_with('.');
+        // First the names: a shard that begins at the same moment writes its manifest before its first part.
+        let names = self.names()?;
+        let found = match Manifest::read(&self.folder, MANIFEST) {
+            Err(SweepError::DamagedManifest(_) | SweepError::OtherForm { .. }) if overwritten => {
+                None
+            }
+            found => found?,
+        };
+        match found {
+            Some(found) if found == self.manifest => return Ok(()),
+            Some(_) if !overwritten => return Err(other()),
+            // Its manifest is lost, its parts are not: one that is whole tells that they are of this sweep.
+            None if !overwritten && names.iter().any(is_shown) && !self.has_whole_part(&names) => {
+                return Err(other());
+            }
+            Some(_) | None => {}
+        }
+        if overwritten {
+            self.delete(&names)?;
+        }
+        fs::create_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
+        let above = pounding_files::folder_of(&self.folder);
+        pounding_files::sync_folder(above).map_err(SweepError::file(above))?;
+        let written = self.manifest.write(&self.folder);
+        // Another shard was first.
+        match Manifest::read(&self.folder, MANIFEST)? {
+            Some(found) if found == self.manifest => Ok(()),
+            Some(_) => Err(other()),
+            None => written,
+        }
+    }
+
+    /// Names in the folder that are not hidden, or are ours.
+    fn names(&self) -> Result<Vec<String>, SweepError> {
+        let entries = match fs::read_dir(&self.folder) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+            entries => entries.map_err(SweepError::file(&self.folder))?,
+        };
+        let names = entries
+            .flatten()
+            .map(|entry| entry.file_name().to_string_lossy().into_owned());
+        Ok(names
+            .filter(|name| is_own(name) || !name.starts_with('.'))
+            .collect())
+    }
+
+    fn has_whole_part(&self, names: &[String]) -> bool {
+        let is_whole = |part: &u64| {
+            let path = path_of(&self.folder, *part);
+            path.exists() && part::read(&self.manifest, *part, &path).is_ok()
+        };
+        names.iter().any(|name| is_own(name))
+            && (0..self.manifest.n_parts()).any(|part| is_whole(&part))
+    }
+
+    /// Deletes what a sweep wrote of these, manifests last: cut short, they still tell whose the rest is.
+    fn delete(&self, names: &[String]) -> Result<(), SweepError> {
+        let is_manifest = |name: &&String| [MANIFEST, JOINED].contains(&name.as_str());
+        let (manifests, parts): (Vec<_>, Vec<_>) = names
+            .iter()
+            .filter(|name| is_own(name))
+            .partition(is_manifest);
+        for name in parts.into_iter().chain(manifests) {
+            let path = self.folder.join(name);
+            fs::remove_file(&path).map_err(SweepError::file(&path))?;
+        }
+        Ok(())
+    }
+
+    /// Reads the parts of the shard that are there.
+    fn look(&mut self) -> Result<(), SweepError> {
+        let parts: Vec<u64> = self.shard.of(self.manifest.n_parts()).collect();
+        let look = |part: &u64| {
+            let path = path_of(&self.folder, *part);
+            if !path.exists() {
+                return Ok((true, None));
+            }
+            match part::read(&self.manifest, *part, &path) {
+                Ok(_) => Ok((false, None)),
+                Err(damaged @ SweepError::Damaged { .. }) => Ok((true, Some(damaged))),
+                Err(error) => Err(error),
+            }
+        };
+        let found: Vec<Result<_, SweepError>> = parts.par_iter().map(look).collect();
+        for (part, found) in parts.into_iter().zip(found) {
+            let (is_missing, damaged) = found?;
+            if is_missing {
+                self.missing.push(part);
+            }
+            self.damaged.extend(damaged);
+        }
+        Ok(())
     }
 
     /// The folder.
@@ -188,58 +206,141 @@ impl Parts {
         &self.folder
     }
 
-    /// Number of runs of a shard.
-    pub fn runs_of(&self, shard: Shard) -> u64 {
-        let parts = shard.of(self.manifest.n_parts());
-        let run = |part: u64| (part * self.manifest.runs_per_part).min(self.manifest.runs);
-        run(parts.end) - run(parts.start)
+    /// The shard.
+    pub fn shard(&self) -> Shard {
+        self.shard
     }
 
-    /// Number of runs of a shard that are there.
-    pub fn runs_there(&self, shard: Shard) -> u64 {
-        let there = shard
-            .of(self.manifest.n_parts())
-            .filter(|part| self.has(*part));
-        there.map(|part| self.n_runs(part)).sum()
+    /// What is wrong with parts that are there and are run again.
+    pub fn damaged(&self) -> &[SweepError] {
+        &self.damaged
     }
 
-    fn n_runs(&self, part: u64) -> u64 {
-        let runs = self.manifest.runs_of(part);
-        runs.end - runs.start
+    /// Whether other processes are kept off; if not, the disk knows no locks.
+    pub fn is_locked(&self) -> bool {
+        self.lock.is_kept()
     }
 
-    fn has(&self, part: u64) -> bool {
-        path_of(&self.folder, part).exists()
+    /// Number of runs of the shard.
+    pub fn n_runs(&self) -> u64 {
+        self.runs_of(self.shard.of(self.manifest.n_parts()))
     }
 
-    /// Runs what is missing of a shard, with all threads; `done` is told of every part how many runs it has. When somebody says
-    /// stop, runs that have begun end, and parts that are not whole are left out.
+    /// Number of runs of the shard that were there when it was opened.
+    pub fn n_runs_there(&self) -> u64 {
+        self.n_runs() - self.runs_of(self.missing.iter().copied())
+    }
+
+    fn runs_of(&self, parts: impl Iterator<Item = u64>) -> u64 {
+        parts.map(|part| self.manifest.n_runs_of(part)).sum()
+    }
+
+    /// Runs what is missing of the shard, with all threads; `done` is told of every part how many runs it has. When somebody says
+    /// stop, runs that have begun end, and parts that are not whole are left out. Returns how many runs of the shard are there then.
+    ///
+    /// A part that took [`LONG`] is on disk at once, the others are when this returns: a power failure before may empty parts of the
+    /// last half minute, which then run again. Only the parts of a table that is whole are not synced at all, as [`join`](Self::join)
+    /// reads them now.
     ///
     /// # Errors
     /// What the system refuses to write.
     pub fn fill(
         &self,
         sweep: &Sweep,
-        shard: Shard,
         stop: &'static AtomicBool,
         done: &(dyn Fn(u64) + Sync),
-    ) -> Result<(), SweepError> {
-        let missing: Vec<u64> = shard
-            .of(self.manifest.n_parts())
-            .filter(|part| !self.has(*part))
-            .collect();
+    ) -> Result<u64, SweepError> {
         // One part after the other to whoever is free: they differ in the time that they take.
-        let parts = missing.into_par_iter().with_max_len(1);
-        parts.try_for_each(|part| {
+        let parts = self.missing.par_iter().with_max_len(1);
+        let made = parts.map(|part| {
+            let begin = Instant::now();
             if stop.load(Ordering::Relaxed) {
-                return Ok(());
+                return Ok(None);
             }
-            let Some(batch) = sweep.batch_until(self.manifest.runs_of(part), stop) else {
-                return Ok(());
+            let Some(batch) = sweep.batch_until(self.manifest.runs_of(*part), stop) else {
+                return Ok(None);
             };
-            write_whole(&path_of(&self.folder, part), &sweep.rows(&batch), false)?;
-            done(self.n_runs(part));
-            Ok(())
-        })
+            let bytes = sealed(&self.manifest, *part, &sweep.rows(&batch));
+            let is_synced = begin.elapsed() > LONG;
+            self.write(*part, &bytes, is_synced)?;
+            done(self.manifest.n_runs_of(*part));
+            Ok(Some((*part, is_synced)))
+        });
+        let made = made.collect::<Result<Vec<_>, SweepError>>()?;
+        let made: Vec<(u64, bool)> = made.into_iter().flatten().collect();
+        let there = self.n_runs_there() + self.runs_of(made.iter().map(|(part, _)| *part));
+        if there < self.n_runs() || !self.shard.is_whole() {
+            self.sync(&made)?;
+        }
+        Ok(there)
+    }
+
+    fn write(&self, part: u64, bytes: &[u8], is_synced: bool) -> Result<(), SweepError> {
+        let path = path_of(&self.folder, part);
+        let write = || {
+            let mut file = NewFile::beside(&path)?;
+            file.write_all(bytes)?;
+            if is_synced {
+                file.put(Existing::Replaced)
+            } else {
+                file.show(Existing::Replaced)
+            }
+        };
+        write().map_err(SweepError::file(&path))
+    }
+
+    /// Syncs those of these parts that are not yet.
+    fn sync(&self, made: &[(u64, bool)]) -> Result<(), SweepError> {
+        let open = made.par_iter().filter(|(_, is_synced)| !is_synced);
+        open.try_for_each(|(part, _)| {
+            let path = path_of(&self.folder, *part);
+            pounding_files::sync(&path).map_err(SweepError::file(&path))
+        })?;
+        pounding_files::sync_folder(&self.folder).map_err(SweepError::file(&self.folder))
+    }
+
+    /// Whether the table that is there has the rows of these parts: then a process was ended between table and clean-up.
+    ///
+    /// # Errors
+    /// What the system refuses.
+    pub fn made_table(&self) -> Result<bool, SweepError> {
+        if !self.missing.is_empty() || !self.shard.is_whole() || !self.out.exists() {
+            return Ok(false);
+        }
+        join::is_table_of(&self.out, &self.sources()?)
+    }
+
+    fn sources(&self) -> Result<Sources, SweepError> {
+        Sources::of(std::slice::from_ref(&self.folder))
+    }
+
+    /// Joins the parts to the table. When it is on disk they go, and nothing else that the folder holds.
+    ///
+    /// # Errors
+    /// Those of [`merge`](crate::merge).
+    pub fn join(self, existing: Existing) -> Result<Joined, SweepError> {
+        let joined = join::put(&self.out, &self.sources()?, existing)?;
+        self.clean_up()?;
+        Ok(joined)
+    }
+
+    /// Deletes the parts of a table that is on disk.
+    ///
+    /// # Errors
+    /// What the system refuses.
+    pub fn clean_up(&self) -> Result<(), SweepError> {
+        let name = |name| self.folder.join(name);
+        let fault = SweepError::file(&self.folder);
+        if name(MANIFEST).exists() {
+            // From here on the parts are not all there, and the table is.
+            fs::rename(name(MANIFEST), name(JOINED)).map_err(&fault)?;
+            pounding_files::sync_folder(&self.folder).map_err(&fault)?;
+        }
+        self.delete(&self.names()?)?;
+        match fs::remove_dir(&self.folder) {
+            // Somebody put files of theirs into it.
+            Err(error) if error.kind() == std::io::ErrorKind::DirectoryNotEmpty => Ok(()),
+            removed => removed.map_err(fault),
+        }
     }
 }

@@ -16,7 +16,8 @@ impl Rows {
     /// A text; its line breaks become blanks, so that a row is a line.
     fn field(&mut self, field: &str) {
         if !field.is_empty() {
-            self.0.extend(quoted(&field.replace(['\n', '\r'], " ")));
+            let line = field.replace(['\n', '\r'], " ");
+            self.0.extend(quoted(&pounding_text::no_formula(&line)));
         }
         self.0.push(b',');
     }

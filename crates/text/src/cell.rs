@@ -3,6 +3,8 @@
 //! A number that does not exist is an empty cell and `null`. The rows of a sweep, which are written by the million, go past
 //! these cells and keep the same rule.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 /// A cell of a table: a text, or a number that is finite.
@@ -31,22 +33,36 @@ impl Cell {
     /// A number that was written before it came here, in a table of texts alone: empty where it is none.
     fn written(text: &str) -> Self {
         let is_none = ["NaN", "inf", "-inf"].contains(&text);
-        Self(if is_none { String::new() } else { text.into() })
+        if is_none {
+            Self::default()
+        } else {
+            text.into()
+        }
     }
 }
 
 /// Letters of a number that stands without an exponent.
 const LONGEST: usize = 24;
 
+/// A text that no spreadsheet takes for a formula: behind an apostrophe where it begins as one and is no number.
+pub fn no_formula(text: &str) -> Cow<'_, str> {
+    let begins = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    if begins && text.parse::<f64>().is_err() {
+        format!("'{text}").into()
+    } else {
+        text.into()
+    }
+}
+
 impl From<String> for Cell {
     fn from(text: String) -> Self {
-        Self(text)
+        text.as_str().into()
     }
 }
 
 impl From<&str> for Cell {
     fn from(text: &str) -> Self {
-        Self(text.into())
+        Self(no_formula(text).into_owned())
     }
 }
 
@@ -71,7 +87,9 @@ pub fn csv_text<Name: AsRef<str>>(
     rows: impl IntoIterator<Item: IntoIterator<Item = Cell>>,
 ) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = header.iter().map(AsRef::as_ref);
+    let names = header
+        .iter()
+        .map(|name| no_formula(name.as_ref()).into_owned());
     writer.write_record(names).expect("memory takes all");
     for row in rows {
         let cells = row.into_iter().map(|cell| cell.0);
@@ -132,6 +150,18 @@ mod tests {
                 prop_assert_eq!(read, Some(*value).filter(|value| value.is_finite()));
             }
         }
+    }
+
+    /// A spreadsheet ran what a name said.
+    #[test]
+    fn issue_a_name_is_no_formula() {
+        let names = ["=1+1", "+a", "-a", "@a", "a=b", "-0.5", "+2e3", "–"];
+        let cells = names.map(Cell::from);
+        let table = csv_text(&["=x"; 8], [cells]);
+        assert_eq!(
+            table,
+            "'=x,'=x,'=x,'=x,'=x,'=x,'=x,'=x\n'=1+1,'+a,'-a,'@a,a=b,-0.5,+2e3,–\n"
+        );
     }
 
     #[test]

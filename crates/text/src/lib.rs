@@ -26,10 +26,13 @@
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
 //! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
 //! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
+//! - [`visible`]: what goes to a terminal, without what would steer it.
 
 mod cell;
+mod visible;
 
-pub use cell::{Cell, csv_text, json_text, to_csv};
+pub use cell::{Cell, csv_text, json_text, no_formula, to_csv};
+pub use visible::visible;
 
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
 /// 309 digits of 1.7e308.

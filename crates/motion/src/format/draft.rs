@@ -4,6 +4,7 @@ use super::Format;
 use super::component::Component;
 use super::spacing::{Spacing, settled};
 use crate::direction::is_seismometer;
+use crate::record::MAX_SAMPLES;
 use crate::unusual::{USUAL_PEAK, USUAL_STEPS};
 use crate::{AccelerationUnit, Accelerogram, Declared, Place, ReadError, Reading, Unusual};
 
@@ -65,6 +66,12 @@ impl Draft {
         component: Option<&Component>,
         declared: &Declared,
     ) -> Result<Accelerogram, ReadError> {
+        if self.values.len() > MAX_SAMPLES {
+            return Err(ReadError::TooManySamples {
+                found: self.values.len(),
+                allowed: MAX_SAMPLES,
+            });
+        }
         let mut readings = vec![reading("format", None, format.name())];
         let velocity = self.velocity(component);
         readings.extend(component.map(|one| reading("component", Some(one.place), &one.name)));

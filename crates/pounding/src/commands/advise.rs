@@ -102,7 +102,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     Ok(if args.json {
         json_of(&prepared, &advice, args.quantity)
     } else {
-        let text = std::fs::read(path);
+        let text = pounding::scene::bytes(path);
         let json = text.is_ok_and(|text| is_json(&text, path));
         of(&prepared, &advice, json)
     })

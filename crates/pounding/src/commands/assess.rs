@@ -12,7 +12,7 @@ use pounding::scene::{
 use pounding::text::{digits, json_text};
 
 use super::suite;
-use crate::folder;
+use crate::folder::ResultFolder;
 use crate::text::paragraph;
 
 const EXAMPLES: &str = "\
@@ -127,8 +127,9 @@ fn target(text: &str) -> Result<DesignSpectrum, String> {
             .parse()
             .map_err(|error: DesignSpectrumError| error.to_string());
     }
-    let read = std::fs::read_to_string(text)
-        .map_err(|error| format!("{text}: cannot be read: {error}"))?;
+    let unreadable = |error: &dyn std::fmt::Display| format!("{text}: cannot be read: {error}");
+    let read = pounding::scene::bytes(text.as_ref()).map_err(|error| unreadable(&error))?;
+    let read = String::from_utf8(read).map_err(|error| unreadable(&error))?;
     DesignSpectrum::table(&read).map_err(|error| format!("{text}: {error}"))
 }
 
@@ -163,8 +164,12 @@ impl Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
-    if let Some(out) = &args.out {
-        folder::check(out, args.overwrite)?;
+    let open = |out: &PathBuf| ResultFolder::open(out, args.overwrite);
+    let out = args.out.as_ref().map(open).transpose()?;
+    if let Some(out) = &out {
+        let target = args.target.iter().map(PathBuf::from);
+        let read = target.chain([path.clone()]).collect();
+        out.keep(&[super::inputs_in(&args.records), read].concat())?;
     }
     let scaling = args.scaling()?;
     let scene = Scene {
@@ -195,10 +200,10 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     } else {
         text::text(&report, details)
     };
-    if let Some(out) = &args.out {
-        folder::write(out, &report.files())?;
+    if let Some(out) = out {
+        out.write(&report.files())?;
         if !json && !csv {
-            let page = out.join("report.html").display().to_string();
+            let page = out.path().join("report.html").display().to_string();
             text = format!("{text}{}", paragraph("Report", &page));
         }
     }

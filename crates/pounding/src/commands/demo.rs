@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use pounding::report::Report;
 
+use crate::folder::ResultFolder;
 use crate::progress::Waiting;
 use crate::text::paragraph;
-use crate::{folder, summary};
+use crate::{new_file, summary};
 
 const EXAMPLES: &str = "\
 Example:
@@ -40,8 +41,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let top = &args.folder;
     let results = top.join("results");
-    folder::check(&results, false)?;
-    fs::create_dir_all(top).map_err(|error| format!("{}: {error}", top.display()))?;
+    let out = ResultFolder::open(&results, false)?;
     for (name, text) in FILES {
         write(&top.join(name), text)?;
     }
@@ -50,7 +50,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let prepared = super::prepare(&path, false).map_err(message)?;
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
-    folder::write(&results, &report.files())?;
+    out.write(&report.files())?;
     let other = summary::direction::other(&prepared);
     Ok(format!(
         "{}\n{}\n{}\n{}",
@@ -73,14 +73,15 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 /// Writes a file that is not there, or leaves one that is as it should be.
 fn write(path: &Path, text: &str) -> Result<(), String> {
-    let fail = |error: std::io::Error| format!("{}: cannot be written: {error}", path.display());
     match fs::read(path) {
         Ok(found) if found == text.as_bytes() => Ok(()),
         Ok(_) => Err(format!(
             "{}: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER",
             path.display()
         )),
-        Err(error) if error.kind() == ErrorKind::NotFound => fs::write(path, text).map_err(fail),
-        Err(error) => Err(fail(error)),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            new_file::write(path, text.as_bytes(), false)
+        }
+        Err(error) => Err(format!("{}: cannot be read: {error}", path.display())),
     }
 }

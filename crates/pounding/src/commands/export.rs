@@ -74,6 +74,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let Some(out) = &args.out else {
         return Ok(script);
     };
+    new_file::check(out, &super::inputs(path, &prepared), args.overwrite)?;
     new_file::write(out, script.as_bytes(), args.overwrite)?;
     let out = out.display();
     Ok(format!(

@@ -81,6 +81,8 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let is_json = args.scene.extension().is_some_and(|end| end == "json");
     let text = if is_json { json_of(&text)? } else { text };
     let path = args.scene.display();
+    let record: Vec<PathBuf> = args.record.iter().cloned().collect();
+    new_file::check(&args.scene, &record, args.overwrite)?;
     new_file::write(&args.scene, text.as_bytes(), args.overwrite)?;
     let mut parts = vec![format!("wrote {path}\n")];
     if let Some(named) = &named {

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use pounding::sweep::{Parts, merge};
 
-use super::sweep::result;
+use super::Failure;
+use super::sweep::{answer, result};
 use crate::new_file;
 
 const EXAMPLES: &str = "\
@@ -33,14 +34,15 @@ pub(crate) struct Arguments {
 }
 
 /// Joins the parts of a sweep.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let out = &args.out;
-    new_file::check(out, args.overwrite)?;
+    new_file::check(out, &[], args.overwrite)?;
     let folders = if args.folders.is_empty() {
         vec![Parts::folder_of(out)]
     } else {
         args.folders.clone()
     };
-    let joined = merge(out, &folders).map_err(|error| error.to_string())?;
-    Ok(result(joined, out))
+    let joined = merge(out, &folders, new_file::existing(args.overwrite));
+    let joined = joined.map_err(|error| error.to_string())?;
+    answer(result(joined, out), joined)
 }

@@ -19,7 +19,7 @@ mod schema;
 mod suite;
 mod sweep;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use pounding::scene::{Error, Options, Scene, Simulation, bytes_of};
@@ -34,8 +34,9 @@ Examples:
   pounding run scene.toml --out results
   pounding COMMAND --help
 
-Exit codes: 0 done; 1 an input was refused or a run failed, with the reason on
-standard error; 2 the command line was not understood.";
+Exit codes: 0 done, and what was written is on disk; 1 an input was refused or
+a run failed, with the reason on standard error, as JSON with --json; 2 the
+command line was not understood.";
 
 /// Earthquake-induced structural pounding.
 #[derive(Debug, Parser)]
@@ -113,8 +114,8 @@ impl Program {
             Command::Run(args) => run::run(args),
             Command::Assess(args) => assess::run(args),
             Command::Compare(args) => compare::run(args),
-            Command::Sweep(args) => sweep::run(args),
-            Command::Merge(args) => merge::run(args),
+            Command::Sweep(args) => return sweep::run(args),
+            Command::Merge(args) => return merge::run(args),
             Command::Gap(args) => gap::run(args),
             Command::Export(args) => export::run(args),
             Command::Advise(args) => advise::run(args),
@@ -151,6 +152,18 @@ fn read(path: &Path) -> Result<Scene, Error> {
         source,
     })?;
     Scene::parse(&text, path)
+}
+
+/// The files that a scene was read from: its own, and its record.
+fn inputs(path: &Path, prepared: &Simulation) -> Vec<PathBuf> {
+    let record = prepared.origin().map(|origin| origin.path.clone());
+    record.into_iter().chain([path.to_path_buf()]).collect()
+}
+
+/// The files of a folder of records.
+fn inputs_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.path()).collect()
 }
 
 /// Folder of a file.

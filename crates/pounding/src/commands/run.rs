@@ -9,9 +9,10 @@ use pounding::report::{Report, Summary};
 use pounding::scene::{Effects, Error, Review, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
+use crate::folder::ResultFolder;
 use crate::progress::Waiting;
+use crate::summary;
 use crate::text::paragraph;
-use crate::{folder, summary};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -117,6 +118,14 @@ struct Results {
     overwrite: bool,
 }
 
+impl Results {
+    /// Takes the folder, where one is asked for.
+    fn open(&self) -> Result<Option<ResultFolder>, String> {
+        let open = |out: &PathBuf| ResultFolder::open(out, self.overwrite);
+        self.out.as_ref().map(open).transpose()
+    }
+}
+
 /// How an answer is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Printed {
@@ -144,11 +153,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         return batch::run(args, folder);
     }
     let path = &args.scene;
-    if let Some(out) = &args.results.out {
-        folder::check(out, args.results.overwrite)?;
-    }
+    let out = args.results.open()?;
     let refused = |error| hint(error, path);
     let prepared = super::prepare(path, args.model.force).map_err(refused)?;
+    if let Some(out) = &out {
+        out.keep(&super::inputs(path, &prepared))?;
+    }
     let prepared = if args.model.full {
         prepared.full().map_err(refused)?
     } else {
@@ -167,7 +177,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     } else {
         Some(summary::direction::other(&prepared))
     };
-    let Some(out) = &args.results.out else {
+    let Some(out) = out else {
         let review = prepared.review(measure).map_err(refused)?;
         let other = other.map(|other| summary::direction::text(&prepared, &review.outcome, &other));
         let text = printed(args, &prepared, effects, &review);
@@ -175,12 +185,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
     let report = report.with_effects(effects.clone());
-    folder::write(out, &report.files())?;
+    out.write(&report.files())?;
     let text = printed(args, &prepared, effects, report.review());
     let other =
         other.map(|other| summary::direction::text(&prepared, &report.review().outcome, &other));
     let text = other.map_or(text.clone(), |other| format!("{other}\n{text}"));
-    let page = out.join("report.html");
+    let page = out.path().join("report.html");
     Ok(if args.shown.json {
         text
     } else {

@@ -32,10 +32,10 @@ pub(super) struct Ran<T> {
 }
 
 impl<T> Ran<T> {
-    /// What is printed of the lines; where Ctrl-C was pressed before all were finished, it is printed here.
+    /// What is printed of the lines; where somebody said stop before all were finished, it is printed here.
     ///
     /// # Errors
-    /// Says that Ctrl-C was pressed.
+    /// Says that it was stopped.
     pub(super) fn answer(&self, text: String) -> Result<String, String> {
         let finished = self.lines.len();
         if finished == self.n_cases {
@@ -44,15 +44,15 @@ impl<T> Ran<T> {
         crate::print(&text)?;
         let of = self.n_cases;
         Err(format!(
-            "stopped by Ctrl-C: of {of} runs the {finished} are printed that were finished"
+            "stopped: of {of} runs the {finished} are printed that were finished"
         ))
     }
 }
 
-/// Whether Ctrl-C was pressed.
+/// Whether Ctrl-C was pressed, or the system asked the program to end (SIGTERM, SIGHUP).
 pub(super) static STOPPED: AtomicBool = AtomicBool::new(false);
 
-/// From now on Ctrl-C ends the runs that have begun, and begins no other; pressed again it ends the program.
+/// From now on Ctrl-C, SIGTERM and SIGHUP end the runs that have begun, and begin no other; a second one ends the program.
 pub(super) fn stop_when_asked() {
     let asked = ctrlc::set_handler(|| {
         if STOPPED.swap(true, Ordering::Relaxed) {
@@ -98,6 +98,7 @@ pub(super) fn lines_of<T: Send>(
     scene: impl Fn(&Motion) -> Result<Scene, Error> + Sync,
     run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
+    stop_when_asked();
     let motions = motions(folder)?;
     let cases: Vec<_> = motions
         .iter()
@@ -120,7 +121,6 @@ pub(super) fn lines_of<T: Send>(
             found: found.map_err(|error| error.reason()),
         })
     };
-    stop_when_asked();
     let lines = until_stopped(&cases, &STOPPED, line);
     match nothing_found(lines.iter().map(|line| &line.found)) {
         Some(first) => Err(format!(

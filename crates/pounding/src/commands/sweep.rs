@@ -8,13 +8,14 @@ use std::sync::atomic::Ordering;
 
 use pounding::scene::Method;
 use pounding::sweep::{
-    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses, merge,
+    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses,
 };
 
+use super::Failure;
 use super::suite::{STOPPED, said_of_untold, stop_when_asked};
-use crate::new_file;
 use crate::progress::Counter;
 use crate::text::{milliseconds, paragraph, percent};
+use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -47,7 +48,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "SWEEP")]
     sweep: PathBuf,
     /// The table: CSV, compressed where the name ends in .zst; without it, beside
-    /// the sweep under its name.
+    /// the sweep, as sweep.toml.csv.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Also where the table is there already, or parts of another sweep.
@@ -62,84 +63,130 @@ pub(crate) struct Arguments {
 }
 
 /// The shard of the task of a job array, where this is one; else the whole.
-#[expect(
-    clippy::print_stderr,
-    reason = "who did not ask for a shard learns why this is one, before the work begins"
-)]
 fn shard_of_task(shards: Option<u64>) -> Result<Shard, String> {
     let task = task::shard(shards, |name| std::env::var(name).ok())?;
     if let Some((variable, shard)) = &task {
-        eprintln!("{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole");
+        say(&format!(
+            "{variable} is set: runs shard {shard} alone; --shard 1/1 runs the whole"
+        ));
     }
     Ok(task.map_or(Shard::WHOLE, |(_, shard)| shard))
 }
 
-/// Says before long work begins how it is done.
-#[expect(clippy::print_stderr, reason = "the answer comes at the end")]
-fn announce(accuracy: &SweepAccuracy) {
-    eprintln!("{}", chosen(accuracy));
+/// Says before long work begins how it is done, and what of earlier work is of no use.
+fn announce(sweep: &Sweep, parts: &Parts) {
+    if let Some(accuracy) = sweep.accuracy() {
+        say(&chosen(accuracy));
+    }
+    if !parts.is_locked() {
+        say("this disk knows no locks: let no other process write the same table");
+    }
+    for damaged in parts.damaged() {
+        say(&format!("run again: {damaged}"));
+    }
 }
 
 /// Runs a sweep, or what is missing of it.
-pub(crate) fn run(args: &Arguments) -> Result<String, String> {
+pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let shard = match args.shard {
         Some(shard) => shard,
         None => shard_of_task(args.shards)?,
     };
     let out = match &args.out {
         Some(out) => out.clone(),
-        None => args.sweep.with_extension("csv"),
+        None => beside(&args.sweep),
     };
-    new_file::check(&out, args.overwrite)?;
+    if out.exists() && !args.overwrite && !Parts::are_begun(&out) {
+        return Err(new_file::there_already(&out).into());
+    }
     let words = |error: SweepError| error.to_string();
     let sweep = Sweep::read(&args.sweep).map_err(words)?;
-    if let Some(accuracy) = sweep.accuracy() {
-        announce(accuracy);
+    new_file::keep(&out, sweep.inputs())?;
+    keep_errors(&sweep, &out, args.overwrite)?;
+    let opened = Parts::open(&sweep, &out, shard, args.overwrite).map_err(words)?;
+    let Some(parts) = opened else {
+        return Ok(finished(&out));
+    };
+    if out.exists() && !args.overwrite {
+        if !parts.made_table().map_err(words)? {
+            return Err(new_file::there_already(&out).into());
+        }
+        parts.clean_up().map_err(words)?;
+        return Ok(finished(&out));
     }
-    // A shard would delete what another has just begun.
-    let overwritten = args.overwrite && shard.is_whole();
-    let parts = Parts::open(&sweep, &out, overwritten).map_err(words)?;
-    let n_runs = parts.runs_of(shard);
-    let before = parts.runs_there(shard);
-    let progress = Counter::new(before, n_runs);
+    announce(&sweep, &parts);
     stop_when_asked();
-    let filled = parts.fill(&sweep, shard, &STOPPED, &|runs| progress.add(runs));
+    let progress = Counter::new(parts.n_runs_there(), parts.n_runs());
+    let filled = parts.fill(&sweep, &STOPPED, &|runs| progress.add(runs));
     drop(progress);
-    filled.map_err(words)?;
-    let there = parts.runs_there(shard);
+    let there = filled.map_err(words)?;
+    let n_runs = parts.n_runs();
     if there < n_runs && STOPPED.load(Ordering::Relaxed) {
         return Err(format!(
-            "stopped by Ctrl-C: {there} of {n_runs} runs are in {}; the same command runs the others",
+            "stopped: {there} of {n_runs} runs are in {}; the same command runs the others",
             parts.folder().display()
-        ));
+        )
+        .into());
     }
-    let mut lines = vec![paragraph("Sweep", &runs(&sweep, shard, n_runs))];
+    end(args, &sweep, parts, &out)
+}
+
+/// Joins what has run, and says what it was.
+fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
+    let mut lines = vec![paragraph("Sweep", &runs(sweep, &parts))];
     if !sweep.left_out().is_empty() {
         lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
     }
     lines.extend(said_of_untold(sweep.untold()).map(|said| paragraph("Direction", &said)));
     if let Some(accuracy) = sweep.accuracy() {
-        lines.push(paragraph("Accuracy", &measured(accuracy, &out)?));
+        lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
     }
-    if before > 0 {
-        let text = format!("{before} runs were there already");
+    if parts.n_runs_there() > 0 {
+        let text = format!("{} runs were there already", parts.n_runs_there());
         lines.push(paragraph("Before", &text));
     }
-    if shard.is_whole() {
-        lines.push(joined(&parts, &out)?);
-    } else {
+    if !parts.shard().is_whole() {
         let text = format!(
             "in {}; when all shards are done, `pounding merge` joins them",
             parts.folder().display()
         );
         lines.push(paragraph("Parts", &text));
+        return Ok(lines.concat());
     }
-    Ok(lines.concat())
+    let joined = parts.join(new_file::existing(args.overwrite));
+    let joined = joined.map_err(|error| error.to_string())?;
+    lines.push(result(joined, out));
+    answer(lines.concat(), joined)
+}
+
+/// The table of a sweep that names none: beside it, with its whole name, so that no two sweeps share one.
+fn beside(sweep: &Path) -> PathBuf {
+    let mut name = sweep.file_name().unwrap_or_default().to_owned();
+    name.push(".csv");
+    sweep.with_file_name(name)
+}
+
+/// Of a table that an earlier process had put in its place before it was ended.
+fn finished(out: &Path) -> String {
+    let text = format!(
+        "{}: was finished already; what was left of its parts is gone",
+        out.display()
+    );
+    paragraph("Results", &text)
+}
+
+/// What is printed of a table. Of one without any result it is a failure.
+pub(super) fn answer(printed: String, joined: Joined) -> Result<String, Failure> {
+    if joined.failed < joined.runs || joined.runs == 0 {
+        return Ok(printed);
+    }
+    let message = format!("all {} runs failed: the last column says why", joined.runs);
+    Err(Failure { printed, message })
 }
 
 /// How many runs there are.
-fn runs(sweep: &Sweep, shard: Shard, n_runs: u64) -> String {
-    let all = sweep.n_runs();
+fn runs(sweep: &Sweep, parts: &Parts) -> String {
+    let (all, n_runs, shard) = (sweep.n_runs(), parts.n_runs(), parts.shard());
     if shard.is_whole() {
         format!("{all} runs")
     } else {
@@ -147,15 +194,30 @@ fn runs(sweep: &Sweep, shard: Shard, n_runs: u64) -> String {
     }
 }
 
-/// What is said of the method that an accuracy chose; the errors of all columns go beside the table.
-fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
-    // Every shard measures the same.
+/// Where the errors of all columns go.
+fn errors_beside(out: &Path) -> PathBuf {
     let table = if compresses(out) {
         out.with_extension("")
     } else {
         out.to_path_buf()
     };
-    let path = table.with_extension("accuracy.csv");
+    table.with_extension("accuracy.csv")
+}
+
+/// Refuses a table of errors that is there already, unless it is that of this sweep.
+fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String> {
+    let Some(accuracy) = sweep.accuracy() else {
+        return Ok(());
+    };
+    let path = errors_beside(out);
+    let is_ours = fs::read(&path).is_ok_and(|found| found == accuracy.csv().as_bytes());
+    new_file::check(&path, sweep.inputs(), overwrite || is_ours)
+}
+
+/// What is said of the method that an accuracy chose; the errors of all columns go beside the table.
+fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
+    // Every shard measures the same.
+    let path = errors_beside(out);
     new_file::write(&path, accuracy.csv().as_bytes(), true)?;
     let ColumnErrors {
         runs,
@@ -202,15 +264,6 @@ fn chosen(accuracy: &SweepAccuracy) -> String {
         Some(step) => format!("{asked} asked: {name} with steps of {}", milliseconds(step)),
         None => format!("{asked} asked: {name}"),
     }
-}
-
-/// Joins the parts, which then are no longer needed.
-fn joined(parts: &Parts, out: &Path) -> Result<String, String> {
-    let folder = parts.folder();
-    let folders = [folder.to_path_buf()];
-    let joined = merge(out, &folders).map_err(|error| error.to_string())?;
-    fs::remove_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    Ok(result(joined, out))
 }
 
 /// What is said of a table.

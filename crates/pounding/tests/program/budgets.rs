@@ -29,9 +29,14 @@ fn write(folder: &Path, name: &str, json: &Value) {
     fs::write(folder.join(name), json.to_string()).expect("a disk");
 }
 
-/// Starts the program, presses Ctrl-C after a while, and returns what it said, if it ended within a second.
+/// Starts the program, sends a signal such as Ctrl-C after a while, and returns what it said, if it ended within a second.
 #[cfg(unix)]
-fn interrupted(folder: &Path, arguments: &[&str], ready: impl Fn() -> bool) -> Output {
+pub(crate) fn interrupted(
+    folder: &Path,
+    signal: &str,
+    arguments: &[&str],
+    ready: impl Fn() -> bool,
+) -> Output {
     let child = Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
         .args(arguments)
         .current_dir(folder)
@@ -44,7 +49,7 @@ fn interrupted(folder: &Path, arguments: &[&str], ready: impl Fn() -> bool) -> O
     }
     std::thread::sleep(Duration::from_millis(700));
     let id = child.id().to_string();
-    let sent = Command::new("kill").args(["-INT", &id]).status();
+    let sent = Command::new("kill").args([signal, &id]).status();
     assert!(sent.expect("kill is there").success(), "it runs");
     let since = Instant::now();
     let output = child.wait_with_output().expect("it ends");
@@ -71,11 +76,11 @@ fn issue_a_sweep_ends_though_a_run_of_it_does_not() {
             "budget": {"pieces": 1e30},
         }),
     );
-    let parts = folder.join("sweep.csv.parts");
-    let ended = interrupted(&folder, &["sweep", "sweep.json"], || parts.exists());
+    let parts = folder.join("sweep.json.csv.parts");
+    let ended = interrupted(&folder, "-INT", &["sweep", "sweep.json"], || parts.exists());
     let said = String::from_utf8_lossy(&ended.stderr);
     assert_eq!(ended.status.code(), Some(1), "{said}");
-    assert!(said.starts_with("error: stopped by Ctrl-C: "), "{said}");
+    assert!(said.starts_with("error: stopped: "), "{said}");
     assert!(
         !parts.join("part-000000000.csv").exists(),
         "it was not finished"
@@ -105,7 +110,7 @@ fn issue_runs_end_though_one_of_them_does_not() {
         &["check", "scene.json"],
         &["advise", "scene.json"],
     ] {
-        let ended = interrupted(&folder, arguments, || true);
+        let ended = interrupted(&folder, "-INT", arguments, || true);
         assert!(!ended.status.success(), "{arguments:?}");
     }
 }
@@ -125,7 +130,7 @@ fn issue_a_row_over_its_budget_fails_and_the_others_go_on() {
     );
     let ended = pounding(&folder, &["sweep", "sweep.json"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    let table = fs::read_to_string(folder.join("sweep.csv")).expect("a table");
+    let table = fs::read_to_string(folder.join("sweep.json.csv")).expect("a table");
     let failed = table
         .lines()
         .skip(1)

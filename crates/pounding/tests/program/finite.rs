@@ -118,7 +118,7 @@ fn issue_a_sampled_number_beyond_all_numbers_is_an_empty_cell_with_its_reason() 
     words["vary"] = json!([{"field": "structures[0].sdof.mass_kg", "log_normal": wide}]);
     let folder = with_sweep("finite_sweep", &words);
     pounding(&folder, &["sweep", "sweep.json"]);
-    let table = fs::read_to_string(folder.join("sweep.csv")).expect("a table");
+    let table = fs::read_to_string(folder.join("sweep.json.csv")).expect("a table");
     assert_eq!(infinite(&table), Vec::<&str>::new());
     let refused = table.lines().find(|line| line.contains("found inf"));
     let refused = refused.expect("one is beyond all numbers");

@@ -18,6 +18,7 @@ mod motion_issues;
 mod motions;
 mod names;
 mod plans;
+mod promises;
 mod records;
 mod results;
 mod runs;

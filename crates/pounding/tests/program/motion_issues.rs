@@ -110,9 +110,8 @@ fn issue_a_named_file_that_is_refused_fails_after_all_are_printed() {
     for form in ["--json", "--csv", "--gravity=9.81"] {
         let ended = info(&["letter.txt", "esm.asc", "usgs.smc", form]);
         assert_eq!(ended.code, 1, "{form}");
-        let begins =
-            "error: letter.txt: line 1 reads \"Dear Sir\", which begins none of the formats known";
-        assert!(ended.stderr.starts_with(begins), "{}", ended.stderr);
+        let begins = "letter.txt: line 1 begins none of the formats known";
+        assert!(ended.stderr.contains(begins), "{}", ended.stderr);
         assert!(ended.stdout.contains("usgs.smc"), "{}", ended.stdout);
     }
     // A folder may hold other files than records.
@@ -139,10 +138,10 @@ fn issue_the_record_that_is_read_is_never_written_over() {
         refused(&["scene.json", "scene.json"]),
     ];
     assert_snapshot!(all.join("\n"), @r"
-    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
-    error: ./esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
-    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
-    error: scene.json: is the file that is read (scene.json), allowed is another, also with --overwrite: a raw record cannot be made again; name a new file
+    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: what was read cannot be made again; name a new file
+    error: ./esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: what was read cannot be made again; name a new file
+    error: esm.asc: is the file that is read (esm.asc), allowed is another, also with --overwrite: what was read cannot be made again; name a new file
+    error: scene.json: is the file that is read (scene.json), allowed is another, also with --overwrite: what was read cannot be made again; name a new file
     ");
     assert_eq!(fs::read(folder.join("esm.asc")).expect("there"), before);
 }

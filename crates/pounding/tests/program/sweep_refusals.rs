@@ -95,7 +95,7 @@ fn extreme_sweeps_that_are_refused() {
         let folder = with_sweep("sweep_refused", &words);
         let message = refusal(&pounding(&folder, &["sweep", "sweep.json"]));
         assert!(
-            !folder.join("sweep.csv.parts").exists(),
+            !folder.join("sweep.json.csv.parts").exists(),
             "{what}: nothing was begun"
         );
         said = format!("{said}{what}\n  {message}\n");

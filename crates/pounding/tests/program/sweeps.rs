@@ -68,18 +68,18 @@ fn reference_a_small_sweep() {
     let ended = pounding(&folder, &["sweep", "sweep.json"]);
     assert_snapshot!(printed(&ended), @r"
     Sweep     4 runs
-    Results   sweep.csv: 4 rows, none failed
+    Results   sweep.json.csv: 4 rows, none failed
     ");
-    let text = String::from_utf8(table(&folder, "sweep.csv")).expect("text");
+    let text = String::from_utf8(table(&folder, "sweep.json.csv")).expect("text");
     let header = text.lines().next().unwrap_or_default();
     assert_snapshot!(header, @"run,record,reversed,contacts[0].gap_m,structures[0].sdof.period_s,left: peak_displacement_m,right: peak_displacement_m,left – right: collisions,left – right: peak_force_n,left – right: total_impulse_n_s,left – right: least_opening_m,failed");
     assert_eq!(text.lines().count(), 5);
     assert!(
-        !folder.join("sweep.csv.parts").exists(),
+        !folder.join("sweep.json.csv.parts").exists(),
         "parts go when they are joined"
     );
     let again = pounding(&folder, &["sweep", "sweep.json"]);
-    assert_snapshot!(refusal(&again), @"error: sweep.csv: is there already, allowed is a new file; name another one or add --overwrite");
+    assert_snapshot!(refusal(&again), @"error: sweep.json.csv: is there already, allowed is a new file; name another one or add --overwrite");
 }
 
 /// How it is done is said before the work begins, with the error that was measured at the end.
@@ -95,8 +95,8 @@ fn reference_a_sweep_with_an_accuracy() {
     Sweep     4 runs
     Accuracy  1.0 % asked: exact: for so many runs nothing that keeps 95 % of a
               sample of them within it costs less. It has no errors but those of
-              rounding; none were measured. All columns: sweep.accuracy.csv
-    Results   sweep.csv: 4 rows, none failed
+              rounding; none were measured. All columns: sweep.json.accuracy.csv
+    Results   sweep.json.csv: 4 rows, none failed
     ");
 }
 
@@ -267,7 +267,7 @@ fn limit_records_are_those_of_run() {
     let long = pounding(&folder, &run);
     let mut wanted = csv::Reader::from_reader(printed(&long).as_bytes());
     let wanted: Vec<csv::StringRecord> = wanted.records().map(|row| row.expect("a row")).collect();
-    let wide = table(&folder, "sweep.csv");
+    let wide = table(&folder, "sweep.toml.csv");
     let mut wide = csv::Reader::from_reader(&wide[..]);
     let columns: Vec<String> = wide
         .headers()
@@ -378,7 +378,7 @@ fn reference_a_sweep_that_is_stopped_says_how_to_go_on() {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    let parts = folder.join("sweep.csv.parts");
+    let parts = folder.join("sweep.json.csv.parts");
     let begun = || fs::read_dir(&parts).is_ok_and(|all| all.count() > 2);
     while !begun() {
         std::thread::sleep(Duration::from_millis(10));
@@ -389,9 +389,9 @@ fn reference_a_sweep_that_is_stopped_says_how_to_go_on() {
     let output = child.wait_with_output().expect("it ends");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{said}");
-    let wanted = "of 2000000 runs are in sweep.csv.parts; the same command runs the others\n";
+    let wanted = "of 2000000 runs are in sweep.json.csv.parts; the same command runs the others\n";
     assert!(
-        said.starts_with("error: stopped by Ctrl-C: ") && said.ends_with(wanted),
+        said.starts_with("error: stopped: ") && said.ends_with(wanted),
         "{said}"
     );
     fs::remove_dir_all(&parts).expect("nobody works there any more");

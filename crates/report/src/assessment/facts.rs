@@ -7,6 +7,7 @@ use pounding_text::{Cell, csv_text};
 use serde_json::{Value, json};
 
 use super::{AssessedMotion, AssessmentReport};
+use crate::SCHEMA_VERSION;
 
 fn statistics(of: &Distribution) -> Value {
     json!({
@@ -26,6 +27,7 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
     let pairs = pairs.map(|(index, one)| pair(report, index, one));
     let motion = |one: &AssessedMotion| json!({"record": one.name, "reversed": one.reversed, "scale_factor": one.run.scale});
     json!({
+        "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "answers": report.answers(),
         "proposals": report.proposals(),

@@ -7,11 +7,18 @@ use serde::{Deserialize, Serialize};
 
 use pounding_scene::{Effects, Implausible, Scene};
 
+/// Version of the form of results: `summary.json`, `runs.json`, `assess.json`, the tables beside them, and what stands beside a
+/// converted record. A field or column that is added keeps it; one that goes, or changes its meaning, raises it.
+pub const SCHEMA_VERSION: u32 = 1;
+
 /// What was run, what came out and how far to believe it; units stand in the names of its fields.
 ///
 /// A field that is absent does not apply. Fields are added in later versions, never renamed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
+    /// Version of the form of this file, [`SCHEMA_VERSION`]; 0 of one that was written before there were versions.
+    #[serde(default)]
+    pub schema_version: u32,
     /// Version of the program.
     pub version: String,
     /// The scene as it ran: with its duration, and with the method found where it asks for an accuracy.

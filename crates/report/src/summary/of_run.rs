@@ -4,7 +4,7 @@ use pounding_solver::Collision;
 
 use super::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
-    RecordSummary, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
+    RecordSummary, SCHEMA_VERSION, StructureErrorSummary, StructureSummary, Summary, WorkSummary,
 };
 use crate::sampling::Sampling;
 use pounding_scene::{
@@ -16,6 +16,7 @@ impl Summary {
     /// Of a run, with what is known of its errors.
     pub fn of(prepared: &Simulation, review: &Review) -> Self {
         Self {
+            schema_version: SCHEMA_VERSION,
             version: env!("CARGO_PKG_VERSION").into(),
             scene: prepared.scene().clone(),
             method: method(prepared, &review.errors),

@@ -77,7 +77,7 @@ pub enum MotionError {
         /// Duration of the motion \[s\].
         duration: f64,
         /// Largest number of samples.
-        most: u32,
+        most: usize,
     },
     /// A motion at rest that is to be scaled to a target.
     #[error(

@@ -1,8 +1,9 @@
 //! Files that people write: JSON or TOML, of one form.
 
-use std::io::{ErrorKind, Read};
+use std::io::Read;
 use std::path::Path;
 
+use pounding_files::Length;
 use serde::de::{DeserializeOwned, IgnoredAny};
 
 use crate::{Error, Fault, Scene, file::position};
@@ -12,12 +13,7 @@ use crate::{Error, Fault, Scene, file::position};
 /// # Errors
 /// What the system says of the stream.
 pub fn bytes_of(stream: impl Read) -> std::io::Result<Vec<u8>> {
-    let mut text = Vec::new();
-    stream.take(MOST_BYTES + 1).read_to_end(&mut text)?;
-    if text.len() as u64 > MOST_BYTES {
-        return Err(std::io::Error::new(ErrorKind::InvalidInput, TOO_LONG));
-    }
-    Ok(text)
+    pounding_files::read_stream(stream, LONGEST)
 }
 
 /// Reads a JSON or TOML file; an error names the line and the field.
@@ -32,27 +28,25 @@ pub fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
     parse(&text, path)
 }
 
-/// Longest file \[bytes\]: some hundred thousand structures.
-const MOST_BYTES: u64 = 64 << 20;
-const TOO_LONG: &str = "it is longer than 64 MB, allowed are 64 MB; take fewer structures";
+/// Longest file that people write: some hundred thousand structures.
+const LONGEST: Length = Length::new(64 << 20, "take fewer structures");
+/// Longest record: ten million samples with time and acceleration to the last digit.
+const LONGEST_RECORD: Length = Length::new(512 << 20, "cut the record to the shaking that matters");
 
 /// The bytes of a file that people write; of one that has no end, or of a pipe that nobody fills, an error.
 ///
 /// # Errors
 /// What the system says of the file.
 pub fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    let about = std::fs::metadata(path)?;
-    let refused = |message| Err(std::io::Error::new(ErrorKind::InvalidInput, message));
-    if about.is_dir() {
-        return std::fs::read(path);
-    }
-    if !about.is_file() {
-        return refused("it is a pipe or a device, allowed is a file; write its text into one");
-    }
-    if about.len() > MOST_BYTES {
-        return refused(TOO_LONG);
-    }
-    std::fs::read(path)
+    pounding_files::read(path, LONGEST)
+}
+
+/// The bytes of the file of a record, within the same bounds but longer.
+///
+/// # Errors
+/// What the system says of the file.
+pub fn record_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    pounding_files::read(path, LONGEST_RECORD)
 }
 
 /// Deserialisers are large: they are compiled here once, and not with every program that reads a scene.
@@ -123,7 +117,7 @@ fn record(text: &[u8], path: &Path) -> Option<Refused> {
 
 /// Line and column of a field of a file, counted from 1, as far as it can be found again; nothing in a file of one line.
 pub fn position_in(path: &Path, place: &str) -> Option<(usize, usize)> {
-    let bytes = std::fs::read(path).ok()?;
+    let bytes = bytes(path).ok()?;
     let text = std::str::from_utf8(&bytes).ok()?;
     let byte = if is_json(&bytes, path) {
         position::in_json(&bytes, place)

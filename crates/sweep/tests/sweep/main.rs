@@ -7,6 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use pounding_files::Existing;
 use pounding_scene::{Scene, Simulation};
 use pounding_sweep::{Parts, Shard, Sweep, merge};
 use serde_json::{Value, json};
@@ -46,6 +47,12 @@ fn sweep(folder: &Path, words: &Value) -> Sweep {
     let path = folder.join("sweep.json");
     fs::write(&path, words.to_string()).expect("a file");
     Sweep::read(&path).expect("a sweep")
+}
+
+/// The parts of a table beside `out`.
+fn opened(sweep: &Sweep, out: &Path, shard: Shard) -> Parts {
+    let parts = Parts::open(sweep, out, shard, false).expect("parts");
+    parts.expect("no table was finished before")
 }
 
 /// The rows of a table, field by field.
@@ -278,26 +285,26 @@ fn limit_shards_make_the_bytes_of_the_whole() {
     });
     let sweep = sweep(&folder, &words);
     let fill = |out: &str, shard: Shard, stop: &'static AtomicBool| {
-        let parts = Parts::open(&sweep, &folder.join(out), false).expect("parts");
-        parts.fill(&sweep, shard, stop, &|_| ()).expect("a disk");
-        parts
+        let parts = opened(&sweep, &folder.join(out), shard);
+        let there = parts.fill(&sweep, stop, &|_| ()).expect("a disk");
+        (parts, there)
     };
-    let whole = fill("whole.csv", Shard::WHOLE, &GO);
+    let (whole, _) = fill("whole.csv", Shard::WHOLE, &GO);
     let table = folder.join("whole.csv");
-    let joined = merge(&table, &[whole.folder().to_path_buf()]).expect("a table");
+    let joined = whole.join(Existing::Kept).expect("a table");
     assert_eq!((joined.runs, joined.failed), (300, 0));
     let wanted = fs::read(&table).expect("a file");
     let mut folders = Vec::new();
     for index in 1..=3 {
         let shard = Shard::new(index, 3).expect("a shard");
-        let parts = fill(&format!("{index}.csv"), shard, &GO);
-        assert_eq!(parts.runs_there(shard), parts.runs_of(shard));
+        let (parts, there) = fill(&format!("{index}.csv"), shard, &GO);
+        assert_eq!(there, parts.n_runs());
         folders.push(parts.folder().to_path_buf());
         let out = folder.join("merged.csv");
         // What a kill leaves, longer than the table, goes.
         let left = folder.join(".merged.csv.1f.new");
         fs::write(&left, vec![b'x'; 1 << 20]).expect("a disk");
-        let merged = merge(&out, &folders);
+        let merged = merge(&out, &folders, Existing::Kept);
         if index < 3 {
             let message = merged.expect_err("shards are missing").to_string();
             assert!(
@@ -310,15 +317,17 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         }
     }
     // Stopped at once nothing is there; a part that is cut short is named.
-    let stopped = fill("stopped.csv", Shard::WHOLE, &STOPPED);
-    assert_eq!(stopped.runs_there(Shard::WHOLE), 0);
+    assert_eq!(fill("stopped.csv", Shard::WHOLE, &STOPPED).1, 0);
     let part = folders[0].join("part-000000007.csv");
     let text = fs::read_to_string(&part).expect("a part");
     fs::write(&part, &text[..text.len() - 5]).expect("a disk");
-    let message = merge(&folder.join("cut.csv"), &folders)
+    let message = merge(&folder.join("cut.csv"), &folders, Existing::Kept)
         .expect_err("damaged")
         .to_string();
-    assert!(message.contains("the part is damaged"), "{message}");
+    assert!(
+        message.contains("part-000000007.csv: found other bytes than were written"),
+        "{message}"
+    );
     assert!(!folder.join("cut.csv").exists(), "half a table is none");
 }
 
@@ -335,13 +344,13 @@ fn limit_a_compressed_table_is_the_same_table() {
         }),
     );
     let (plain, compressed) = (folder.join("runs.csv"), folder.join("runs.csv.zst"));
-    let parts = Parts::open(&sweep, &plain, false).expect("parts");
-    parts
-        .fill(&sweep, Shard::WHOLE, &GO, &|_| ())
-        .expect("a disk");
+    let parts = opened(&sweep, &plain, Shard::WHOLE);
+    parts.fill(&sweep, &GO, &|_| ()).expect("a disk");
     let folders = [parts.folder().to_path_buf()];
+    drop(parts);
     for out in [&plain, &compressed] {
-        assert_eq!(merge(out, &folders).expect("a table").runs, 1500);
+        let joined = merge(out, &folders, Existing::Kept);
+        assert_eq!(joined.expect("a table").runs, 1500);
     }
     let file = fs::File::open(&compressed).expect("a file");
     let mut text = Vec::new();

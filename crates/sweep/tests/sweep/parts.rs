@@ -1,44 +1,236 @@
-//! Parts of a table: how it is cut changes no byte of it.
+//! What is left of a sweep, changed in every way: never a wrong table, and nothing lost that is whole.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 
-use pounding_sweep::{Parts, Shard, merge};
-use serde_json::{Value, json};
+use pounding_files::Existing;
+use pounding_sweep::{Parts, Shard, Sweep, SweepError, merge};
+use serde_json::json;
 
-use crate::{GO, folder, scene, sweep};
+use crate::{GO, folder, opened, scene, sweep};
 
-/// A table that another version had begun to cut otherwise goes on with its parts, and has the same bytes.
-#[test]
-fn limit_a_table_cut_otherwise_has_the_same_bytes() {
-    let folder = folder("cut");
+/// Ten runs in ten parts, which are there, and the table that they make.
+struct Prepared {
+    sweep: Sweep,
+    out: PathBuf,
+    parts: PathBuf,
+    table: Vec<u8>,
+}
+
+fn prepared(test: &str) -> Prepared {
+    let folder = folder(test);
     let words = json!({
         "scene": scene(),
         "vary": [{"field": "contacts[0].gap_m", "uniform": {"from": 0.0, "to": 0.02}}],
-        "samples": {"count": 50, "seed": 4, "method": "sobol"},
+        "samples": {"count": 10, "seed": 4, "method": "sobol"},
     });
     let sweep = sweep(&folder, &words);
-    let mut tables = Vec::new();
-    for (name, cut) in [("usual.csv", None), ("other.csv", Some(7))] {
-        let out = folder.join(name);
-        let parts = Parts::open(&sweep, &out, false).expect("parts");
-        if let Some(runs) = cut {
-            let path = parts.folder().join("manifest.json");
-            let text = fs::read_to_string(&path).expect("a manifest");
-            let mut manifest: Value = serde_json::from_str(&text).expect("JSON");
-            manifest["runs_per_part"] = json!(runs);
-            fs::write(&path, manifest.to_string()).expect("a disk");
-        }
-        for shard in [Shard::new(2, 2).expect("a shard"), Shard::WHOLE] {
-            let parts = Parts::open(&sweep, &out, false).expect("they go on");
-            parts.fill(&sweep, shard, &GO, &|_| ()).expect("a disk");
-            assert_eq!(parts.runs_there(shard), parts.runs_of(shard));
-        }
-        let first = parts.folder().join("part-000000000.csv");
-        let lines = fs::read_to_string(&first).expect("a part").lines().count();
-        assert_eq!(lines, cut.unwrap_or(1), "{name}");
-        let joined = merge(&out, &[parts.folder().to_path_buf()]).expect("a table");
-        assert_eq!((joined.runs, joined.failed), (50, 0));
-        tables.push(fs::read(&out).expect("a table"));
+    let out = folder.join("runs.csv");
+    let parts = Parts::folder_of(&out);
+    assert_eq!(
+        opened(&sweep, &out, Shard::WHOLE)
+            .fill(&sweep, &GO, &|_| ())
+            .expect("a disk"),
+        10
+    );
+    let other = folder.join("other.csv");
+    merge(&other, std::slice::from_ref(&parts), Existing::Kept).expect("a table");
+    let table = fs::read(other).expect("a table");
+    Prepared {
+        sweep,
+        out,
+        parts,
+        table,
     }
-    assert!(tables[0] == tables[1], "cuts change bytes");
+}
+
+impl Prepared {
+    fn merged(&self) -> Result<Vec<u8>, SweepError> {
+        merge(
+            &self.out,
+            std::slice::from_ref(&self.parts),
+            Existing::Replaced,
+        )?;
+        Ok(fs::read(&self.out).expect("a table"))
+    }
+
+    /// What the sweep finds, runs again, and leaves.
+    fn mended(&self) -> (Vec<String>, u64) {
+        let parts = opened(&self.sweep, &self.out, Shard::WHOLE);
+        let said = parts.damaged().iter().map(ToString::to_string).collect();
+        let before = parts.n_runs_there();
+        assert_eq!(parts.fill(&self.sweep, &GO, &|_| ()).expect("a disk"), 10);
+        assert_eq!(self.merged_within(&parts), self.table);
+        (said, before)
+    }
+
+    /// The table of parts that this process holds.
+    fn merged_within(&self, parts: &Parts) -> Vec<u8> {
+        let other = self.out.with_file_name("mended.csv");
+        merge(&other, &[parts.folder().to_path_buf()], Existing::Replaced).expect("a table");
+        fs::read(other).expect("a table")
+    }
+}
+
+/// Every byte of a part and of a manifest, changed in two ways: the table is refused or right. A part is run again, alone.
+#[test]
+fn issue_no_byte_of_a_part_or_manifest_changes_unseen() {
+    let prepared = prepared("bytes");
+    let part = prepared.parts.join("part-000000003.csv");
+    let manifest = prepared.parts.join("manifest.json");
+    for path in [&part, &manifest] {
+        let whole = fs::read(path).expect("it is there");
+        for place in 0..whole.len() {
+            for change in [1, 0x10] {
+                let mut bytes = whole.clone();
+                bytes[place] ^= change;
+                fs::write(path, &bytes).expect("a disk");
+                match prepared.merged() {
+                    Ok(table) => assert!(path == &manifest && table == prepared.table, "{place}"),
+                    Err(error) => assert!(
+                        error.to_string().contains(&path.display().to_string()),
+                        "{error}"
+                    ),
+                }
+            }
+        }
+        for length in [0, whole.len() / 2, whole.len() - 2] {
+            fs::write(path, &whole[..length]).expect("a disk");
+            assert!(prepared.merged().is_err(), "{length} bytes");
+        }
+        fs::write(path, &whole).expect("a disk");
+    }
+    fs::write(&part, b"").expect("a disk");
+    let (said, before) = prepared.mended();
+    assert_eq!(before, 9, "the others stay");
+    assert!(
+        said.len() == 1 && said[0].contains("part-000000003.csv: found no bytes"),
+        "{said:?}"
+    );
+}
+
+/// A part in the place of another, rows that changed places, a part of another sweep.
+#[test]
+fn issue_parts_are_not_mixed() {
+    let prepared = prepared("mixed");
+    let path = |number: usize| prepared.parts.join(format!("part-{number:09}.csv"));
+    fs::copy(path(5), path(3)).expect("a disk");
+    let text = fs::read_to_string(path(6)).expect("a part");
+    fs::write(
+        path(6),
+        text.replacen("pounding sweep ", "pounding sweep 0", 1),
+    )
+    .expect("a disk");
+    assert!(prepared.merged().is_err());
+    let (said, before) = prepared.mended();
+    assert_eq!((said.len(), before), (2, 8), "{said:?}");
+}
+
+/// A manifest that was edited, or is of a form that this program does not know, is refused and nothing is deleted.
+#[test]
+fn issue_an_edited_manifest_is_refused() {
+    let prepared = prepared("edited");
+    let path = prepared.parts.join("manifest.json");
+    let whole = fs::read_to_string(&path).expect("a manifest");
+    for (from, to) in [
+        ("\"runs\": 10", "\"runs\": 0"),
+        ("\"runs\": 10", "\"runs\": 1000000000000000000"),
+        ("\"runs_per_part\": 1", "\"runs_per_part\": 0"),
+        ("collisions", "impacts"),
+        ("\"schema_version\": 1", "\"schema_version\": 2"),
+        ("  \"schema_version\": 1,\n", ""),
+    ] {
+        let edited = whole.replacen(from, to, 1);
+        assert_ne!(edited, whole);
+        fs::write(&path, edited).expect("a disk");
+        let sweep = Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, false).map(|_| ());
+        for refused in [prepared.merged().map(|_| ()), sweep] {
+            let said = refused.expect_err(to).to_string();
+            assert!(said.contains("manifest.json: found"), "{said}");
+        }
+    }
+    // As the message says: without it, what is whole stays.
+    fs::remove_file(&path).expect("a disk");
+    assert_eq!(prepared.mended().1, 10);
+    assert_eq!(fs::read_to_string(&path).expect("a manifest"), whole);
+}
+
+/// Files of somebody else in a folder of parts outlive the sweep, also with `--overwrite`.
+#[test]
+fn issue_files_of_others_stay() {
+    let prepared = prepared("foreign");
+    let notes = prepared.parts.join("notes.txt");
+    fs::write(&notes, "mine").expect("a disk");
+    let parts = opened(&prepared.sweep, &prepared.out, Shard::WHOLE);
+    parts.join(Existing::Kept).expect("a table");
+    assert_eq!(names(&prepared.parts), ["notes.txt"]);
+    // Nothing tells that the folder is ours; --overwrite takes it, and leaves what is not.
+    let open = |overwritten| Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, overwritten);
+    assert!(matches!(open(false), Err(SweepError::OtherSweep(_))));
+    drop(open(true).expect("parts"));
+    assert_eq!(names(&prepared.parts), ["manifest.json", "notes.txt"]);
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder").flatten();
+    let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    names
+}
+
+/// Ended between the table and the end of the clean-up, at every file: the next one ends it.
+#[test]
+fn issue_what_a_kill_leaves_of_a_clean_up_goes() {
+    let prepared = prepared("clean_up");
+    prepared.merged().expect("a table");
+    let open = || Parts::open(&prepared.sweep, &prepared.out, Shard::WHOLE, false).expect("parts");
+    assert!(open().expect("the parts").made_table().expect("a disk"));
+    let manifest = prepared.parts.join("manifest.json");
+    fs::rename(&manifest, manifest.with_file_name("joined.json")).expect("a disk");
+    fs::remove_file(prepared.parts.join("part-000000002.csv")).expect("a disk");
+    assert!(open().is_none(), "it has its table");
+    assert!(!prepared.parts.exists());
+    // A table that is not of these parts is not taken for theirs.
+    let (_, before) = prepared.mended();
+    assert_eq!(before, 0);
+    fs::write(&prepared.out, "run,failed\n").expect("a disk");
+    assert!(!open().expect("the parts").made_table().expect("a disk"));
+}
+
+/// Killed while it wrote its manifest, a sweep took the folder for another's.
+#[test]
+fn issue_half_a_manifest_is_nobodys() {
+    let prepared = prepared("half");
+    for name in names(&prepared.parts) {
+        fs::remove_file(prepared.parts.join(name)).expect("a disk");
+    }
+    fs::write(prepared.parts.join(".manifest.json.aBc1.new"), "{").expect("a disk");
+    assert_eq!(prepared.mended().1, 0);
+}
+
+/// One process at a time, or shards together.
+#[test]
+fn issue_one_process_works_on_a_table() {
+    let prepared = prepared("one");
+    let open = |shard| Parts::open(&prepared.sweep, &prepared.out, shard, true);
+    let [one, two] = [1, 2].map(|index| Shard::new(index, 2).expect("a shard"));
+    let whole = open(Shard::WHOLE).expect("parts");
+    for refused in [
+        open(one).map(|_| ()),
+        open(Shard::WHOLE).map(|_| ()),
+        prepared.merged().map(|_| ()),
+    ] {
+        let said = refused.expect_err("somebody is at work").to_string();
+        assert!(
+            said.contains(&format!("found process {}", std::process::id())),
+            "{said}"
+        );
+    }
+    drop(whole);
+    let shards =
+        [open(one), open(two), open(two)].map(|shard| shard.expect("shards work together"));
+    assert!(matches!(open(Shard::WHOLE), Err(SweepError::Lock(_))));
+    drop(shards);
+    assert!(open(Shard::WHOLE).is_ok());
 }

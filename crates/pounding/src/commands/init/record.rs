@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use pounding::motion::{AccelerationUnit, Accelerogram, Declared, ReadError, read_declared};
-use pounding::scene::STANDARD_GRAVITY;
+use pounding::scene::{STANDARD_GRAVITY, record_bytes};
 use pounding::text::digits;
 use serde_json::json;
 
@@ -49,7 +49,7 @@ impl Named {
                 "found a folder, allowed is a file; `pounding run SCENE --records` takes a folder",
             ));
         }
-        let bytes = fs::read(record).map_err(unreadable)?;
+        let bytes = record_bytes(record).map_err(unreadable)?;
         let (holds, missing) = read(&bytes).map_err(|reason| refused(&reason))?;
         let (path, is_absolute) = match from_scene(record, scene) {
             Some(path) => (path, false),

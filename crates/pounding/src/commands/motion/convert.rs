@@ -4,7 +4,7 @@ mod processing;
 mod provenance;
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use pounding::motion::{Record, read};
@@ -85,11 +85,10 @@ pub(super) fn run(args: &Arguments) -> Result<String, String> {
         of_file(args)?
     };
     let beside = args.out.with_extension("provenance.json");
-    let origin = motion.origin.as_ref().map(|origin| origin.path.as_path());
-    let read_from: Vec<&Path> = origin.into_iter().chain([args.file.as_path()]).collect();
+    let origin = motion.origin.as_ref().map(|origin| origin.path.clone());
+    let inputs: Vec<PathBuf> = origin.into_iter().chain([args.file.clone()]).collect();
     for written in [&args.out, &beside] {
-        keep(&read_from, written)?;
-        new_file::check(written, args.overwrite)?;
+        new_file::check(written, &inputs, args.overwrite)?;
     }
     let text = csv_of(&motion, args.to);
     let out = args.out.display();
@@ -108,23 +107,6 @@ pub(super) fn run(args: &Arguments) -> Result<String, String> {
         digits(time),
         beside.display()
     ))
-}
-
-/// Refuses to write over what was read, by whatever path.
-fn keep(read_from: &[&Path], written: &Path) -> Result<(), String> {
-    let same = |one: &&&Path| {
-        let (one, other) = (one.canonicalize(), written.canonicalize());
-        matches!((one, other), (Ok(one), Ok(other)) if one == other)
-    };
-    match read_from.iter().find(same) {
-        None => Ok(()),
-        Some(one) => Err(format!(
-            "{}: is the file that is read ({}), allowed is another, also with --overwrite: a raw record cannot be made \
-             again; name a new file",
-            written.display(),
-            one.display()
-        )),
-    }
 }
 
 fn of_file(args: &Arguments) -> Result<Motion, String> {

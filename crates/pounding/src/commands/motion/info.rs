@@ -5,7 +5,7 @@ mod printed;
 use std::path::PathBuf;
 
 use pounding::motion::{Drift, Measures, components};
-use pounding::scene::Orientation;
+use pounding::scene::{Orientation, record_bytes};
 use rayon::prelude::*;
 
 use super::source::{Declared, Named, Opened, files};
@@ -111,7 +111,7 @@ pub(super) fn run(args: &Arguments) -> Result<String, Failure> {
 /// The motions of a file: one, or each component, or the one that is asked for.
 fn motions(file: &Named, declared: &Declared) -> Vec<(Named, Option<String>)> {
     let names = || {
-        let bytes = std::fs::read(&file.path).ok()?;
+        let bytes = record_bytes(&file.path).ok()?;
         components(&bytes).ok().filter(|names| names.len() > 1)
     };
     let components = match &declared.component {

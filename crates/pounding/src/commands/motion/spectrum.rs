@@ -96,6 +96,9 @@ const DRAWN: u32 = 400;
 /// The spectra.
 pub(super) fn run(args: &Arguments) -> Result<String, String> {
     let opened = args.declared.open(&args.file)?;
+    if let Some(figure) = &args.figure {
+        new_file::check(figure, std::slice::from_ref(&args.file), args.overwrite)?;
+    }
     let periods = periods(args)?;
     let drawn = args.figure.as_ref().map(|_| between(args, &periods));
     let progress = Progress::new();

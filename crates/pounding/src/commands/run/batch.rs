@@ -97,8 +97,9 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
     } else {
         &[scene.record.reversed]
     };
-    if let Some(out) = &args.results.out {
-        folder::check(out, args.results.overwrite)?;
+    let out = args.results.open()?;
+    if let Some(out) = &out {
+        out.keep(&[super::super::inputs_in(folder), vec![path.clone()]].concat())?;
     }
     let ran = suite::lines(&scene, folder, directions, |prepared| {
         let review = prepared.review(!args.model.no_error)?;
@@ -110,10 +111,10 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
         Printed::Csv => data::csv(lines),
         Printed::Json => data::json(&scene, lines),
     };
-    if let Some(out) = &args.results.out {
-        folder::write(out, &files(&scene, lines))?;
+    if let Some(out) = out {
+        out.write(&files(&scene, lines))?;
         if args.printed() == Printed::Text {
-            let results = paragraph("Results", &out.display().to_string());
+            let results = paragraph("Results", &out.path().display().to_string());
             answer = format!("{answer}\n{results}");
         }
     }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use pounding::report::SCHEMA_VERSION;
 use pounding::scene::Origin;
 use serde_json::{Value, json};
 
@@ -16,6 +17,7 @@ pub(super) fn json_of(args: &Arguments, motion: &Motion) -> String {
         To::G => "g",
     };
     let said = json!({
+        "schema_version": SCHEMA_VERSION,
         "file": name(&args.out),
         "unit": unit,
         "gravity_m_per_s2": motion.gravity,

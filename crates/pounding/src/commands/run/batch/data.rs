@@ -1,6 +1,6 @@
 //! The lines of a folder of records for programs: CSV and JSON, SI units.
 
-use pounding::report::{PairSummary, StructureSummary};
+use pounding::report::{PairSummary, SCHEMA_VERSION, StructureSummary};
 use pounding::scene::Scene;
 use pounding::text::{Cell, csv_text, json_text};
 use serde_json::json;
@@ -120,5 +120,9 @@ pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
             json!({"record": line.motion, "reversed": line.reversed, "refused": reason})
         }
     };
-    json_text(&json!({"scene": scene, "motions": lines.iter().map(line).collect::<Vec<_>>()}))
+    json_text(&json!({
+        "schema_version": SCHEMA_VERSION,
+        "scene": scene,
+        "motions": lines.iter().map(line).collect::<Vec<_>>(),
+    }))
 }

@@ -1,0 +1,40 @@
+//! Files of a program that promises something about them: written whole and durably, read within bounds, by one process at a time.
+//!
+//! - [`write`](fn@write) and [`NewFile`]: a file is there whole or not at all, and after a power failure, too.
+//! - [`read`](fn@read): a regular file of bounded length; a device or a pipe is refused before it is opened.
+//! - [`Lock`]: one process writes an output; the next one is told who does.
+//! - [`input_at`]: whether an output is one of the inputs under any of its names.
+//!
+//! ```
+//! use pounding_files::{Existing, Length, read, write};
+//! # let folder = std::env::temp_dir().join(format!("pounding-files-{}", std::process::id()));
+//! # std::fs::create_dir_all(&folder)?;
+//! let path = folder.join("table.csv");
+//! write(&path, b"a,b\n", Existing::Replaced)?;
+//! assert_eq!(read(&path, Length::new(1 << 20, "take fewer rows"))?, b"a,b\n");
+//! assert!(write(&path, b"other", Existing::Kept).is_err());
+//! # std::fs::remove_dir_all(&folder)?;
+//! # Ok::<(), std::io::Error>(())
+//! ```
+//!
+//! Left out: what the files hold.
+
+mod lock;
+mod new_file;
+mod read;
+mod same;
+
+pub use lock::{Lock, LockError, Users};
+pub use new_file::{Existing, NewFile, hidden, leftovers, sync, sync_folder, write};
+pub use read::{Length, read, read_stream};
+pub use same::input_at;
+
+use std::path::Path;
+
+/// The folder that a path lies in; `.` for a bare name.
+pub fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}

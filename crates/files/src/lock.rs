@@ -1,0 +1,212 @@
+//! One writer of an output, who says so in a hidden file beside it.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use same_file::Handle;
+
+use crate::{folder_of, hidden};
+
+/// How many processes may work on an output at a time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Users {
+    /// This one.
+    One,
+    /// This one and others that also say so.
+    Several,
+}
+
+/// How often a lock is asked for: whoever leaves an output has it alone for a moment, to tidy up.
+const PATIENCE: u32 = 20;
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// Why an output is not ours.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum LockError {
+    /// Another process has it.
+    #[error(
+        "{}: found {holder} at work on it, allowed is one process; wait for its end, or name another output",
+        output.display()
+    )]
+    Held {
+        /// The output.
+        output: PathBuf,
+        /// Who has it.
+        holder: String,
+    },
+    /// The system refuses the file of the lock.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file of the lock.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+/// The right to write an output, until it is dropped or the process ends in any way.
+///
+/// It is an advisory lock of the system, which machines that share a disk share as far as that disk passes locks on: NFS from version
+/// 4 on and SMB do. Where there are no locks at all, [`is_kept`](Self::is_kept) is false.
+#[derive(Debug)]
+pub struct Lock {
+    path: PathBuf,
+    /// `None` where the system has no locks.
+    file: Option<File>,
+}
+
+impl Lock {
+    /// Takes an output, for itself or together with others. The folder that it lies in is made where there is none.
+    ///
+    /// # Errors
+    /// [`LockError`].
+    pub fn of(output: &Path, users: Users) -> Result<Self, LockError> {
+        let path = hidden(output, "lock");
+        let fault = |source| LockError::File {
+            path: path.clone(),
+            source,
+        };
+        fs::create_dir_all(folder_of(output)).map_err(fault)?;
+        let mut patience = PATIENCE;
+        loop {
+            let mut options = OpenOptions::new();
+            options.read(true).write(true).create(true).truncate(false);
+            let file = options.open(&path).map_err(fault)?;
+            let locked = match users {
+                Users::One => file.try_lock(),
+                Users::Several => file.try_lock_shared(),
+            };
+            match locked {
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) if patience > 0 => {
+                    patience -= 1;
+                    std::thread::sleep(PAUSE);
+                    continue;
+                }
+                Err(TryLockError::WouldBlock) => {
+                    return Err(LockError::Held {
+                        output: output.to_path_buf(),
+                        holder: holder(file),
+                    });
+                }
+                Err(TryLockError::Error(_)) => return Ok(Self { path, file: None }),
+            }
+            // The last one may have deleted the file between the opening and the lock.
+            if is_at(&file, &path).map_err(fault)? {
+                sign(&file).map_err(fault)?;
+                return Ok(Self {
+                    path,
+                    file: Some(file),
+                });
+            }
+        }
+    }
+
+    /// Whether other processes are kept off. If not, the disk knows no locks.
+    pub fn is_kept(&self) -> bool {
+        self.file.is_some()
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        let Some(file) = &self.file else { return };
+        // Who works with others leaves the file to the last one.
+        let is_last = file.unlock().is_ok() && file.try_lock().is_ok();
+        if is_last && is_at(file, &self.path).unwrap_or(false) {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+fn is_at(file: &File, path: &Path) -> io::Result<bool> {
+    match Handle::from_path(path) {
+        Ok(there) => Ok(there == Handle::from_file(file.try_clone()?)?),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
+/// Writes who has the lock, for whoever comes next.
+fn sign(mut file: &File) -> io::Result<()> {
+    file.set_len(0)?;
+    write!(file, "process {}{}", std::process::id(), machine())
+}
+
+/// Name of this machine, where it is told.
+fn machine() -> String {
+    let told = fs::read_to_string("/proc/sys/kernel/hostname").ok();
+    let told = told.or_else(|| {
+        ["HOSTNAME", "COMPUTERNAME"]
+            .iter()
+            .find_map(|name| std::env::var(name).ok())
+    });
+    told.map_or_else(String::new, |name| format!(" on {}", name.trim()))
+}
+
+/// Who signed, as far as it can be read.
+fn holder(file: File) -> String {
+    let mut signed = String::new();
+    let longest = 200;
+    let read = file.take(longest).read_to_string(&mut signed);
+    if read.is_ok() && signed.starts_with("process ") && !signed.contains(char::is_control) {
+        signed
+    } else {
+        "another process".into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_one_writes_or_several_do_together() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("table.csv");
+        let one = Lock::of(&output, Users::One).unwrap();
+        assert!(one.is_kept());
+        for users in [Users::One, Users::Several] {
+            let refused = Lock::of(&output, users).unwrap_err().to_string();
+            let own = format!("found process {}", std::process::id());
+            assert!(refused.contains(&own), "{refused}");
+        }
+        drop(one);
+        let several = [(); 3].map(|()| Lock::of(&output, Users::Several).unwrap());
+        assert!(Lock::of(&output, Users::One).is_err());
+        drop(several);
+        assert_eq!(
+            fs::read_dir(folder.path()).unwrap().count(),
+            0,
+            "the last one tidies up"
+        );
+        // What a kill leaves holds nobody off.
+        fs::write(hidden(&output, "lock"), "process 1").unwrap();
+        assert!(Lock::of(&output, Users::One).is_ok());
+    }
+
+    /// The file comes and goes, and still there is one at a time.
+    #[test]
+    fn extreme_many_take_turns() {
+        use std::sync::atomic::{AtomicUsize, Ordering};
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("table.csv");
+        let (inside, turns) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| {
+                    while turns.load(Ordering::SeqCst) < 500 {
+                        if let Ok(_lock) = Lock::of(&output, Users::One) {
+                            assert_eq!(inside.fetch_add(1, Ordering::SeqCst), 0, "two at once");
+                            turns.fetch_add(1, Ordering::SeqCst);
+                            inside.fetch_sub(1, Ordering::SeqCst);
+                        }
+                    }
+                });
+            }
+        });
+    }
+}

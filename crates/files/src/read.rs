@@ -1,0 +1,116 @@
+//! Regular files, no longer than allowed.
+
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+/// The longest that a file may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Length {
+    /// Number of bytes.
+    most: u64,
+    /// What to do about a longer one.
+    help: &'static str,
+}
+
+impl Length {
+    /// At most so many bytes; `help` says what to do about more.
+    pub const fn new(most: u64, help: &'static str) -> Self {
+        Self { most, help }
+    }
+
+    fn refused(self) -> io::Error {
+        let most = self.most >> 20;
+        refused(format!(
+            "it is longer than {most} MB, allowed are {most} MB; {}",
+            self.help
+        ))
+    }
+}
+
+fn refused(message: String) -> io::Error {
+    io::Error::new(ErrorKind::InvalidInput, message)
+}
+
+/// Reads a regular file to its end.
+///
+/// # Errors
+/// What the system says; a pipe, a device and a file that is too long are refused before memory is taken.
+pub fn read(path: &Path, length: Length) -> io::Result<Vec<u8>> {
+    // Opened first, a pipe would wait for somebody to fill it.
+    check(&fs::metadata(path)?, length)?;
+    let file = File::open(path)?;
+    let about = file.metadata()?;
+    check(&about, length)?;
+    let mut bytes = Vec::with_capacity(usize::try_from(about.len()).unwrap_or_default());
+    file.take(length.most + 1).read_to_end(&mut bytes)?;
+    within(bytes, length)
+}
+
+/// Reads what a stream, such as standard input, gives to its end.
+///
+/// # Errors
+/// What the system says, and a stream that is too long.
+pub fn read_stream(stream: impl Read, length: Length) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    stream.take(length.most + 1).read_to_end(&mut bytes)?;
+    within(bytes, length)
+}
+
+fn within(bytes: Vec<u8>, length: Length) -> io::Result<Vec<u8>> {
+    if bytes.len() as u64 > length.most {
+        return Err(length.refused());
+    }
+    Ok(bytes)
+}
+
+fn check(about: &fs::Metadata, length: Length) -> io::Result<()> {
+    // Of a folder the system says best what is wrong.
+    if about.is_dir() {
+        return Ok(());
+    }
+    if !about.is_file() {
+        return Err(refused(
+            "it is a pipe or a device, allowed is a file; write its text into one".into(),
+        ));
+    }
+    if about.len() > length.most {
+        return Err(length.refused());
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MOST: Length = Length::new(1 << 20, "take less");
+
+    #[test]
+    fn limit_a_file_is_read_up_to_its_allowed_length() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file");
+        for (length, allowed) in [(0, true), (1 << 20, true), ((1 << 20) + 1, false)] {
+            fs::write(&path, vec![b'x'; length]).unwrap();
+            assert_eq!(read(&path, MOST).is_ok(), allowed, "{length}");
+            let stream = &*vec![b'x'; length];
+            assert_eq!(read_stream(stream, MOST).is_ok(), allowed, "{length}");
+        }
+        let said = read(&path, MOST).unwrap_err().to_string();
+        assert_eq!(said, "it is longer than 1 MB, allowed are 1 MB; take less");
+        assert_eq!(
+            read(folder.path(), MOST).unwrap_err().kind(),
+            ErrorKind::IsADirectory
+        );
+    }
+
+    /// It was read until memory ended.
+    #[cfg(unix)]
+    #[test]
+    fn issue_a_device_without_end_is_refused() {
+        for device in ["/dev/zero", "/dev/null"] {
+            let said = read(Path::new(device), MOST).unwrap_err().to_string();
+            assert!(said.starts_with("it is a pipe or a device"), "{said}");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Whether two names are of one file.
+
+use std::path::{Path, PathBuf};
+
+use same_file::Handle;
+
+/// The input that `output` would write over, under this name or another: a link of either kind, or another way to the same folder.
+/// `None` if there is none, or nothing is at `output` yet.
+pub fn input_at<'a>(output: &Path, inputs: &'a [PathBuf]) -> Option<&'a Path> {
+    // Opened it could wait for somebody, as a pipe does.
+    if !output.is_file() {
+        return None;
+    }
+    let written = Handle::from_path(output).ok()?;
+    let read = |input: &Path| input.is_file().then(|| Handle::from_path(input).ok());
+    let mut inputs = inputs.iter().map(PathBuf::as_path);
+    inputs.find(|input| read(input).flatten().is_some_and(|input| input == written))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn extreme_all_names_of_an_input() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        for name in ["input", "other"] {
+            fs::write(at(name), "x").unwrap();
+        }
+        fs::hard_link(at("input"), at("hard")).unwrap();
+        std::os::unix::fs::symlink(at("input"), at("soft")).unwrap();
+        let inputs = [at("nowhere"), at("input")];
+        for name in ["input", "hard", "soft", "../input"] {
+            let output = match name.strip_prefix("../") {
+                Some(name) => folder.path().join(".").join(name),
+                None => at(name),
+            };
+            assert_eq!(input_at(&output, &inputs), Some(&*inputs[1]), "{name}");
+        }
+        for name in ["other", "nowhere"] {
+            assert_eq!(input_at(&at(name), &inputs), None, "{name}");
+        }
+    }
+}

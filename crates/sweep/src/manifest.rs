@@ -1,0 +1,220 @@
+//! What a folder of parts says of itself: of which sweep they are, and how its runs are cut into them.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use pounding_files::{Existing, Length};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::{Sweep, SweepError};
+
+/// Name of the file.
+pub(super) const MANIFEST: &str = "manifest.json";
+/// The same when the table is on disk, and what is left of the parts is to be deleted.
+pub(super) const JOINED: &str = "joined.json";
+
+/// Version of the form of parts and manifests. Raise it with every change of either.
+const SCHEMA_VERSION: u32 = 1;
+
+/// Its longest: the columns of some thousand floors.
+const LONGEST: Length = Length::new(64 << 20, "it is none that a sweep wrote");
+
+/// How a table is cut into parts.
+struct Cut {
+    /// About how many parts there are, so that little is lost with the one that is not whole.
+    parts: u64,
+    /// Least runs of a part.
+    least: u64,
+    /// Most runs of a part, which a thread holds in memory.
+    most: u64,
+}
+
+/// Of runs that take longer than a file.
+const ALONE: Cut = Cut {
+    parts: 1024,
+    least: 1,
+    most: 4096,
+};
+/// Of runs side by side: the file of a part takes as long as some fifty of them.
+const BESIDE: Cut = Cut {
+    parts: 128,
+    least: 512,
+    most: 16_384,
+};
+
+/// Of what a folder holds parts.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Manifest {
+    schema_version: u32,
+    /// SHA-256 of everything that the rows depend on, the program included.
+    pub(super) sweep: String,
+    /// Number of runs.
+    pub(super) runs: u64,
+    /// Number of runs of every part but the last.
+    pub(super) runs_per_part: u64,
+    /// The row that names the columns.
+    pub(super) header: String,
+    /// SHA-256 of all that stands above.
+    sha256: String,
+}
+
+impl Manifest {
+    pub(super) fn of(sweep: &Sweep) -> Self {
+        let runs = sweep.n_runs();
+        let cut = if sweep.asks_for_tallies() {
+            BESIDE
+        } else {
+            ALONE
+        };
+        let part = (runs / cut.parts).next_power_of_two();
+        Self {
+            schema_version: SCHEMA_VERSION,
+            sweep: sweep.sha256().into(),
+            runs,
+            runs_per_part: part.clamp(cut.least, cut.most),
+            header: String::from_utf8_lossy(&sweep.header()).into_owned(),
+            sha256: String::new(),
+        }
+        .signed()
+    }
+
+    fn signed(self) -> Self {
+        Self {
+            sha256: self.hash(),
+            ..self
+        }
+    }
+
+    /// One of so many runs in parts of so many.
+    #[cfg(test)]
+    pub(super) fn for_tests(runs: u64, runs_per_part: u64) -> Self {
+        Self {
+            schema_version: SCHEMA_VERSION,
+            sweep: "5eed".into(),
+            runs,
+            runs_per_part,
+            header: "run,failed\n".into(),
+            sha256: String::new(),
+        }
+        .signed()
+    }
+
+    /// SHA-256 of all of it but this hash.
+    fn hash(&self) -> String {
+        let Self {
+            schema_version,
+            sweep,
+            runs,
+            runs_per_part,
+            header,
+            sha256: _,
+        } = self;
+        let text = format!("{schema_version}\n{sweep}\n{runs}\n{runs_per_part}\n{header}");
+        pounding_scene::hexadecimal(&Sha256::digest(text))
+    }
+
+    /// That of a folder, by this name; nothing where it has none.
+    pub(super) fn read(folder: &Path, name: &str) -> Result<Option<Self>, SweepError> {
+        let path = folder.join(name);
+        let bytes = match pounding_files::read(&path, LONGEST) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            read => read.map_err(SweepError::file(&path))?,
+        };
+        // Of another version nothing else needs to be as here.
+        #[derive(Deserialize)]
+        struct Versioned {
+            schema_version: Option<u32>,
+        }
+        let version = serde_json::from_slice::<Versioned>(&bytes);
+        let version = version.map_err(|_| SweepError::DamagedManifest(path.clone()))?;
+        if version.schema_version != Some(SCHEMA_VERSION) {
+            return Err(SweepError::OtherForm {
+                path,
+                found: version.schema_version,
+                allowed: SCHEMA_VERSION,
+            });
+        }
+        let manifest: Option<Self> = serde_json::from_slice(&bytes).ok();
+        let whole = |one: &Self| one.sha256 == one.hash() && one.runs_per_part > 0;
+        let manifest = manifest.filter(whole);
+        manifest.map(Some).ok_or(SweepError::DamagedManifest(path))
+    }
+
+    /// Writes it into a folder that has none.
+    pub(super) fn write(&self, folder: &Path) -> Result<(), SweepError> {
+        let path = folder.join(MANIFEST);
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        pounding_files::write(&path, text.as_bytes(), Existing::Kept)
+            .map_err(SweepError::file(&path))
+    }
+
+    pub(super) fn n_parts(&self) -> u64 {
+        self.runs.div_ceil(self.runs_per_part)
+    }
+
+    /// The runs of a part.
+    pub(super) fn runs_of(&self, part: u64) -> Range<u64> {
+        let start = part * self.runs_per_part;
+        start..(start + self.runs_per_part).min(self.runs)
+    }
+
+    pub(super) fn n_runs_of(&self, part: u64) -> u64 {
+        let runs = self.runs_of(part);
+        runs.end - runs.start
+    }
+}
+
+/// The file of a part.
+pub(super) fn path_of(folder: &Path, part: u64) -> PathBuf {
+    folder.join(format!("{PART}{part:09}{CSV}"))
+}
+
+const PART: &str = "part-";
+const CSV: &str = ".csv";
+
+/// Whether a sweep writes files of this name into its folder: parts, manifests, and under a hidden name either.
+pub(super) fn is_own(name: &str) -> bool {
+    let part = |name: &str| {
+        let number = name
+            .strip_prefix(PART)
+            .and_then(|rest| rest.strip_suffix(CSV));
+        number.is_some_and(|number| number.bytes().all(|digit| digit.is_ascii_digit()))
+    };
+    let shown = match name.strip_prefix('.') {
+        Some(begun) => begun.rsplitn(3, '.').nth(2).unwrap_or_default(),
+        None => name,
+    };
+    part(shown) || [MANIFEST, JOINED].contains(&shown)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_own;
+
+    #[test]
+    fn limit_names_of_a_sweep() {
+        for own in [
+            "part-000000012.csv",
+            "manifest.json",
+            "joined.json",
+            ".part-000000001.csv.aB3x.new",
+        ] {
+            assert!(is_own(own), "{own}");
+        }
+        for other in [
+            "notes.txt",
+            "part-a.csv",
+            "part-1.csv.bak",
+            ".notes",
+            ".a.b.new",
+            "",
+            ".",
+            "manifest",
+        ] {
+            assert!(!is_own(other), "{other}");
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! The program, two sweeps, the tables that they make, and folders to break them in.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::json;
+
+/// The table in every folder.
+pub(super) const TABLE: &str = "runs.csv";
+
+/// Two sweeps that differ in their seed alone, as file and as table.
+pub(super) struct Bench {
+    pub(super) program: PathBuf,
+    home: PathBuf,
+    /// The bytes of their tables.
+    tables: [Vec<u8>; 2],
+    /// How long the first takes.
+    pub(super) time: Duration,
+    random: u64,
+}
+
+/// The sweeps.
+pub(super) const SWEEPS: [&str; 2] = ["first.json", "second.json"];
+
+impl Bench {
+    /// Builds the program and runs both sweeps.
+    pub(super) fn new(root: &Path, seed: u64) -> Result<Self, String> {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let mut build = Command::new(cargo);
+        let build = build
+            .args(["build", "--package", "pounding"])
+            .current_dir(root)
+            .status();
+        if !build.is_ok_and(|status| status.success()) {
+            return Err("the program cannot be built".into());
+        }
+        let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
+        let mut bench = Self {
+            program: own.with_file_name("pounding"),
+            home: own.with_file_name("torture"),
+            tables: [Vec::new(), Vec::new()],
+            time: Duration::ZERO,
+            random: seed,
+        };
+        for (index, sweep) in SWEEPS.into_iter().enumerate() {
+            let folder = bench.folder("alone")?;
+            let since = Instant::now();
+            let ended = bench.sweep(&folder, sweep, &[]);
+            bench.time = since.elapsed();
+            if !ended.status.success() {
+                return Err(format!("alone: {}", said(&ended)));
+            }
+            bench.tables[index] = read(&folder)?;
+        }
+        Ok(bench)
+    }
+
+    /// A folder with the sweeps and nothing else.
+    pub(super) fn folder(&self, name: &str) -> Result<PathBuf, String> {
+        let folder = self.home.join(name);
+        if folder.exists() {
+            fs::remove_dir_all(&folder).map_err(|error| format!("{name}: {error}"))?;
+        }
+        write_sweeps(&folder).map(|()| folder)
+    }
+
+    /// The program in a folder; start or run it.
+    pub(super) fn command(&self, folder: &Path, arguments: &[&str]) -> Command {
+        let mut command = Command::new(&self.program);
+        command.args(arguments).current_dir(folder);
+        command
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
+        command
+    }
+
+    /// Runs a sweep to its end.
+    pub(super) fn sweep(&self, folder: &Path, sweep: &str, more: &[&str]) -> Output {
+        let arguments = [&["sweep", sweep, "--out", TABLE], more].concat();
+        let ended = self.command(folder, &arguments).output();
+        ended.expect("the program was built")
+    }
+
+    /// Whether the table of a folder is that of this sweep.
+    pub(super) fn is_table_of(&self, folder: &Path, sweep: usize) -> Result<bool, String> {
+        Ok(read(folder)? == self.tables[sweep])
+    }
+
+    /// Ends the first sweep after whatever was done to it, and holds the table to what it must be. A table that is there must be right.
+    pub(super) fn ends_well(&self, folder: &Path) -> Result<(), String> {
+        let was_there = folder.join(TABLE).exists();
+        if was_there && !self.is_table_of(folder, 0)? {
+            return Err(format!("{}: a wrong table", folder.display()));
+        }
+        let ended = self.sweep(folder, SWEEPS[0], &[]);
+        let is_done = was_there && said(&ended).contains("is there already");
+        if !ended.status.success() && !is_done {
+            return Err(format!(
+                "{}: the same command again: {}",
+                folder.display(),
+                said(&ended)
+            ));
+        }
+        if !self.is_table_of(folder, 0)? {
+            return Err(format!("{}: a wrong table in the end", folder.display()));
+        }
+        if !is_done && folder.join(format!("{TABLE}.parts")).exists() {
+            return Err(format!("{}: parts were left", folder.display()));
+        }
+        Ok(())
+    }
+
+    /// A random number from 0 to 1 (xorshift of G. Marsaglia, *J. Stat. Softw.* 8 (2003) 14).
+    pub(super) fn random(&mut self) -> f64 {
+        let state = &mut self.random;
+        *state = (*state).max(1);
+        *state ^= *state << 13;
+        *state ^= *state >> 7;
+        *state ^= *state << 17;
+        (*state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// Writes both sweeps into a folder.
+pub(super) fn write_sweeps(folder: &Path) -> Result<(), String> {
+    let fail = |error: std::io::Error| format!("{}: {error}", folder.display());
+    fs::create_dir_all(folder).map_err(fail)?;
+    for (seed, name) in SWEEPS.into_iter().enumerate() {
+        fs::write(folder.join(name), sweep(seed).to_string()).map_err(fail)?;
+    }
+    Ok(())
+}
+
+/// Two structures under half a sine, with 400 gaps and periods.
+fn sweep(seed: usize) -> serde_json::Value {
+    let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
+    json!({
+        "scene": {
+            "name": "two",
+            "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}}},
+            "duration_s": 1.0,
+            "structures": [structure("left", 0.8), structure("right", 0.4)],
+            "contacts": [{"gap_m": 0.01, "law": {"linear_spring": {"impact_stiffness_n_per_m": 1e8}}}],
+            "method": {"central_difference": {"time_step_s": 0.002}},
+        },
+        "vary": [
+            {"field": "contacts[0].gap_m", "uniform": {"from": 0.0, "to": 0.02}},
+            {"field": "structures[0].sdof.period_s", "log_uniform": {"from": 0.3, "to": 1.5}},
+        ],
+        "samples": {"count": 400, "seed": seed, "method": "sobol"},
+    })
+}
+
+/// The table of a folder.
+pub(super) fn read(folder: &Path) -> Result<Vec<u8>, String> {
+    fs::read(folder.join(TABLE))
+        .map_err(|error| format!("{}: {error}", folder.join(TABLE).display()))
+}
+
+/// Standard error.
+pub(super) fn said(ended: &Output) -> String {
+    String::from_utf8_lossy(&ended.stderr).trim().to_owned()
+}

@@ -1,0 +1,74 @@
+//! Every call of the system that changes the disk, refused once.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use super::bench::{Bench, SWEEPS, TABLE, said};
+
+/// Calls, and what they say. Those of each line are counted together.
+const CALLS: [(&str, &str); 5] = [
+    ("write,pwrite64", "ENOSPC"),
+    ("fsync,fdatasync", "EIO"),
+    ("rename,renameat,renameat2,link,linkat", "EIO"),
+    ("unlink,unlinkat,rmdir", "EIO"),
+    ("mkdir,mkdirat,ftruncate,flock", "EIO"),
+];
+/// Of many calls of a kind so many are tried, the last ones among them: they put the table in its place.
+const MOST: usize = 60;
+
+/// Refuses one call after the other.
+pub(super) fn run(bench: &Bench) -> Result<(), String> {
+    if !super::power::is_there("strace") {
+        println!("Errors of writing are left out: strace is not installed.");
+        return Ok(());
+    }
+    let mut tried = 0;
+    for (calls, error) in CALLS {
+        let n = count(bench, calls)?;
+        let step = n.div_ceil(MOST).max(1);
+        let last = n.saturating_sub(8)..=n;
+        for at in (1..=n).step_by(step).chain(last).filter(|at| *at > 0) {
+            let folder = bench.folder("writes")?;
+            let inject = format!("inject={calls}:error={error}:when={at}");
+            let ended = traced(bench, &folder, &["-e", &inject]);
+            let ended = ended.output().map_err(|error| format!("strace: {error}"))?;
+            let code = ended.status.code();
+            if code == Some(0) && !bench.is_table_of(&folder, 0)? || !matches!(code, Some(0 | 1)) {
+                return Err(format!("{inject}: exit code {code:?}: {}", said(&ended)));
+            }
+            bench
+                .ends_well(&folder)
+                .map_err(|broken| format!("{inject}: {broken}"))?;
+            tried += 1;
+        }
+    }
+    println!("{tried} refused calls of the system: exit code 1, or the right table.");
+    Ok(())
+}
+
+fn traced(bench: &Bench, folder: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new("strace");
+    command
+        .args(["-f", "-q", "-o", "trace"])
+        .args(more)
+        .arg(&bench.program);
+    command
+        .args(["sweep", SWEEPS[0], "--out", TABLE])
+        .current_dir(folder);
+    // One thread, so that the same call has the same number.
+    command.env("RAYON_NUM_THREADS", "1").stdout(Stdio::null());
+    command
+}
+
+/// How many calls of these there are.
+fn count(bench: &Bench, calls: &str) -> Result<usize, String> {
+    let folder = bench.folder("writes")?;
+    let trace = format!("trace={calls}");
+    let ended = traced(bench, &folder, &["-e", &trace]).output();
+    let ended = ended.map_err(|error| format!("strace: {error}"))?;
+    if !ended.status.success() {
+        return Err(format!("strace: {}", said(&ended)));
+    }
+    let trace = std::fs::read_to_string(folder.join("trace")).unwrap_or_default();
+    Ok(trace.lines().filter(|line| line.contains('(')).count())
+}
