@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 
 use super::{Sweep, SweepError};
 
-/// Name of the file.
-pub(super) const MANIFEST: &str = "manifest.json";
+pub(super) use super::error::MANIFEST;
+
 /// The same when the table is on disk, and what is left of the parts is to be deleted.
 pub(super) const JOINED: &str = "joined.json";
 

@@ -74,8 +74,7 @@ fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String>
         .command(&disk.place, &arguments)
         .spawn()
         .map_err(fail)?;
-    // On a disk of its own it takes longer.
-    let wait = bench.time.mul_f64(3.0 * bench.random());
+    let wait = bench.time.mul_f64(1.2 * bench.random());
     if within {
         thread::sleep(wait);
         disk.shut_down()?;
