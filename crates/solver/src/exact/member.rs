@@ -258,8 +258,11 @@ impl Member {
     /// The first coefficient of the rate of the drift that is more than rounding.
     fn leading_rate(&self, below: Option<&Self>, p: usize) -> Option<f64> {
         let mut rates = self.drift_rate().iter().enumerate();
-        // Where the acceleration is zero by an event, rounding has no say in it.
-        let leading = rates.find(|(n, rate)| rate.abs() > self.noise_of_rate(below, p, *n));
+        // Where the acceleration is zero by an event, rounding has no say in it. What is zero is no more than any rounding: a row at rest
+        // before its record begins need not ask.
+        let leads =
+            |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
+        let leading = rates.find(|(n, rate)| leads(*n, **rate));
         leading.map(|(_, rate)| *rate)
     }
 
