@@ -43,9 +43,10 @@ mod summary;
 
 use std::collections::BTreeMap;
 
-pub use assessment::{AssessedMotion, AssessmentReport};
+pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
+use figures::Known;
 use history::Motion;
-use pounding_scene::{Effects, Error, Review, Simulation};
+use pounding_scene::{Effects, Error, Review, RunResult, Simulation};
 use sampling::Sampling;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
@@ -60,6 +61,16 @@ pub struct Report<'a> {
     review: Review,
     sampling: Sampling,
     effects: Option<Effects>,
+    directions: Option<Directions>,
+}
+
+/// What both directions of shaking do.
+#[derive(Debug)]
+struct Directions {
+    /// A sentence for each, the worse one first.
+    sentences: [String; 2],
+    /// The run in the other direction than the scene's; `None` if it failed.
+    other: Option<RunResult>,
 }
 
 impl<'a> Report<'a> {
@@ -74,6 +85,7 @@ impl<'a> Report<'a> {
             review: prepared.review_recorded(measure, Some(sampling.interval))?,
             sampling,
             effects: None,
+            directions: None,
         })
     }
 
@@ -81,6 +93,21 @@ impl<'a> Report<'a> {
     #[must_use]
     pub fn with_effects(self, effects: Option<Effects>) -> Self {
         Self { effects, ..self }
+    }
+
+    /// The same with both directions of shaking on the first page: a sentence for each, the worse one first, and the run in the other
+    /// direction than the scene's, unless it failed.
+    #[must_use]
+    pub fn with_directions(self, sentences: [String; 2], other: Option<RunResult>) -> Self {
+        Self {
+            directions: Some(Directions { sentences, other }),
+            ..self
+        }
+    }
+
+    /// The run in the other direction than the scene's, where it is known.
+    fn other(&self) -> Option<&RunResult> {
+        self.directions.as_ref()?.other.as_ref()
     }
 
     /// The run with what is known of its errors.
@@ -111,8 +138,11 @@ impl<'a> Report<'a> {
         let travel = prepared.travel();
         let motion = Motion::of(prepared, travel.as_ref(), outcome);
         let summary = self.summary();
-        let illustrations =
-            figures::illustrations(motion, outcome, &summary.pairs, self.effects.as_ref());
+        let known = Known {
+            effects: self.effects.as_ref(),
+            other: self.other(),
+        };
+        let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
         let page = page::html(self, &summary, &illustrations);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),

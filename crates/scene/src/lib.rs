@@ -55,9 +55,9 @@ pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
 pub use assess::FloorPeaks;
 pub use assess::assessment::{
     Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RuleAssessment,
-    WORSE,
+    RunOfEvent, StiffnessEffect, WORSE,
 };
-pub use assess::design::{DesignSpectrum, DesignSpectrumError, Eurocode8Ground};
+pub use assess::design::{DesignSpectrum, DesignSpectrumError, Eurocode8Ground, acceleration_in_g};
 pub use assess::distribution::Distribution;
 pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
 pub use assess::run::{
@@ -65,6 +65,7 @@ pub use assess::run::{
 };
 pub use assess::scaling::Scaling;
 pub use assess::separation::{Rule, Separation};
+pub use assess::target_fit::{LEAST_SHARE, MotionSpectrum, TargetFit};
 pub use file::error::{Error, Vertical};
 pub use file::fault::Fault;
 pub use file::motion_error::MotionError;
@@ -96,4 +97,5 @@ pub use spectrum::{
     SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
     response_spectrum_watched, scaled_to_sa,
 };
+pub use suite::events::events;
 pub use suite::{Motion, Orientation, files_in};

@@ -1,5 +1,7 @@
 //! A folder of records, each of which shakes the same row.
 
+pub(crate) mod events;
+
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -130,12 +132,16 @@ impl Motion {
 
     /// Name for tables: that of the file, and the component.
     pub fn name(&self) -> String {
-        let name = self.path.file_name().unwrap_or_default();
-        let file = name.to_string_lossy();
+        let file = self.file_name();
         match &self.component {
             Some(component) => format!("{file} {component}"),
-            None => file.into_owned(),
+            None => file,
         }
+    }
+
+    fn file_name(&self) -> String {
+        let name = self.path.file_name().unwrap_or_default();
+        name.to_string_lossy().into_owned()
     }
 }
 

@@ -4,10 +4,10 @@ mod text;
 
 use std::path::PathBuf;
 
-use pounding::report::{AssessedMotion, AssessmentReport};
+use pounding::report::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::{
-    AssessedRun, DesignSpectrum, DesignSpectrumError, Error, Method, ScaleTo, Scaling, Scene,
-    Structure,
+    AssessedRun, DesignSpectrum, DesignSpectrumError, Error, Method, MotionSpectrum, ScaleTo,
+    Scaling, Scene, Structure, acceleration_in_g,
 };
 use pounding::text::{digits, json_text};
 
@@ -25,7 +25,8 @@ Examples:
   pounding assess scene.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
 
 Every horizontal motion of the folder shakes the row in both directions, by the
-exact method. The answer is one for these records: choose and scale them for the
+exact method. Components of one file, and files whose names differ in the
+direction alone, are of one event. The answer is one for these records: choose and scale them for the
 site. The stiffness of impacts is known to an order of magnitude; forces are
 ranges over --stiffness.
 
@@ -85,24 +86,25 @@ struct Printed {
 
 /// What records are scaled to, in the words of the command line.
 fn scaling(text: &str) -> Result<Scaling, String> {
-    const ALLOWED: &str = "allowed are none, pga=0.3g and sa(0.8s)=0.5g";
-    let number = |text: &str, unit: &str| {
-        let number = text.trim().strip_suffix(unit).unwrap_or(text).trim();
-        super::positive(number).map_err(|_| ALLOWED.to_string())
-    };
+    const ALLOWED: &str = "allowed are none, pga=0.3g and sa(0.8s)=0.5g, or in m/s2: pga=2.9m/s2";
     if text == "none" {
         return Ok(Scaling::Unscaled);
     }
     let (what, value) = text.split_once('=').ok_or(ALLOWED)?;
-    let value = number(value, "g")?;
+    let value = acceleration_in_g(value).ok_or_else(|| match super::positive(value.trim()) {
+        Ok(_) => format!("{value} has no unit: write {value}g or {value}m/s2"),
+        Err(_) => ALLOWED.into(),
+    })?;
     if what == "pga" {
         return Ok(Scaling::To(ScaleTo::PgaG(value)));
     }
     let period = what
         .strip_prefix("sa(")
-        .and_then(|rest| rest.strip_suffix(')'));
+        .and_then(|rest| rest.strip_suffix(')'))
+        .map(|period| period.strip_suffix('s').unwrap_or(period).trim());
+    let period_s = period.and_then(|period| super::positive(period).ok());
     Ok(Scaling::To(ScaleTo::Sa {
-        period_s: number(period.ok_or(ALLOWED)?, "s")?,
+        period_s: period_s.ok_or(ALLOWED)?,
         damping_ratio: 0.05,
         sa_g: value,
     }))
@@ -188,9 +190,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         &args.records,
         &[false, true],
         |motion| scaling.applied(&scene, motion),
-        |prepared| prepared.assessed([from, 1.0, to]),
+        |prepared, spectrum| Ok((prepared.assessed([from, 1.0, to])?, spectrum.clone())),
     )?;
-    let report = args.report(scene, &ran.lines).map_err(message)?;
+    let report = args.report(scene, scaling, &ran.lines).map_err(message)?;
     let report = report.ok_or("no run was finished")?;
     let Printed { details, csv, json } = args.printed;
     let mut text = if json {
@@ -215,24 +217,40 @@ impl Arguments {
     fn report(
         &self,
         scene: Scene,
-        lines: &[suite::Line<AssessedRun>],
+        scaling: Scaling,
+        lines: &[suite::Line<(AssessedRun, Option<MotionSpectrum>)>],
     ) -> Result<Option<AssessmentReport>, Error> {
         let found = lines.iter().filter_map(|line| {
+            let (run, spectrum) = line.found.as_ref().ok()?.clone();
             Some(AssessedMotion {
                 name: line.motion.clone(),
+                event: line.event,
                 reversed: line.reversed,
-                run: line.found.as_ref().ok()?.clone(),
+                spectrum,
+                run,
             })
         });
-        let said = suite::left_out(lines)
-            .into_iter()
-            .chain(suite::untold(lines));
+        let folder = FolderOfMotions {
+            vertical: suite::count(lines, |line| line.vertical),
+            failed: suite::count(lines, |line| {
+                let mut same = lines.iter().filter(|other| other.motion == line.motion);
+                !line.vertical && same.all(|other| other.found.is_err())
+            }),
+            remarks: suite::left_out(lines)
+                .into_iter()
+                .chain(suite::untold(lines))
+                .collect(),
+        };
+        let scaling = ScalingAsked {
+            to: scaling,
+            words: self.scaling_words(),
+        };
         let report = AssessmentReport::of(scene, found.collect())?;
         Ok(report.map(|report| {
             report
-                .with_remarks(said.collect())
+                .with_folder(folder)
                 .with_stiffness(self.stiffness)
-                .with_scaling(self.scaling_words())
+                .with_scaling(scaling)
                 .signed(self.author.clone(), self.date.clone())
         }))
     }

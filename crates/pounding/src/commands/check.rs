@@ -12,7 +12,7 @@ use pounding::text::digits;
 
 use crate::progress::Waiting;
 use crate::record;
-use crate::summary::{method_lines, warnings};
+use crate::summary::{direction, method_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
 
 const EXAMPLES: &str = "\
@@ -20,8 +20,8 @@ Examples:
   pounding check studies/examples/two-structures.json
   pounding check scene.toml --json > plan.json
 
-The collisions to expect are those of the exact run, which takes some
-milliseconds.";
+The collisions to expect are those of the exact run. What neither direction of
+shaking needs is named.";
 
 /// What is asked of `check`.
 #[derive(Debug, clap::Args)]
@@ -47,8 +47,32 @@ struct Plan<'a> {
 struct Expected {
     outcome: RunResult,
     limits: Limits,
-    /// What the scene gives and does not need.
+    /// The exact run under the reversed shaking; `None` if it fails.
+    reversed: Option<RunResult>,
+    /// What the scene gives and needs in neither direction, or in its own if the reversed run fails.
     unneeded: Vec<String>,
+}
+
+impl Expected {
+    fn of(prepared: &Simulation, outcome: RunResult) -> Self {
+        let reversed = direction::other_exact(prepared).ok();
+        let runs: Vec<&RunResult> = std::iter::once(&outcome).chain(&reversed).collect();
+        Self {
+            limits: prepared.limits(&outcome),
+            unneeded: prepared.unneeded(&runs),
+            reversed,
+            outcome,
+        }
+    }
+
+    /// What is expected of a pair that does not touch in the direction of the scene.
+    fn apart(&self, pair: usize) -> &'static str {
+        match &self.reversed {
+            None => "stays open",
+            Some(run) if run.collisions_of(pair).next().is_some() => "reversed",
+            Some(_) => "stays open",
+        }
+    }
 }
 
 /// Checks a scene; returns what would run.
@@ -71,11 +95,7 @@ impl<'a> Plan<'a> {
             Ok(outcome) => {
                 let before = prepared.warnings_before(&outcome);
                 warnings.extend(before.iter().map(ToString::to_string));
-                Some(Expected {
-                    limits: prepared.limits(&outcome),
-                    unneeded: prepared.unneeded(&outcome),
-                    outcome,
-                })
+                Some(Expected::of(prepared, outcome))
             }
             Err(error) => {
                 warnings.push(format!(
@@ -104,7 +124,7 @@ fn text(plan: &Plan<'_>) -> String {
     ];
     if let Some(expected) = &plan.expected {
         parts.push(paragraph("Cost", &cost_lines(prepared, &expected.outcome)));
-        parts.push(pairs(prepared, &expected.limits));
+        parts.push(pairs(prepared, expected));
     }
     parts.push(paragraph("Notes", NOTES));
     let doubts = prepared.doubts();
@@ -123,7 +143,8 @@ fn text(plan: &Plan<'_>) -> String {
 
 const NOTES: &str = "Limit: from this time step on the motion grows without bound; of a pair, may do so while it touches \
                      (a structure that is pressed from both sides: from 0.7 times that).\nSpeed: the \
-                     largest at which the pair meets in the exact run; lasts, steps and e are those of a free collision \
+                     largest at which the pair meets in the exact run, \
+                     \"reversed\" of a pair that only the reversed shaking closes; lasts, steps and e are those of a free collision \
                      at that speed, e that of the law and what the method makes of it.";
 
 /// What of the scene is modelled, and what is left out because the scene does not require it.
@@ -170,7 +191,13 @@ fn model_lines(plan: &Plan<'_>) -> String {
     ];
     // What is asked for is modelled, so that a run can tell; what the exact run needs of it is said.
     let unneeded = plan.expected.iter().flat_map(|expected| &expected.unneeded);
-    lines.extend(unneeded.map(|what| format!("not needed: {what}")));
+    let both = plan.expected.iter().any(|one| one.reversed.is_some());
+    let directions = if both {
+        "in neither direction"
+    } else {
+        "in this direction"
+    };
+    lines.extend(unneeded.map(|what| format!("needed {directions}: {what}")));
     lines.extend(travel_line(prepared));
     lines.join("\n")
 }
@@ -266,7 +293,7 @@ fn yields_at(structure: &Structure) -> String {
     }
 }
 
-fn pairs(prepared: &Simulation, limits: &Limits) -> String {
+fn pairs(prepared: &Simulation, expected: &Expected) -> String {
     let scene = prepared.scene();
     let contacts = scene.contacts.as_deref().unwrap_or_default();
     if contacts.is_empty() {
@@ -287,9 +314,10 @@ fn pairs(prepared: &Simulation, limits: &Limits) -> String {
         let [left, right] = floors.names(index);
         let gap = contacts[floors.facing()[index].contact].gap_m;
         let mut row = vec![format!("{left} – {right}"), digits(gap * 1e3)];
-        match limits.contacts.iter().find(|limit| limit.pair == index) {
+        let mut limits = expected.limits.contacts.iter();
+        match limits.find(|limit| limit.pair == index) {
             Some(limit) => row.extend(contact_numbers(limit)),
-            None => row.extend(["never", "", "", "", "", ""].map(String::from)),
+            None => row.extend([expected.apart(index), "", "", "", "", ""].map(String::from)),
         }
         row
     });

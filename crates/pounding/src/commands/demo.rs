@@ -50,11 +50,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let prepared = super::prepare(&path, false).map_err(message)?;
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
-    out.write(&report.files())?;
     let other = summary::direction::other(&prepared);
+    let both = summary::direction::sentences(&prepared, &report.review().outcome, &other);
+    let report = report.with_directions(both.clone(), other.ok());
+    out.write(&report.files())?;
     Ok(format!(
         "{}\n{}\n{}\n{}",
-        summary::direction::text(&prepared, &report.review().outcome, &other),
+        summary::direction::text(&both),
         summary::brief(&prepared, report.review()),
         paragraph(
             "Results",

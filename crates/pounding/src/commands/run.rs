@@ -6,7 +6,7 @@ mod effects;
 use std::path::{Path, PathBuf};
 
 use pounding::report::{Report, Summary};
-use pounding::scene::{Effects, Error, Review, SceneError, Simulation};
+use pounding::scene::{Effects, Error, Review, RunResult, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
 use crate::folder::ResultFolder;
@@ -172,24 +172,32 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
         format!("{}{hint}", refused(error))
     })?;
-    let other = if args.shown.json || args.shown.one_direction {
-        None
-    } else {
-        Some(summary::direction::other(&prepared))
+    let unread = args.shown.json && args.results.out.is_none();
+    let other =
+        (!unread && !args.shown.one_direction).then(|| summary::direction::other(&prepared));
+    let sentences = |outcome: &RunResult| {
+        let other = other.as_ref()?;
+        Some(summary::direction::sentences(&prepared, outcome, other))
+    };
+    let with_answer = |both: Option<&[String; 2]>, text: String| match both {
+        Some(both) if !args.shown.json => format!("{}\n{text}", summary::direction::text(both)),
+        Some(_) | None => text,
     };
     let Some(out) = out else {
         let review = prepared.review(measure).map_err(refused)?;
-        let other = other.map(|other| summary::direction::text(&prepared, &review.outcome, &other));
+        let both = sentences(&review.outcome);
         let text = printed(args, &prepared, effects, &review);
-        return Ok(other.map_or(text.clone(), |other| format!("{other}\n{text}")));
+        return Ok(with_answer(both.as_ref(), text));
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
-    let report = report.with_effects(effects.clone());
+    let both = sentences(&report.review().outcome);
+    let mut report = report.with_effects(effects.clone());
+    if let Some(both) = both.clone() {
+        report = report.with_directions(both, other.and_then(Result::ok));
+    }
     out.write(&report.files())?;
     let text = printed(args, &prepared, effects, report.review());
-    let other =
-        other.map(|other| summary::direction::text(&prepared, &report.review().outcome, &other));
-    let text = other.map_or(text.clone(), |other| format!("{other}\n{text}"));
+    let text = with_answer(both.as_ref(), text);
     let page = out.path().join("report.html");
     Ok(if args.shown.json {
         text

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::scene::{Error, Motion, Orientation, Scene, Simulation};
+use pounding::scene::{Error, Motion, Orientation, Scene, Simulation, events};
 use rayon::prelude::*;
 
 use crate::progress::Progress;
@@ -11,6 +11,10 @@ use crate::progress::Progress;
 /// What became of a scene under one motion in one direction.
 pub(super) struct Line<T> {
     pub(super) motion: String,
+    /// Number of the event that the motion is of.
+    pub(super) event: usize,
+    /// Whether it lies upright.
+    pub(super) vertical: bool,
     pub(super) reversed: bool,
     /// Whether nothing tells how the motion lies.
     pub(super) untold: bool,
@@ -49,6 +53,42 @@ impl<T> Ran<T> {
     }
 }
 
+/// A motion in one direction, and the scene that it is to shake.
+struct Case<'m, K> {
+    motion: &'m Motion,
+    event: usize,
+    scene: &'m Result<(Scene, K), String>,
+    reversed: bool,
+}
+
+impl<K> Case<'_, K> {
+    /// What becomes of it; nothing where Ctrl-C ended its run.
+    fn line<T>(&self, run: impl Fn(&Simulation, &K) -> Result<T, Error>) -> Option<Line<T>> {
+        let found = match self.scene {
+            Err(reason) => Err(reason.clone()),
+            Ok((scene, known)) => {
+                let prepared = self
+                    .motion
+                    .shake_until(scene, self.reversed, Some(&STOPPED));
+                let found = prepared.and_then(|prepared| run(&prepared, known));
+                if found.as_ref().is_err_and(Error::is_stopped) {
+                    return None;
+                }
+                found.map_err(|error| error.reason())
+            }
+        };
+        let orientation = &self.motion.orientation;
+        Some(Line {
+            motion: self.motion.name(),
+            event: self.event,
+            vertical: matches!(orientation, Orientation::Vertical(_)),
+            reversed: self.reversed,
+            untold: *orientation == Orientation::Untold,
+            found,
+        })
+    }
+}
+
 /// Whether Ctrl-C was pressed, or the system asked the program to end (SIGTERM, SIGHUP).
 pub(super) static STOPPED: AtomicBool = AtomicBool::new(false);
 
@@ -84,42 +124,45 @@ pub(super) fn lines<T: Send>(
     directions: &[bool],
     run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
-    let scene = |_: &Motion| Ok(scene.clone());
-    lines_of(folder, directions, scene, run)
+    let scene = |_: &Motion| Ok((scene.clone(), ()));
+    lines_of(folder, directions, scene, |prepared, ()| run(prepared))
 }
 
-/// The same with a scene for every motion.
+/// The same with a scene for every motion, and what its runs have to know besides.
 ///
 /// # Errors
 /// Those of [`lines`].
-pub(super) fn lines_of<T: Send>(
+pub(super) fn lines_of<T: Send, K: Send + Sync>(
     folder: &Path,
     directions: &[bool],
-    scene: impl Fn(&Motion) -> Result<Scene, Error> + Sync,
-    run: impl Fn(&Simulation) -> Result<T, Error> + Sync,
+    scene: impl Fn(&Motion) -> Result<(Scene, K), Error> + Sync,
+    run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
     stop_when_asked();
     let motions = motions(folder)?;
-    let cases: Vec<_> = motions
-        .iter()
-        .flat_map(|motion| directions.iter().map(move |reversed| (motion, *reversed)))
-        .collect();
     let progress = Progress::new();
-    let line = |&(motion, reversed): &(&Motion, bool)| {
-        let found = scene(motion).and_then(|scene| {
-            let prepared = motion.shake_until(&scene, reversed, Some(&STOPPED))?;
-            run(&prepared)
-        });
-        if found.as_ref().is_err_and(Error::is_stopped) {
-            return None;
-        }
-        progress.step(cases.len());
-        Some(Line {
-            motion: motion.name(),
-            reversed,
-            untold: motion.orientation == Orientation::Untold,
-            found: found.map_err(|error| error.reason()),
+    stop_when_asked();
+    // Once for both directions: to scale a record takes its spectrum.
+    let scenes: Vec<Result<(Scene, K), String>> = motions
+        .par_iter()
+        .map(|motion| scene(motion).map_err(|error| error.reason()))
+        .collect();
+    let under = motions.iter().zip(events(&motions)).zip(&scenes);
+    let cases: Vec<Case<'_, K>> = under
+        .flat_map(|((motion, event), scene)| {
+            directions.iter().map(move |reversed| Case {
+                motion,
+                event,
+                scene,
+                reversed: *reversed,
+            })
         })
+        .collect();
+    let line = |case: &Case<'_, K>| {
+        let line = case.line(&run);
+        progress.step(cases.len());
+        line
+/// Whether Ctrl-C was pressed, or the system asked the program to end (SIGTERM, SIGHUP).
     };
     let lines = until_stopped(&cases, &STOPPED, line);
     match nothing_found(lines.iter().map(|line| &line.found)) {
@@ -140,6 +183,14 @@ pub(super) fn nothing_found<'a, T: 'a>(
 ) -> Option<&'a str> {
     let first = found.next()?.as_ref().err()?;
     found.all(Result::is_err).then_some(first)
+}
+
+/// Number of motions of which this holds in a direction.
+pub(super) fn count<T>(lines: &[Line<T>], holds: impl Fn(&Line<T>) -> bool) -> usize {
+    let held = lines.iter().filter(|line| holds(line));
+    let mut names: Vec<&str> = held.map(|line| line.motion.as_str()).collect();
+    names.dedup();
+    names.len()
 }
 
 /// What is said of motions that are left out, a line each: the direction only where the other one is not left out for the
@@ -205,6 +256,8 @@ mod tests {
     fn line(motion: &str, reversed: bool, found: Result<(), &str>) -> Line<()> {
         Line {
             motion: motion.into(),
+            event: 0,
+            vertical: false,
             reversed,
             untold: false,
             found: found.map_err(String::from),

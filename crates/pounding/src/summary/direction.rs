@@ -10,12 +10,22 @@ pub(crate) fn other(prepared: &Simulation) -> Result<RunResult, Error> {
     prepared.under(|record| record.scaled(-1.0))?.run(None)
 }
 
+/// The same by the exact method.
+pub(crate) fn other_exact(prepared: &Simulation) -> Result<RunResult, Error> {
+    other(&prepared.exact()?)
+}
+
+/// What each direction does, the worse one first, as a paragraph.
+pub(crate) fn text(both: &[String; 2]) -> String {
+    paragraph("Answer", &both.join("\n"))
+}
+
 /// What each direction does, the worse one first.
-pub(crate) fn text(
+pub(crate) fn sentences(
     prepared: &Simulation,
     given: &RunResult,
     other: &Result<RunResult, Error>,
-) -> String {
+) -> [String; 2] {
     let reversed = prepared.scene().record.reversed;
     let names = if reversed {
         ["reversed, as in the scene", "as recorded"]
@@ -25,11 +35,10 @@ pub(crate) fn text(
     let other = match other {
         Ok(other) => other,
         Err(error) => {
-            let lines = [
+            return [
                 format!("{}: {}", names[0], said(prepared, given)),
                 format!("{}: this run fails: {}", names[1], error.reason()),
             ];
-            return paragraph("Answer", &lines.join("\n"));
         }
     };
     let mut both = [(names[0], given), (names[1], other)];
@@ -42,8 +51,7 @@ pub(crate) fn text(
     if harm(other) > harm(given) {
         both.reverse();
     }
-    let lines = both.map(|(name, result)| format!("{name}: {}", said(prepared, result)));
-    paragraph("Answer", &lines.join("\n"))
+    both.map(|(name, result)| format!("{name}: {}", said(prepared, result)))
 }
 
 /// Number of pairs that touch.

@@ -304,3 +304,149 @@ fn issue_the_report_repeats_the_scaling() {
     let command = command.expect("the command that repeats it");
     assert!(command.contains(target), "{command}");
 }
+
+/// The JSON of an assessment.
+fn found(work: &Path, more: &[&str]) -> Value {
+    let ended = assess(work, &[more, &["--json"]].concat());
+    serde_json::from_str(&ended.stdout).expect("JSON")
+}
+
+/// Eleven records whose mean spectrum fell short of the target passed in silence.
+#[test]
+fn issue_a_mean_spectrum_below_its_target_is_warned_of() {
+    let work = workplace("assess_mean_spectrum", TOWERS);
+    fs::write(work.join("peak.csv"), "0.1,0.1\n0.9,0.1\n1.0,3\n1.1,0.1\n")
+        .expect("it can be written");
+    let ended = assess(&work, &["--target", "peak.csv"]);
+    let said = ended
+        .stdout
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(
+        said.contains("EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, 16.2.3.2, want 90 %"),
+        "{said}"
+    );
+    assert!(said.contains("scaled to the spectrum of a table"), "{said}");
+    let share = found(&work, &["--target", "peak.csv"])["target"]["least_share"].as_f64();
+    assert!(share.is_some_and(|share| share < 0.9), "{share:?}");
+}
+
+/// a_g = 0.25 was taken in g, where Eurocode 8 gives it in m/s².
+#[test]
+fn issue_a_number_without_a_unit_is_asked_for_one() {
+    let work = workplace("assess_units", TOWERS);
+    let scale = assess(&work, &["--scale", "pga=0.3"]).stderr;
+    assert!(scale.contains("write 0.3g or 0.3m/s2"), "{scale}");
+    let target = assess(&work, &["--target", "ec8:a_g=0.25,ground=C"]).stderr;
+    assert!(target.contains("with its unit"), "{target}");
+    let said = assess(&work, &["--scale", "pga=2.94m/s2"]).stdout;
+    assert!(said.contains("g = 2.940 m/s²"), "{said}");
+}
+
+/// Two components of one event counted as two independent records.
+#[test]
+fn issue_components_of_one_event_are_one_event() {
+    let work = workplace("assess_events", TOWERS);
+    let records = work.join("records");
+    let names =
+        ["chopra", "peer-pacific-engineering"].map(|end| format!("el-centro-1940-ns-{end}.csv"));
+    for (name, other) in names.iter().zip(["quake-H1.csv", "quake-H2.csv"]) {
+        fs::rename(records.join(name), records.join(other)).expect("it can be renamed");
+    }
+    let all = found(&work, &[]);
+    assert_eq!((&all["events"], &all["runs"]), (&1.into(), &4.into()));
+    let said = assess(&work, &[]).stdout;
+    assert!(said.contains("2 components of one event"), "{said}");
+    assert!(said.contains("1 in 2"), "{said}");
+}
+
+/// Floors without heights were taken to be level, and nothing said so.
+#[test]
+fn issue_floors_without_heights_are_said_to_be_taken_as_level() {
+    let scene = TOWERS.replace(
+        ", height_m = 3.5, repeat = 3",
+        ", stiffness_n_per_m = 2e8, repeat = 3",
+    );
+    let scene = scene.replace("period_s = 0.6, ", "");
+    let work = workplace("assess_counted", &scene);
+    for command in [
+        &["check", "scene.toml"][..],
+        &["run", "scene.toml", "--no-error"],
+    ] {
+        let said = pounding(&work, command).stdout;
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            said.contains("structures[1].building.storeys[0].height_m"),
+            "{said}"
+        );
+        assert!(said.contains("taken to be level"), "{said}");
+    }
+    let all = assess(&work, &[]).stdout;
+    assert!(all.contains("taken to be"), "{all}");
+}
+
+/// An acceleration to three digits, of the force that nobody knows.
+#[test]
+fn issue_accelerations_are_ranges() {
+    let work = workplace("assess_accelerations", TOWERS);
+    let all = found(&work, &["--scale", "pga=0.6g"]);
+    let floors = all["floors"].as_array().expect("floors");
+    let ratio = |floor: &Value| {
+        let range = &floor["acceleration_amplification_over_stiffness"];
+        let end = |end: &str| range[end]["median"].as_f64().expect("a number");
+        end("largest") / end("least")
+    };
+    assert!(floors.iter().all(|floor| ratio(floor) >= 1.0), "{floors:?}");
+    assert!(floors.iter().any(|floor| ratio(floor) > 1.5), "{floors:?}");
+    assert!(all["by_stiffness"]["drift_largest_over_least"]["median"].as_f64() < Some(1.5));
+}
+
+/// Half of the folder could not be read, and the answer did not say so.
+#[test]
+fn issue_what_is_left_out_is_said_first() {
+    let work = workplace("assess_left_out", TOWERS);
+    fs::write(work.join("records/bad.csv"), "no record\n").expect("it can be written");
+    let said = assess(&work, &[]).stdout;
+    assert!(
+        said.starts_with("Answer    1 of 3 motions of the folder are left out"),
+        "{said}"
+    );
+    assert!(said.contains("bad.csv:"), "{said}");
+}
+
+/// "never" and "not needed", told from one direction; reversed all pairs hit.
+#[test]
+fn issue_check_looks_in_both_directions() {
+    let work = workplace("check_both", TOWERS);
+    let said = pounding(&work, &["check", "scene.toml"]).stdout;
+    assert!(
+        !said.contains("never") && !said.contains("not needed"),
+        "{said}"
+    );
+    let json = pounding(&work, &["check", "scene.toml", "--json"]).stdout;
+    let plan: Value = serde_json::from_str(&json).expect("JSON");
+    let pairs = plan["pairs"].as_array().expect("pairs");
+    assert!(
+        pairs
+            .iter()
+            .all(|pair| pair["touches_reversed"].is_boolean()),
+        "{json}"
+    );
+}
+
+/// The headline of a report told of one direction, whichever the record had.
+#[test]
+fn issue_the_report_of_a_run_shows_both_directions() {
+    let work = workplace("run_both", TOWERS);
+    let ended = pounding(&work, &["run", "scene.toml", "--no-error", "--out", "out"]);
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
+    let first = page.find("<strong>").expect("a headline");
+    let headline = &page[first..first + 400];
+    assert!(
+        headline.contains("as recorded:") && headline.contains("reversed:"),
+        "{headline}"
+    );
+    assert!(work.join("out/profiles.png").is_file());
+}

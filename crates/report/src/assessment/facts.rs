@@ -1,7 +1,7 @@
 //! An assessment for machines: JSON, and a table with a line per number.
 
 use pounding_scene::{
-    Distribution, FloorAssessment, GapAssessment, PairAssessment, Rule, RuleAssessment,
+    Distribution, FloorAssessment, GapAssessment, PairAssessment, Rule, RuleAssessment, TargetFit,
 };
 use pounding_text::{Cell, csv_text};
 use serde_json::{Value, json};
@@ -25,7 +25,7 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
     let floors = floors.filter_map(|(index, one)| Some(floor(report, index, one.as_ref()?)));
     let pairs = assessment.pairs.iter().enumerate();
     let pairs = pairs.map(|(index, one)| pair(report, index, one));
-    let motion = |one: &AssessedMotion| json!({"record": one.name, "reversed": one.reversed, "scale_factor": one.run.scale});
+    let motion = |one: &AssessedMotion| json!({"record": one.name, "event": one.event + 1, "reversed": one.reversed, "scale_factor": one.run.scale});
     json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
@@ -34,12 +34,34 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
         "warnings": report.warnings(),
         "runs": assessment.runs,
         "stiffness_factors": report.stiffness,
-        "scaling": report.scaling,
+        "scaling": report.scaling.words,
+        "scaled": report.scaling.to.to_string(),
+        "target": report.fit.as_ref().map(fit),
+        "events": assessment.events,
+        "vertical_motions": report.folder.vertical,
+        "failed_motions": report.folder.failed,
+        "by_stiffness": assessment.by_stiffness.as_ref().map(|effect| json!({
+            "drift_largest_over_least": statistics(&effect.drift),
+            "acceleration_largest_over_least": statistics(&effect.acceleration),
+            "impulse_largest_over_least": statistics(&effect.impulse),
+        })),
         "gaps": gaps.collect::<Vec<_>>(),
         "floors": floors.collect::<Vec<_>>(),
         "pairs": pairs.collect::<Vec<_>>(),
         "motions": report.motions.iter().map(motion).collect::<Vec<_>>(),
         "scene": report.scene,
+    })
+}
+
+fn fit(fit: &TargetFit) -> Value {
+    let (share, period) = fit.least();
+    json!({
+        "least_share": share,
+        "least_share_at_s": period,
+        "peak_share": fit.peak_share,
+        "periods_s": fit.periods,
+        "target_g": fit.target,
+        "mean_g": fit.mean,
     })
 }
 
@@ -58,6 +80,8 @@ fn gap(report: &AssessmentReport, one: &GapAssessment) -> Value {
         "right": right,
         "gap_m": one.own,
         "touching_runs": one.touching,
+        "touching_events": one.touching_events,
+        "required_of_events_m": statistics(&one.required_of_events),
         "required_m": statistics(&one.required),
         "required_sorted_m": one.required,
         "proposed_m": one.proposal(),
@@ -73,6 +97,10 @@ fn floor(report: &AssessmentReport, index: usize, one: &FloorAssessment) -> Valu
         "drift_amplification": statistics(&one.drift),
         "shear_amplification": statistics(&one.shear),
         "acceleration_amplification": statistics(&one.acceleration),
+        "acceleration_amplification_over_stiffness": {
+            "least": statistics(&one.acceleration_range[0]),
+            "largest": statistics(&one.acceleration_range[1]),
+        },
         "largest_drift_m": one.largest_drift,
         "worse": one.is_worse(),
     })
@@ -166,6 +194,7 @@ fn of_floors(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
     let moving = floors.filter(|(index, _)| !report.floors.all()[*index].is_wall());
     let lines = moving.flat_map(|(index, floor)| {
         let (alone, beside) = (floor.alone, floor.beside);
+        let [least, largest] = floor.over_stiffness;
         let [structure, storey] = at(report, index);
         let place = [structure, storey, Cell::default(), Cell::default()];
         [
@@ -175,6 +204,10 @@ fn of_floors(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
             ("shear_force_n", beside.shear),
             ("acceleration_alone_m_per_s2", alone.acceleration),
             ("acceleration_m_per_s2", beside.acceleration),
+            ("drift_least_m", least.drift),
+            ("drift_largest_m", largest.drift),
+            ("acceleration_least_m_per_s2", least.acceleration),
+            ("acceleration_largest_m_per_s2", largest.acceleration),
         ]
         .map(|(quantity, value)| (place.clone(), quantity, value))
     });

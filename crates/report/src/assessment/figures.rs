@@ -1,16 +1,21 @@
 //! What the page of an assessment shows: the share of runs that need more than a gap, and amplifications.
 
 use pounding_plot::{
-    Axis, Curve, Drawing, Figure, Kind, Legend, Mark, Panel, Shade, render_both, writable,
+    Axis, Curve, Drawing, Figure, Kind, Mark, Note, Panel, Shade, render_both, writable,
 };
+use pounding_scene::{BUILT_IN_STEPS_OF, GapAssessment};
+use pounding_text::millimetres;
 
 use super::AssessmentReport;
 use super::sketch;
 use crate::figures::Illustration;
+use crate::figures::effects::{as_alone, borders};
 
 /// The names that figures can have, without the ends of their files.
 pub(super) const NAMES: [&str; 3] = ["row", "gap", "amplification"];
 
+/// Most gaps of one figure.
+const MOST_GAPS: usize = 6;
 /// Most storeys of one figure.
 const MOST: usize = 30;
 
@@ -23,14 +28,16 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     }];
     all.push(Illustration {
         name: NAMES[1],
-        caption: "Part of the runs that need more than a gap, while every building stands alone. Grey lines: the gaps of the scene.".into(),
+        caption: format!("Part of the runs that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}", beyond(report)),
         drawn: render_both(&share(report)),
     });
     if let Some(figure) = amplification(report) {
         all.push(Illustration {
             name: NAMES[2],
             caption: "Peak drift, shear force and acceleration of the storeys beside their neighbours, as multiples of those of the same \
-                      building alone: median of the runs, and lines to what 84 % of them do not exceed."
+                      building alone (dashed: 1), over the runs in which the building touches. Discs: median, with the contact of the scene. \
+                      Lines of drift and shear: to what 84 % do not exceed; of acceleration: from the median with the contact that gives \
+                      least to what 84 % do not exceed with the one that gives most."
                 .into(),
             drawn: render_both(&figure),
         });
@@ -38,41 +45,64 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
     all
 }
 
-/// The share of runs that need more than a gap.
-fn share(report: &AssessmentReport) -> Figure {
-    let gaps = &report.assessment.gaps;
-    let mut curves = Vec::new();
-    let mut markers = Vec::new();
-    for (index, gap) in gaps.iter().enumerate() {
-        let n = gap.required.sorted().len() as f64;
-        let mut points = vec![(0.0, 100.0 * gap.required.count_above(0.0) as f64 / n)];
-        for width in gap.required.sorted() {
-            let before = points[points.len() - 1].1;
-            points.push((1e3 * width, before));
-            points.push((
-                1e3 * width,
-                100.0 * gap.required.count_above(*width) as f64 / n,
-            ));
-        }
-        let [left, right] = report.gap_names(gap);
-        curves.push(
-            Curve::new(Kind::Line, Shade::nth(index), points)
-                .named(writable(&format!("{left} – {right}"))),
-        );
-        markers.extend(gap.own.map(|own| 1e3 * own));
+/// What the figure of gaps leaves out.
+fn beyond(report: &AssessmentReport) -> String {
+    match report.assessment.gaps.len() {
+        n if n > MOST_GAPS => format!(" Of {n} gaps the first {MOST_GAPS} from the left."),
+        _ => String::new(),
     }
-    Figure {
-        height_in: 2.8,
-        panels: vec![Panel {
-            x: Some(Axis::auto("Gap (mm)")),
-            y: Axis::over("Runs that need more (%)", 0.0, 100.0),
+}
+
+/// The share of runs that need more than a gap: a panel for each gap, over one axis.
+fn share(report: &AssessmentReport) -> Figure {
+    let all = &report.assessment.gaps;
+    let gaps = &all[..all.len().min(MOST_GAPS)];
+    let widest = gaps
+        .iter()
+        .map(|gap| gap.required.largest().max(gap.own.unwrap_or(0.0)));
+    // Beyond what every run needs, so that the curves are seen to end on the axis.
+    let end = 1e3 * 1.05 * widest.fold(BUILT_IN_STEPS_OF, f64::max);
+    let panel = |gap: &GapAssessment| {
+        let [left, right] = report.gap_names(gap);
+        let mut curves = vec![Curve::new(Kind::Line, Shade::Blue, needing(gap, end))];
+        let mut notes = Vec::new();
+        if let Some(own) = gap.own {
+            let at = 1e3 * own;
+            curves.push(Curve::new(
+                Kind::Dashed,
+                Shade::Ink,
+                vec![(at, 0.0), (at, 100.0)],
+            ));
+            notes.push(Note::new((at, 50.0), format!("{} mm", millimetres(own))));
+        }
+        Panel {
+            title: writable(&format!("{left} – {right}")),
+            y: Axis::over("Runs (%)", 0.0, 100.0),
             curves,
-            markers,
-            legend: Legend::Shared,
+            notes,
             ..Panel::default()
-        }],
+        }
+    };
+    Figure {
+        height_in: 0.7 + 1.5 * gaps.len() as f64,
+        x: Axis::over("Gap (mm)", 0.0, end),
+        panels: gaps.iter().map(panel).collect(),
         ..Figure::default()
     }
+}
+
+/// The part of the runs that need more than a width \[mm\], in steps.
+fn needing(gap: &GapAssessment, end: f64) -> Vec<(f64, f64)> {
+    let n = gap.required.sorted().len() as f64;
+    let share = |width: f64| 100.0 * gap.required.count_above(width) as f64 / n;
+    let mut points = vec![(0.0, share(0.0))];
+    for width in gap.required.sorted() {
+        let before = points[points.len() - 1].1;
+        points.push((1e3 * width, before));
+        points.push((1e3 * width, share(*width)));
+    }
+    points.push((end, 0.0));
+    points
 }
 
 /// Amplification of every storey that moves; `None` if nothing touches.
@@ -100,7 +130,7 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
         .map(|floor| writable(&report.floor_name(*floor)))
         .collect();
     let panel = |title: &str, response: usize| {
-        let mut curves = Vec::new();
+        let mut curves = vec![as_alone(shown.len())];
         let mut medians = Vec::new();
         for (place, floor) in shown.iter().enumerate() {
             let Some(one) = &report.assessment.floors[*floor] else {
@@ -108,10 +138,17 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
             };
             let of = [&one.drift, &one.shear, &one.acceleration][response];
             let y = place as f64;
+            let (from, to) = match response {
+                2 => (
+                    one.acceleration_range[0].median(),
+                    one.acceleration_range[1].p84(),
+                ),
+                _ => (of.median(), of.p84()),
+            };
             curves.push(Curve::new(
                 Kind::Line,
                 Shade::Vermilion,
-                vec![(of.median(), y), (of.p84(), y)],
+                vec![(from, y), (to, y)],
             ));
             medians.push((of.median(), y));
         }
@@ -121,7 +158,7 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
             x: Some(Axis::auto("Beside / alone (–)")),
             y: Axis::names(names.clone()),
             curves,
-            markers: vec![1.0],
+            levels: borders(shown.iter().map(|floor| floors.all()[*floor].structure)),
             ..Panel::default()
         }
     };

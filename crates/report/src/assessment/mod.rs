@@ -8,7 +8,10 @@ mod words;
 
 use std::collections::BTreeMap;
 
-use pounding_scene::{AssessedRun, Assessment, Error, Floors, Scene, in_scene};
+use pounding_scene::{
+    AssessedRun, Assessment, DesignSpectrum, Error, Floors, MotionSpectrum, RunOfEvent, Scaling,
+    Scene, TargetFit, in_scene,
+};
 use serde_json::Value;
 
 /// A run of an assessment and the motion that it is of.
@@ -16,10 +19,34 @@ use serde_json::Value;
 pub struct AssessedMotion {
     /// Name of the motion.
     pub name: String,
+    /// Number of the event that it is of.
+    pub event: usize,
     /// Whether it shakes the row the other way round.
     pub reversed: bool,
+    /// Its spectrum, if it is scaled to one.
+    pub spectrum: Option<MotionSpectrum>,
     /// What it does.
     pub run: AssessedRun,
+}
+
+/// What became of the motions of a folder.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct FolderOfMotions {
+    /// Number of vertical components, which shake no row.
+    pub vertical: usize,
+    /// Number of other motions that shake nothing: they cannot be read, or their runs failed.
+    pub failed: usize,
+    /// What is said of each of both, and of motions whose direction nothing tells.
+    pub remarks: Vec<String>,
+}
+
+/// How records are scaled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScalingAsked {
+    /// What they are scaled to.
+    pub to: Scaling,
+    /// How it was asked for, in the words of the command line; `None` if the scene says it.
+    pub words: Option<String>,
 }
 
 /// An assessment with all that a page about it says.
@@ -29,9 +56,10 @@ pub struct AssessmentReport {
     floors: Floors,
     assessment: Assessment,
     motions: Vec<AssessedMotion>,
-    remarks: Vec<String>,
+    folder: FolderOfMotions,
     stiffness: [f64; 2],
-    scaling: Option<String>,
+    scaling: ScalingAsked,
+    fit: Option<TargetFit>,
     author: Option<String>,
     date: Option<String>,
 }
@@ -48,25 +76,29 @@ impl AssessmentReport {
     /// Those of [`Floors::of`].
     pub fn of(scene: Scene, motions: Vec<AssessedMotion>) -> Result<Option<Self>, Error> {
         let floors = Floors::of(&scene).map_err(|source| in_scene(&scene, source))?;
-        let runs: Vec<&AssessedRun> = motions.iter().map(|one| &one.run).collect();
+        let runs: Vec<RunOfEvent<'_>> = motions.iter().map(|one| (one.event, &one.run)).collect();
         let assessment = Assessment::of(&scene, &runs)?;
         Ok(assessment.map(|assessment| Self {
             scene,
             floors,
             assessment,
             motions,
-            remarks: Vec::new(),
+            folder: FolderOfMotions::default(),
             stiffness: [1.0; 2],
-            scaling: None,
+            scaling: ScalingAsked {
+                to: Scaling::AsScene,
+                words: None,
+            },
+            fit: None,
             author: None,
             date: None,
         }))
     }
 
-    /// With what is said of the records: those left out, those of unknown direction.
+    /// With what became of the folder of records.
     #[must_use]
-    pub fn with_remarks(self, remarks: Vec<String>) -> Self {
-        Self { remarks, ..self }
+    pub fn with_folder(self, folder: FolderOfMotions) -> Self {
+        Self { folder, ..self }
     }
 
     /// With the range of the stiffness of contact, as factors on that of the scene.
@@ -75,10 +107,38 @@ impl AssessmentReport {
         Self { stiffness, ..self }
     }
 
-    /// With what records were scaled to, in the words of the command line; `None` if the scene says it.
+    /// With what records were scaled to.
     #[must_use]
-    pub fn with_scaling(self, scaling: Option<String>) -> Self {
-        Self { scaling, ..self }
+    pub fn with_scaling(self, scaling: ScalingAsked) -> Self {
+        let fit = match &scaling.to {
+            Scaling::Target(target) => TargetFit::of(&self.scene, target, &self.spectra()),
+            Scaling::AsScene | Scaling::Unscaled | Scaling::To(_) => None,
+        };
+        Self {
+            scaling,
+            fit,
+            ..self
+        }
+    }
+
+    /// Spectra of the motions, each once.
+    fn spectra(&self) -> Vec<&MotionSpectrum> {
+        let mut once: Vec<&AssessedMotion> = Vec::new();
+        for one in &self.motions {
+            if once.last().is_none_or(|last| last.name != one.name) {
+                once.push(one);
+            }
+        }
+        let spectra = once.into_iter();
+        spectra.filter_map(|one| one.spectrum.as_ref()).collect()
+    }
+
+    /// The spectrum that records were scaled to, if any.
+    pub(super) fn target(&self) -> Option<&DesignSpectrum> {
+        match &self.scaling.to {
+            Scaling::Target(target) => Some(target),
+            Scaling::AsScene | Scaling::Unscaled | Scaling::To(_) => None,
+        }
     }
 
     /// With an author and a date for the page.
@@ -116,9 +176,9 @@ impl AssessmentReport {
         self.stiffness
     }
 
-    /// What is said of records.
+    /// What is said of records that are left out, and of those whose direction nothing tells.
     pub fn remarks(&self) -> &[String] {
-        &self.remarks
+        &self.folder.remarks
     }
 
     /// The files of a folder, by name: `report.html`, `assess.csv`, `assess.json` and the figures as SVG and PNG.

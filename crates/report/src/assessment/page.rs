@@ -21,6 +21,7 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
             escaped(&lead(report))
         ),
         verdict(report),
+        list(&report.shaking()),
         figure("row"),
         boxed(BEFORE, &report.warnings()),
         format!("<h2>Required gap</h2>\n{}", gaps(report)),
@@ -48,9 +49,9 @@ fn lead(report: &AssessmentReport) -> String {
         format!(" {}.", signed.join(", "))
     };
     format!(
-        "{} structures in a row under {} ground motions, each in both directions, computed by pounding {} with the exact method.{signed}",
+        "{} structures in a row under {}, each in both directions, computed by pounding {} with the exact method.{signed}",
         report.scene.structures.len(),
-        report.records(),
+        report.motions_of_events(),
         env!("CARGO_PKG_VERSION"),
     )
 }
@@ -63,10 +64,10 @@ fn verdict(report: &AssessmentReport) -> String {
     };
     let answers = report.answers();
     let first = answers.first().map_or("", String::as_str);
-    let more: Vec<String> = answers
-        .iter()
-        .skip(1)
-        .cloned()
+    let more: Vec<String> = report
+        .before()
+        .into_iter()
+        .chain(answers.iter().skip(1).cloned())
         .chain(report.proposals())
         .chain(report.consequences())
         .collect();
@@ -93,6 +94,7 @@ fn gaps(report: &AssessmentReport) -> String {
             width(gap.required.p84()),
             width(gap.required.largest()),
             Cell::known(dispersion.map(two_decimals)),
+            Cell::known(gap.required_of_events.dispersion().map(two_decimals)),
             width(gap.proposal()),
         ]
     };
@@ -105,10 +107,12 @@ fn gaps(report: &AssessmentReport) -> String {
         "84 % [mm]",
         "Largest [mm]",
         "Spread σ ln",
+        "Of events σ ln",
         "Proposed [mm]",
     ];
     format!(
-        "<p>The width that keeps the neighbours apart in a run: the largest closing of the gap while every building stands alone.</p>\n{}",
+        "<p>The width that keeps the neighbours apart in a run: the largest closing of the gap while every building stands alone. The spread of \
+         events is that of the largest width of each event.</p>\n{}",
         table(&header, &rows)
     )
 }
@@ -161,8 +165,8 @@ fn touching(report: &AssessmentReport) -> String {
         )
     };
     format!(
-        "<h2>What touching does</h2>\n{storeys}<p>Forces and impulses from the median of the softest to the largest of the stiffest contact, \
-         {from} to {to} times the stiffness of the scene: nobody knows it better, and it decides the force.</p>\n{}",
+        "<h2>What touching does</h2>\n{storeys}<p>Forces and impulses from the median of the runs with the contact that gives least to the largest of all runs and \
+         contacts, {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations.</p>\n{}",
         table(&header, &rows)
     )
 }
@@ -187,7 +191,11 @@ fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> S
             Cell::new(report.floor_name(*floor)),
             both(&one.drift),
             both(&one.shear),
-            both(&one.acceleration),
+            Cell::new(format!(
+                "{} to {}",
+                two_decimals(one.acceleration_range[0].median()),
+                two_decimals(one.acceleration_range[1].p84())
+            )),
             width(one.largest_drift),
         ]
     };
@@ -196,11 +204,12 @@ fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> S
         "Storey",
         "Drift × alone",
         "Shear × alone",
-        "Acceleration × alone",
+        "Acceleration × alone, range",
         "Largest drift [mm]",
     ];
     format!(
-        "<p class=\"soft\">Median / 84 % of the runs in which their building touches.</p>\n{}",
+        "<p class=\"soft\">Median / 84 % of the runs in which their building touches; accelerations from the median with the contact that \
+         gives least to 84 % with the one that gives most, as forces.</p>\n{}",
         table(&header, &rows)
     )
 }
@@ -263,7 +272,7 @@ fn motions(report: &AssessmentReport) -> String {
 }
 
 fn again(report: &AssessmentReport) -> String {
-    let scaling = report.scaling.as_ref();
+    let scaling = report.scaling.words.as_ref();
     let scaling = scaling.map_or(String::new(), |scaling| format!(" {scaling}"));
     let scene = serde_json::to_string_pretty(&report.scene).unwrap_or_default();
     let said = facts(&[
@@ -271,10 +280,7 @@ fn again(report: &AssessmentReport) -> String {
             "Records".into(),
             "those named under Motions; assess.json lists them".into(),
         ),
-        (
-            "Scaling of records".into(),
-            report.scaling.clone().unwrap_or("as the scene says".into()),
-        ),
+        ("Scaling of records".into(), report.scaling.to.to_string()),
         (
             "Stiffness of impacts".into(),
             format!(

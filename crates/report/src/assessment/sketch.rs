@@ -1,4 +1,4 @@
-//! The row as a sketch: heights to scale, floors that touch in red.
+//! The row as a sketch: heights to scale, floors that touch in orange.
 
 use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape, writable};
 
@@ -7,7 +7,7 @@ use pounding_text::millimetres;
 use super::AssessmentReport;
 
 pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
-                                  that touch in some run are red.";
+                                  that touch in some run are orange and thick.";
 
 /// Height of a storey whose height nobody gives \[m\].
 const STOREY: f64 = 3.0;
@@ -17,7 +17,7 @@ const TALL: f64 = 60.0;
 const WIDE: f64 = 26.0;
 const BETWEEN: f64 = 14.0;
 /// Ground, and the margin above the highest roof \[mm\].
-const GROUND: f64 = 14.0;
+const GROUND: f64 = 8.0;
 const ABOVE: f64 = 6.0;
 
 pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
@@ -47,7 +47,7 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
         let at = BETWEEN + (gap.left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
         if let Some(own) = gap.own {
             let text = format!("{} mm", millimetres(own));
-            shapes.push(Shape::text((at, GROUND - 10.0), text, 8.0, Align::Middle));
+            shapes.push(Shape::text((at, GROUND + 2.0), text, 8.0, Align::Middle));
         }
     }
     Drawing {

@@ -1,7 +1,8 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
 use pounding_scene::{
-    Distribution, ExcessKind, FloorAssessment, GapAssessment, PairAssessment, USUAL_FACTORS, WORSE,
+    DesignSpectrum, Distribution, ExcessKind, FloorAssessment, GapAssessment, LEAST_SHARE,
+    PairAssessment, USUAL_FACTORS, WORSE,
 };
 use pounding_text::{digits, millimetres, rounded_up, short, two_decimals, two_digits};
 
@@ -23,6 +24,100 @@ impl AssessmentReport {
         let mut names: Vec<&str> = self.motions.iter().map(|one| one.name.as_str()).collect();
         names.dedup();
         names.len()
+    }
+
+    /// Number of motions, and of events if those are fewer: "22 motions of 11 events".
+    pub fn motions_of_events(&self) -> String {
+        let (motions, events) = (self.records(), self.assessment.events);
+        let number = |n: usize, word: &str| match n {
+            1 => format!("one {word}"),
+            n => format!("{n} {word}s"),
+        };
+        if events == motions {
+            return number(motions, "motion");
+        }
+        format!(
+            "{} of {}",
+            number(motions, "component"),
+            number(events, "event")
+        )
+    }
+
+    /// What is said before the answer: how many motions of the folder shake nothing, unless they are vertical.
+    pub fn before(&self) -> Option<String> {
+        let failed = self.folder.failed;
+        let horizontal = failed + self.records();
+        (failed > 0).then(|| {
+            format!("{failed} of {horizontal} motions of the folder are left out, for reasons given below.")
+        })
+    }
+
+    /// The motions in a few lines: how many, of how many events, and how strong they are beside what was asked for.
+    pub fn shaking(&self) -> Vec<String> {
+        let vertical = match self.folder.vertical {
+            0 => String::new(),
+            1 => ", without one vertical component".into(),
+            n => format!(", without {n} vertical components"),
+        };
+        let mut said = vec![format!(
+            "{}, both directions each: {} runs{vertical}",
+            self.motions_of_events(),
+            self.assessment.runs
+        )];
+        said.push(format!("scaled {}", self.scaling.to));
+        if let Some(fit) = &self.fit {
+            let (share, period) = fit.least();
+            let [first, last] = [fit.periods[0], fit.periods[fit.periods.len() - 1]];
+            said.push(format!(
+                "their mean spectrum has at least {:.0} % of the target from {} to {} s (at {} s), and {:.0} % of its peak ground \
+                 acceleration",
+                (100.0 * share).floor(),
+                two_digits(first),
+                two_digits(last),
+                two_digits(period),
+                (100.0 * fit.peak_share).floor()
+            ));
+        }
+        said
+    }
+
+    /// What a mean spectrum below the target asks for.
+    fn misfit(&self) -> Option<String> {
+        let fit = self.fit.as_ref()?;
+        let (share, period) = fit.least();
+        let (share, what) = if share < LEAST_SHARE {
+            (share, format!("at {} s", two_digits(period)))
+        } else if fit.peak_share < 1.0
+            && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. }))
+        {
+            return Some(format!(
+                "the mean peak acceleration of the scaled records is {:.0} % of that of the target; EN 1998-1, 3.2.3.1.2 (4) b, wants all \
+                 of it",
+                (100.0 * fit.peak_share).floor()
+            ));
+        } else {
+            return None;
+        };
+        Some(format!(
+            "the mean spectrum of the scaled records has {:.0} % of the target {what}; EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, \
+             16.2.3.2, want {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target",
+            (100.0 * share).floor(),
+            100.0 * LEAST_SHARE,
+            two_decimals((100.0 * LEAST_SHARE / share).ceil() / 100.0)
+        ))
+    }
+
+    /// "19 of 22 runs", with the events where components make up events.
+    fn touch_in(&self, gap: &GapAssessment) -> String {
+        let Self { assessment, .. } = self;
+        let runs = format!("{} of {} runs", gap.touching, assessment.runs);
+        if assessment.events == self.records() || assessment.events == 1 {
+            return runs;
+        }
+        format!(
+            "{runs} ({} of {} events)",
+            gap.touching_events, assessment.events
+        )
     }
 
     /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
@@ -48,28 +143,28 @@ impl AssessmentReport {
             ),
             // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
             Some(own) if own >= gap.required.largest() => format!(
-                "{} mm would be enough between {left} and {right}, but they touch in {} of {runs} runs, pushed by another neighbour: \
+                "{} mm would be enough between {left} and {right}, but they touch in {}, pushed by another neighbour: \
                  the other gaps decide.",
                 millimetres(own),
-                gap.touching
+                self.touch_in(gap)
             ),
             Some(own) if most == all || gap.built(gap.required.p84()) <= own => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {} of {runs} runs. {all} mm would be enough in all.",
+                "{} mm is not enough between {left} and {right}: they touch in {}. {all} mm would be enough in all.",
                 millimetres(own),
-                gap.touching
+                self.touch_in(gap)
             ),
             Some(own) => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {} of {runs} runs. {most} mm would be enough in 84 % of \
-                 them, {all} mm in all.",
+                "{} mm is not enough between {left} and {right}: they touch in {}. {most} mm would be enough in 84 % of \
+                 the runs, {all} mm in all.",
                 millimetres(own),
-                gap.touching
+                self.touch_in(gap)
             ),
         }
     }
 
     /// What is proposed for every gap that is not enough, and what that leaves to chance.
     pub fn proposals(&self) -> Vec<String> {
-        let n = self.records();
+        let n = self.assessment.events;
         let gaps = self.assessment.gaps.iter();
         let wanting = gaps.filter(|gap| gap.own.is_none_or(|own| own < gap.required.largest()));
         let widths = wanting.map(|gap| {
@@ -89,7 +184,7 @@ impl AssessmentReport {
             format!("like these {n}")
         };
         vec![format!(
-            "Proposed: {} (the largest needed, rounded up). A further record {like} needs more with a chance of at most 1 in {} for each gap.",
+            "Proposed: {} (the largest needed, rounded up). A further event {like} needs more with a chance of at most 1 in {} for each gap.",
             widths.join(", "),
             n + 1
         )]
@@ -129,6 +224,7 @@ impl AssessmentReport {
     /// What harms the answer, the worst first.
     pub fn warnings(&self) -> Vec<String> {
         let mut said: Vec<String> = self.excesses();
+        said.extend(self.misfit());
         let mut unusual: Vec<&String> = Vec::new();
         for one in self.motions.iter().flat_map(|one| &one.run.unusual) {
             if !unusual.contains(&one) {
@@ -151,11 +247,11 @@ impl AssessmentReport {
                 far.join(", ")
             ));
         }
-        let records = self.records();
-        if records < ENOUGH {
-            let found = match records {
-                1 => "one record".into(),
-                n => format!("{n} records"),
+        let events = self.assessment.events;
+        if events < ENOUGH {
+            let found = match events {
+                1 => "records of one event".into(),
+                n => format!("records of {n} events"),
             };
             said.push(format!(
                 "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH} and EN 1998-1, 4.3.3.4.3, 7 for a mean; medians of so few say little"
@@ -235,8 +331,8 @@ impl AssessmentReport {
             let [from, to] = self.stiffness.map(digits);
             said.push(match &pair.peak_force {
                 Some([low, high]) => format!(
-                    "Largest pounding force {} to {} kN ({left} – {right}), for {from} to {to} times the impact stiffness of the scene, which \
-                     nobody knows better.",
+                    "Hardest pair: {left} – {right}, {} kN (median of the runs with the contact that gives least) to {} kN (largest of all \
+                     runs and contacts), for {from} to {to} times the impact stiffness of the scene, which nobody knows better.",
                     two_digits(1e-3 * low.median()),
                     two_digits(1e-3 * high.largest())
                 ),
@@ -246,7 +342,22 @@ impl AssessmentReport {
                 ),
             });
         }
+        said.extend(self.by_stiffness());
         said
+    }
+
+    /// What the range of the stiffness of contact changes besides forces.
+    fn by_stiffness(&self) -> Option<String> {
+        let effect = self.assessment.by_stiffness.as_ref()?;
+        let all = [&effect.drift, &effect.impulse, &effect.acceleration];
+        let changes = all.map(|ratio| 100.0 * (ratio.p84() - 1.0));
+        let [drift, impulse, acceleration] = changes.map(|change| format!("{change:.0}"));
+        (changes.iter().any(|change| *change >= 1.0)).then(|| {
+            format!(
+                "That stiffness changes a drift by {drift} %, the largest impulse of a pair by {impulse} %, a floor's acceleration by \
+                 {acceleration} %, or less in 84 % of all."
+            )
+        })
     }
 
     /// Responses beyond the model or beyond codes, over all runs: the worst of every kind, and in how many runs.

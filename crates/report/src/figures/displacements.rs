@@ -1,5 +1,7 @@
 //! Displacements of the row above, what its collisions do below.
 
+mod pairs;
+
 use super::shown::drawn;
 use super::{Seen, around, brief, heights, named, unit};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Note, Panel, Shade, sparse_markers};
@@ -45,8 +47,17 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     let below = below
         .iter()
         .filter_map(|(pairs, measure)| stems(seen, pairs, *measure));
-    let mut panels = vec![displacements(seen)];
-    panels.extend(below);
+    let storeys = by_pairs(seen);
+    let mut panels = if storeys {
+        pairs::panels(seen)
+    } else {
+        vec![displacements(seen)]
+    };
+    if storeys {
+        panels.extend(pairs::stems(seen));
+    } else {
+        panels.extend(below);
+    }
     let height_in = 1.7 + 1.5 * panels.len() as f64;
     let caption = caption(seen, &panels, markers.is_empty());
     for panel in &mut panels {
@@ -61,8 +72,18 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     (figure, caption)
 }
 
+/// Whether floors of buildings are shown: their curves lie so close that each pair has a panel of its own.
+fn by_pairs(seen: &Seen<'_>) -> bool {
+    let floors = seen.prepared.floors().all();
+    let mut shown = seen.shown.floors.iter();
+    !seen.shown.panels.is_empty() && shown.any(|floor| floors[*floor].storey.is_some())
+}
+
 fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
-    let gaps = meaning(seen.prepared, &seen.shown.pairs);
+    if by_pairs(seen) {
+        return pairs::caption(seen, panels, unmarked);
+    }
+    let gaps = meaning(seen.prepared, !seen.shown.pairs.is_empty());
     let collisions = match panels.len() {
         1 => "",
         _ if unmarked => {
@@ -80,20 +101,13 @@ fn caption(seen: &Seen<'_>, panels: &[Panel], unmarked: bool) -> String {
     )
 }
 
-/// What curves that meet say of the structures: where bases move, or floors of several levels are drawn together, not that they
-/// touch.
-fn meaning(prepared: &Simulation, pairs: &[usize]) -> &'static str {
-    let floors = prepared.floors();
-    let left = |pair: &usize| floors.levels().level(floors.facing()[*pair].left);
-    let Some((first, others)) = pairs.split_first() else {
-        return ".";
-    };
-    if prepared.scene().arrivals_s.is_some() {
+/// What curves that meet say of the structures: where bases move, not that they touch.
+fn meaning(prepared: &Simulation, face: bool) -> &'static str {
+    if !face {
+        "."
+    } else if prepared.scene().arrivals_s.is_some() {
         ", each structure offset by the gaps to its left. The ground travels along the row: bases move towards each other and \
          apart as well, so that structures need not touch where their curves meet."
-    } else if others.iter().any(|pair| left(pair) != left(first)) {
-        ", each structure offset by the gaps to its left, so that the curves of two floors that face each other meet where these \
-         touch."
     } else {
         ", each structure offset by the gaps to its left, so that curves that meet are structures that touch."
     }

@@ -59,12 +59,13 @@ fn most(effects: &Effects, floor: usize) -> f64 {
 fn picture(effects: &Effects, prepared: &Simulation, floors: &[usize]) -> Figure {
     let name = |floor: &usize| writable(&prepared.floors().all()[*floor].name);
     let names: Vec<String> = floors.iter().map(name).collect();
+    let all = prepared.floors().all();
     let panels = PANELS.iter().enumerate().map(|(response, title)| Panel {
         title: (*title).into(),
         x: Some(Axis::auto("Beside / alone (–)")),
         y: Axis::names(names.clone()),
         curves: curves(effects, floors, response),
-        markers: vec![1.0],
+        levels: borders(floors.iter().map(|floor| all[*floor].structure)),
         legend: Legend::Shared,
         ..Panel::default()
     });
@@ -76,11 +77,25 @@ fn picture(effects: &Effects, prepared: &Simulation, floors: &[usize]) -> Figure
     }
 }
 
+/// Between the names of a list of storeys, where a building ends and the next begins.
+pub(crate) fn borders(structures: impl Iterator<Item = usize>) -> Vec<f64> {
+    let all: Vec<usize> = structures.collect();
+    let ends = all.windows(2).enumerate();
+    let ends = ends.filter(|(_, two)| two[0] != two[1]);
+    ends.map(|(index, _)| index as f64 + 0.5).collect()
+}
+
+/// The line at 1 through so many storeys, at which pounding changes nothing.
+pub(crate) fn as_alone(storeys: usize) -> Curve {
+    let ends = vec![(1.0, -0.5), (1.0, storeys as f64 - 0.5)];
+    Curve::new(Kind::Dashed, Shade::Ink, ends)
+}
+
 fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
     let directions = [
         (
             &effects.as_given,
-            "as given",
+            "as in the scene",
             Shade::Blue,
             Mark::Disc,
             -APART,
@@ -93,7 +108,7 @@ fn curves(effects: &Effects, floors: &[usize], response: usize) -> Vec<Curve> {
             APART,
         ),
     ];
-    let mut curves = Vec::new();
+    let mut curves = vec![as_alone(floors.len())];
     for (all, label, shade, mark, aside) in directions {
         let found = floors.iter().enumerate().filter_map(|(place, floor)| {
             let known = all[*floor].responses()[response]?.amplification?;

@@ -1,9 +1,9 @@
 //! The ground motion, and what it does to structures of all periods.
 
 use super::thin::thinned;
-use super::{Seen, around, brief, heights, named};
+use super::{Seen, around, brief, fitting, heights};
 use pounding_plot::{Axis, Curve, Figure, Kind, Mark, Note, Panel, Shade};
-use pounding_scene::{SpectralValues, response_spectrum};
+use pounding_scene::{SpectralValues, Structure, response_spectrum};
 
 /// Number of periods of the spectrum.
 const PERIODS: u32 = 120;
@@ -33,10 +33,14 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
         }
         None => " Its response spectrum could not be computed.",
     };
-    let caption = format!(
-        "Ground acceleration as the scene uses it.{spectral} {}",
-        seen.shown.left_out
-    );
+    let structures = seen.prepared.scene().structures.iter();
+    let left_out = match structures.filter_map(Structure::period).count() {
+        n if n > MARKS.len() => format!(
+            " Of {n} structures those are marked whose pairs are hit hardest, or come closest to it."
+        ),
+        _ => String::new(),
+    };
+    let caption = format!("Ground acceleration as the scene uses it.{spectral}{left_out}");
     let panels: Vec<Panel> = std::iter::once(acceleration(seen, gravity))
         .chain(spectrum)
         .collect();
@@ -45,7 +49,7 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
         panels,
         ..Figure::default()
     };
-    (figure, caption.trim_end().into())
+    (figure, caption)
 }
 
 fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
@@ -76,13 +80,29 @@ fn acceleration(seen: &Seen<'_>, gravity: f64) -> Panel {
     }
 }
 
+/// Names and first periods \[s\] of the structures that move: of all, or of so many as there are marks those that the other pictures
+/// show.
+fn periods_of(seen: &Seen<'_>) -> Vec<(String, f64)> {
+    let (scene, floors) = (seen.prepared.scene(), seen.prepared.floors().all());
+    let moving = scene.structures.iter().enumerate();
+    let mut all: Vec<_> = moving
+        .filter_map(|(index, one)| Some((index, fitting(one.name()), one.period()?)))
+        .collect();
+    if all.len() > MARKS.len() {
+        let shown = |structure: usize| {
+            let mut floors = seen.shown.floors.iter().map(|floor| &floors[*floor]);
+            floors.any(|floor| floor.structure == structure)
+        };
+        all.retain(|(index, ..)| shown(*index));
+    }
+    all.into_iter()
+        .map(|(_, name, period)| (name, period))
+        .collect()
+}
+
 /// Nothing where the spectrum is refused: a period so short that the record holds some hundred thousand.
 fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
-    let (scene, floors) = (seen.prepared.scene(), seen.prepared.floors().all());
-    let shown = seen.shown.floors.iter();
-    let own: Vec<(usize, f64)> = shown
-        .filter_map(|&index| Some((index, floors[index].oscillation(scene)?.0)))
-        .collect();
+    let own = periods_of(seen);
     let shortest = own.iter().map(|one| one.1 / BEYOND).fold(USUAL.0, f64::min);
     let longest = own.iter().map(|one| one.1 * BEYOND).fold(USUAL.1, f64::max);
     let step = libm::log(longest / shortest) / f64::from(PERIODS - 1);
@@ -96,9 +116,9 @@ fn spectrum(seen: &Seen<'_>, gravity: f64) -> Option<Panel> {
     let mut all: Vec<(f64, f64)> = values.iter().map(point).collect();
     all.sort_by(|one, other| one.0.total_cmp(&other.0));
     let mut curves = vec![Curve::new(Kind::Line, Shade::Grey, all)];
-    for (position, (&(index, _), value)) in own.iter().zip(of_structures).enumerate() {
+    for (position, ((name, period), value)) in own.iter().zip(of_structures).enumerate() {
         let curve = Curve::new(Kind::Points, Shade::nth(position), vec![point(value)]);
-        let label = named(seen.prepared, index, true);
+        let label = format!("{name} (T = {} s)", brief(*period, 3));
         curves.push(curve.marked(MARKS[position % MARKS.len()]).named(label));
     }
     Some(Panel {

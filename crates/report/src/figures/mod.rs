@@ -1,10 +1,11 @@
 //! What a report shows: each picture as plain data, then as SVG and PNG.
 
 mod displacements;
-mod effects;
+pub(crate) mod effects;
 mod gaps;
 mod ground;
 mod hysteresis;
+mod profiles;
 mod shown;
 mod thin;
 
@@ -19,7 +20,8 @@ use rayon::prelude::*;
 use shown::Selection;
 
 /// The names that pictures can have, without the ends of their files.
-pub(super) const NAMES: [&str; 5] = [
+pub(super) const NAMES: [&str; 6] = [
+    "profiles",
     "displacements",
     "gaps",
     "effects",
@@ -36,6 +38,15 @@ pub(crate) struct Illustration {
     pub(crate) caption: String,
     /// SVG and PNG, or why it cannot be drawn: the numbers of a run that was forced can be too large for paper.
     pub(crate) drawn: Result<(String, Vec<u8>), PlotError>,
+}
+
+/// What is known of a scene besides its own run.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Known<'a> {
+    /// What pounding does to every storey.
+    pub(super) effects: Option<&'a Effects>,
+    /// The run in the other direction.
+    pub(super) other: Option<&'a RunResult>,
 }
 
 /// All that pictures are made of.
@@ -72,7 +83,7 @@ pub(super) fn illustrations(
     motion: Motion<'_>,
     outcome: &RunResult,
     pairs: &[PairSummary],
-    known: Option<&Effects>,
+    known: Known<'_>,
 ) -> Vec<Illustration> {
     let prepared = motion.prepared;
     let seen = Seen {
@@ -81,10 +92,11 @@ pub(super) fn illustrations(
         motion,
         shown: &Selection::of(prepared, pairs),
     };
-    let figures: [Option<(Figure, String)>; 5] = [
+    let figures: [Option<(Figure, String)>; 6] = [
+        profiles::figure(prepared, outcome, known),
         Some(displacements::figure(&seen)),
         gaps::figure(&seen),
-        known.and_then(|all| effects::figure(all, prepared)),
+        known.effects.and_then(|all| effects::figure(all, prepared)),
         hysteresis::figure(&seen),
         Some(ground::figure(&seen)),
     ];

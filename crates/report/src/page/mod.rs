@@ -32,9 +32,11 @@ pub(super) fn html(
     };
     let sections = [
         format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&lead(summary))),
+        both_directions(report, summary),
         verdict::verdict(summary, review),
         boxed(BEFORE, &summary.warnings),
         unusual(summary),
+        figure("profiles"),
         figure("displacements"),
         format!(
             "<h2>Pairs</h2>\n{}",
@@ -118,6 +120,23 @@ fn lead(summary: &Summary) -> String {
         digits(summary.method.duration_s),
         summary.version,
         summary.method.name.replace('_', " ")
+    )
+}
+
+/// What both directions of shaking do, the worse one first, above what the direction of the scene does.
+fn both_directions(report: &Report<'_>, summary: &Summary) -> String {
+    let Some(directions) = &report.directions else {
+        return String::new();
+    };
+    let [worse, other] = directions.sentences.each_ref().map(|one| escaped(one));
+    let touch = summary.pairs.iter().any(|pair| pair.collisions > 0)
+        || directions
+            .other
+            .iter()
+            .any(|other| !other.collisions.all().is_empty());
+    let touch = if touch { " touch" } else { "" };
+    format!(
+        "<div class=\"verdict{touch}\">\n<p><strong>{worse}</strong></p>\n<p>{other}</p>\n</div>\n<p>In the direction of the scene:</p>\n"
     )
 }
 

@@ -1,5 +1,7 @@
 //! A row under many motions: is the gap enough, what does touching do, how sure is that.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::distribution::Distribution;
 use super::peaks::FloorPeaks;
 use super::run::{AssessedFloor, AssessedPair, AssessedRun};
@@ -20,6 +22,10 @@ const ROUNDING: f64 = 1e-9;
 pub struct Assessment {
     /// Number of runs: motions times directions.
     pub runs: usize,
+    /// Number of events that the motions are of.
+    pub events: usize,
+    /// What the stiffness of contact changes; `None` if no two runs with several stiffnesses touch.
+    pub by_stiffness: Option<StiffnessEffect>,
     /// Of every gap between two neighbours, from the left.
     pub gaps: Vec<GapAssessment>,
     /// Of every floor in the order of the row; `None` of a wall.
@@ -37,10 +43,25 @@ pub struct GapAssessment {
     pub own: Option<f64>,
     /// Number of runs in which its neighbours touch.
     pub touching: usize,
+    /// Number of events in which they touch, under some component in some direction.
+    pub touching_events: usize,
     /// Width that keeps its neighbours apart \[m\].
     pub required: Distribution,
+    /// The largest of each event \[m\].
+    pub required_of_events: Distribution,
     /// What rules ask for.
     pub rules: Vec<RuleAssessment>,
+}
+
+/// The largest value over the stiffness of contact over the least one \[–\], of every storey or pair that touches and every run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StiffnessEffect {
+    /// Of peak drifts.
+    pub drift: Distribution,
+    /// Of peak absolute accelerations of floors.
+    pub acceleration: Distribution,
+    /// Of the largest impulse of a collision.
+    pub impulse: Distribution,
 }
 
 /// How a rule does for a gap.
@@ -66,6 +87,8 @@ pub struct FloorAssessment {
     pub shear: Distribution,
     /// Of the peak absolute acceleration of the floor.
     pub acceleration: Distribution,
+    /// Of the same, the least and the largest over the stiffness of contact, which decides it as it does forces.
+    pub acceleration_range: [Distribution; 2],
     /// Largest drift beside its neighbours \[m\].
     pub largest_drift: f64,
 }
@@ -83,68 +106,142 @@ pub struct PairAssessment {
     pub approach_speed: Option<f64>,
 }
 
+/// A run and the event that it is of.
+pub type RunOfEvent<'r> = (usize, &'r AssessedRun);
+
 impl Assessment {
     /// Sums runs of a scene up; `None` without a run.
     ///
     /// # Errors
     /// Those of [`Floors::of`].
-    pub fn of<'r>(scene: &Scene, runs: &[&'r AssessedRun]) -> Result<Option<Self>, Error> {
+    pub fn of(scene: &Scene, runs: &[RunOfEvent<'_>]) -> Result<Option<Self>, Error> {
         let floors = Floors::of(scene).map_err(|source| crate::in_scene(scene, source))?;
-        let Some(first) = runs.first() else {
+        let Some((_, first)) = runs.first() else {
             return Ok(None);
         };
-        let gap = |index: usize| {
-            let all: Vec<&Separation> = runs.iter().map(|run| &run.separations[index]).collect();
-            let left = all[0].left;
-            let own = scene.contacts.as_ref().and_then(|all| all.get(left));
-            let pairs: Vec<usize> = (0..floors.facing().len())
-                .filter(|pair| floors.facing()[*pair].contact == left)
-                .collect();
-            let touches =
-                |run: &&&AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
-            Some(GapAssessment {
-                left,
-                own: own.map(|contact| contact.gap_m),
-                touching: runs.iter().filter(touches).count(),
-                required: Distribution::of(all.iter().map(|one| one.required))?,
-                rules: Rule::ALL
-                    .iter()
-                    .filter_map(|rule| ruled(*rule, &all))
-                    .collect(),
-            })
+        let row = Row {
+            scene,
+            floors: &floors,
+            runs,
         };
         Ok(Some(Self {
             runs: runs.len(),
-            gaps: (0..first.separations.len()).filter_map(gap).collect(),
+            events: count_events(runs.iter().map(|(event, _)| *event)),
+            by_stiffness: row.by_stiffness(),
+            gaps: (0..first.separations.len())
+                .filter_map(|index| row.gap(index))
+                .collect(),
             floors: (0..first.floors.len())
-                .map(|floor| {
-                    let moves = !floors.all()[floor].is_wall();
-                    moves.then(|| {
-                        let building = floors.all()[floor].structure;
-                        let hits = |run: &&&AssessedRun| {
-                            let facing = floors.facing().iter().zip(&run.pairs);
-                            let touching = facing.filter(|(_, pair)| pair.collisions > 0);
-                            let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
-                            sides.any(|side| floors.all()[side].structure == building)
-                        };
-                        let of = |run: &&'r AssessedRun| &run.floors[floor];
-                        let hit: Vec<_> = runs.iter().filter(hits).map(of).collect();
-                        if hit.is_empty() {
-                            assessed_floor(&runs.iter().map(of).collect::<Vec<_>>())
-                        } else {
-                            assessed_floor(&hit)
-                        }
-                    })?
-                })
+                .map(|floor| row.floor(floor))
                 .collect(),
             pairs: (0..first.pairs.len())
                 .map(|pair| {
-                    let all: Vec<_> = runs.iter().map(|run| &run.pairs[pair]).collect();
+                    let all: Vec<_> = runs.iter().map(|(_, run)| &run.pairs[pair]).collect();
                     assessed_pair(&all)
                 })
                 .collect(),
         }))
     }
+}
+
+/// A row and its runs.
+struct Row<'r> {
+    scene: &'r Scene,
+    floors: &'r Floors,
+    runs: &'r [RunOfEvent<'r>],
+}
+
+impl Row<'_> {
+    fn gap(&self, index: usize) -> Option<GapAssessment> {
+        let all: Vec<&Separation> = self
+            .runs
+            .iter()
+            .map(|(_, run)| &run.separations[index])
+            .collect();
+        let left = all.first()?.left;
+        let own = self.scene.contacts.as_ref().and_then(|all| all.get(left));
+        let facing = self.floors.facing();
+        let pairs: Vec<usize> = (0..facing.len())
+            .filter(|pair| facing[*pair].contact == left)
+            .collect();
+        let touches = |run: &AssessedRun| pairs.iter().any(|pair| run.pairs[*pair].collisions > 0);
+        let touching = self.runs.iter().filter(|(_, run)| touches(run));
+        let mut largest: BTreeMap<usize, f64> = BTreeMap::new();
+        for ((event, _), one) in self.runs.iter().zip(&all) {
+            let so_far = largest.entry(*event).or_insert(one.required);
+            *so_far = so_far.max(one.required);
+        }
+        Some(GapAssessment {
+            left,
+            own: own.map(|contact| contact.gap_m),
+            touching: touching.clone().count(),
+            touching_events: count_events(touching.map(|(event, _)| *event)),
+            required: Distribution::of(all.iter().map(|one| one.required))?,
+            required_of_events: Distribution::of(largest.into_values())?,
+            rules: Rule::ALL
+                .iter()
+                .filter_map(|rule| ruled(*rule, &all))
+                .collect(),
+        })
+    }
+
+    /// A floor in the runs in which something touches its building, or in all if nothing ever does; `None` of a wall.
+    fn floor(&self, floor: usize) -> Option<FloorAssessment> {
+        if self.floors.all()[floor].is_wall() {
+            return None;
+        }
+        let hit = self.hits(floor);
+        if hit.is_empty() {
+            assessed_floor(
+                &self
+                    .runs
+                    .iter()
+                    .map(|(_, run)| &run.floors[floor])
+                    .collect::<Vec<_>>(),
+            )
+        } else {
+            assessed_floor(&hit)
+        }
+    }
+
+    /// A floor in the runs in which something touches its building.
+    fn hits(&self, floor: usize) -> Vec<&AssessedFloor> {
+        let building = self.floors.all()[floor].structure;
+        let hits = |run: &AssessedRun| {
+            let facing = self.floors.facing().iter().zip(&run.pairs);
+            let touching = facing.filter(|(_, pair)| pair.collisions > 0);
+            let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
+            sides.any(|side| self.floors.all()[side].structure == building)
+        };
+        let hit = self.runs.iter().filter(|(_, run)| hits(run));
+        hit.map(|(_, run)| &run.floors[floor]).collect()
+    }
+
+    fn by_stiffness(&self) -> Option<StiffnessEffect> {
+        let moving =
+            (0..self.floors.all().len()).filter(|floor| !self.floors.all()[*floor].is_wall());
+        let floors: Vec<&AssessedFloor> = moving.flat_map(|floor| self.hits(floor)).collect();
+        let ratio = |[least, largest]: [f64; 2]| largest / least;
+        let of = |peak: fn(&FloorPeaks) -> f64| {
+            let ratios = floors
+                .iter()
+                .map(|one| ratio(one.over_stiffness.each_ref().map(peak)));
+            Distribution::of(ratios.filter(|ratio| ratio.is_finite()))
+        };
+        let pairs = self.runs.iter().flat_map(|(_, run)| &run.pairs);
+        let impulses =
+            pairs.filter_map(|pair| Some(ratio(pair.peak_force.and(pair.largest_impulse)?)));
+        Some(StiffnessEffect {
+            drift: of(|peaks| peaks.drift)?,
+            acceleration: of(|peaks| peaks.acceleration)?,
+            impulse: Distribution::of(impulses.filter(|ratio| ratio.is_finite()))?,
+        })
+    }
+}
+
+/// Number of events among these.
+fn count_events(events: impl Iterator<Item = usize>) -> usize {
+    events.collect::<BTreeSet<usize>>().len()
 }
 
 impl GapAssessment {
@@ -186,18 +283,28 @@ fn ruled(rule: Rule, all: &[&Separation]) -> Option<RuleAssessment> {
 
 fn assessed_floor(all: &[&AssessedFloor]) -> Option<FloorAssessment> {
     let largest = all.iter().map(|one| one.beside.drift).fold(0.0, f64::max);
+    let beside = |peak: fn(&FloorPeaks) -> f64| {
+        let both = |one: &&AssessedFloor| [peak(&one.alone), peak(&one.beside)];
+        amplification(all.iter().map(both))
+    };
+    let range = |end: usize| {
+        let both = |one: &&AssessedFloor| {
+            [&one.alone, &one.over_stiffness[end]].map(|one| one.acceleration)
+        };
+        amplification(all.iter().map(both))
+    };
     Some(FloorAssessment {
-        drift: amplification(all, |peaks| peaks.drift)?,
-        shear: amplification(all, |peaks| peaks.shear)?,
-        acceleration: amplification(all, |peaks| peaks.acceleration)?,
+        drift: beside(|peaks| peaks.drift)?,
+        shear: beside(|peaks| peaks.shear)?,
+        acceleration: beside(|peaks| peaks.acceleration)?,
+        acceleration_range: [range(0)?, range(1)?],
         largest_drift: largest,
     })
 }
 
-/// A peak beside neighbours over that alone, in every run; without a floor that only its neighbours move.
-fn amplification(all: &[&AssessedFloor], peak: fn(&FloorPeaks) -> f64) -> Option<Distribution> {
-    let ratio = |one: &&AssessedFloor| {
-        let (alone, beside) = (peak(&one.alone), peak(&one.beside));
+/// Peaks beside neighbours over those alone, of pairs of both; without a floor that only its neighbours move.
+fn amplification(all: impl Iterator<Item = [f64; 2]>) -> Option<Distribution> {
+    let ratio = |[alone, beside]: [f64; 2]| {
         // What nothing moves is as well off beside its neighbours as alone.
         if beside.to_bits() == alone.to_bits() {
             1.0
@@ -205,7 +312,7 @@ fn amplification(all: &[&AssessedFloor], peak: fn(&FloorPeaks) -> f64) -> Option
             beside / alone
         }
     };
-    Distribution::of(all.iter().map(ratio).filter(|ratio| ratio.is_finite()))
+    Distribution::of(all.map(ratio).filter(|ratio| ratio.is_finite()))
 }
 
 fn assessed_pair(all: &[&AssessedPair]) -> PairAssessment {

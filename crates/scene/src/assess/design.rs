@@ -1,6 +1,11 @@
 //! Elastic design spectra of codes, and spectra from a table.
 
+use std::fmt;
 use std::str::FromStr;
+
+use pounding_text::{digits, short};
+
+use crate::STANDARD_GRAVITY;
 
 /// A spectrum of accelerations.
 #[derive(Debug, Clone, PartialEq)]
@@ -175,6 +180,59 @@ impl Eurocode8Ground {
     }
 }
 
+impl fmt::Display for DesignSpectrum {
+    /// What was understood, in words.
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Eurocode8 {
+                ground_acceleration,
+                ground: Eurocode8Ground { soil, corners },
+            } => write!(
+                to,
+                "EN 1998-1 with a_g = {} g = {} m/s², S = {}, T_B, T_C, T_D = {} s",
+                digits(*ground_acceleration),
+                short(ground_acceleration * STANDARD_GRAVITY),
+                digits(*soil),
+                corners.map(digits).join(", ")
+            ),
+            Self::Asce7 {
+                short,
+                one_second,
+                long_period,
+            } => write!(
+                to,
+                "ASCE 7-16 with S_DS = {} g, S_D1 = {} g, T_L = {} s",
+                digits(*short),
+                digits(*one_second),
+                digits(*long_period)
+            ),
+            Self::Table(points) => {
+                let largest = points.iter().map(|point| point[1]).fold(0.0, f64::max);
+                let [first, last] = [points[0][0], points[points.len() - 1][0]];
+                write!(
+                    to,
+                    "a table, {} to {} s, at most {} g",
+                    digits(first),
+                    digits(last),
+                    digits(largest)
+                )
+            }
+        }
+    }
+}
+
+/// An acceleration > 0 with its unit, `0.25g` or `2.45m/s2`, in g; `None` of everything else, and of a number without a unit.
+pub fn acceleration_in_g(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let metres = text.strip_suffix("m/s2").or(text.strip_suffix("m/s²"));
+    let (number, unit) = match metres {
+        Some(number) => (number, STANDARD_GRAVITY),
+        None => (text.strip_suffix('g')?, 1.0),
+    };
+    let number: f64 = number.trim().parse().ok()?;
+    (number > 0.0 && number.is_finite()).then_some(number / unit)
+}
+
 /// Value of a table at a period, linear between its points.
 fn between(points: &[[f64; 2]], period: f64) -> f64 {
     let above = points.iter().position(|point| point[0] >= period);
@@ -212,6 +270,17 @@ impl<'a> Settings<'a> {
         self.0.iter().find(|one| one.0 == field).map(|one| one.1)
     }
 
+    /// An acceleration with its unit, in g: codes give this one in m/s², others in g.
+    fn acceleration(&self, field: &str) -> Result<f64, DesignSpectrumError> {
+        let text = self.text(field);
+        let found = text.and_then(acceleration_in_g);
+        found.ok_or_else(|| DesignSpectrumError::Field {
+            field: field.into(),
+            found: text.unwrap_or("nothing").into(),
+            allowed: "is a number > 0 with its unit, such as 0.25g or 2.45m/s2",
+        })
+    }
+
     /// A number > 0, perhaps with its unit behind it.
     fn positive(&self, field: &str, unit: &str) -> Result<f64, DesignSpectrumError> {
         let text = self.text(field);
@@ -240,19 +309,25 @@ impl FromStr for DesignSpectrum {
         match text.split_once(':') {
             Some(("ec8", settings)) => {
                 let settings = Settings::of(settings, &["a_g", "ground", "type"])?;
-                let (ground, kind) = (
-                    settings.text("ground").unwrap_or("nothing"),
-                    settings.text("type").unwrap_or("1"),
-                );
+                let kind = settings.text("type").unwrap_or("1");
+                let field = |field: &str, found: &str, allowed| DesignSpectrumError::Field {
+                    field: field.into(),
+                    found: found.into(),
+                    allowed,
+                };
+                if !["1", "2"].contains(&kind) {
+                    return Err(field("type", kind, "are 1 and 2"));
+                }
+                let ground = settings.text("ground").unwrap_or("nothing");
                 let corners = Eurocode8Ground::of(ground, kind).ok_or_else(|| {
-                    DesignSpectrumError::Field {
-                        field: "ground".into(),
-                        found: format!("{ground}, type {kind}"),
-                        allowed: "are A to E, of type 1 or 2",
-                    }
+                    field(
+                        "ground",
+                        ground,
+                        "are A to E, as in \"ec8:a_g=0.25g,ground=C\"",
+                    )
                 })?;
                 Ok(Self::Eurocode8 {
-                    ground_acceleration: settings.positive("a_g", "g")?,
+                    ground_acceleration: settings.acceleration("a_g")?,
                     ground: corners,
                 })
             }
@@ -308,7 +383,7 @@ mod tests {
             ],
         );
         are_close(
-            &at("ec8:a_g=0.1,ground=D,type=2", &[0.2]),
+            &at("ec8:a_g=0.980665m/s2,ground=D,type=2", &[0.2]),
             &[0.1 * 1.8 * 2.5],
         );
     }
@@ -348,6 +423,8 @@ mod tests {
                 "ec9:a_g=1",
                 "ec8:a_g=0.25g",
                 "ec8:a_g=-1g,ground=C",
+                "ec8:a_g=0.25,ground=C",
+                "ec8:ground=C",
                 "ec8:ag=1,ground=C",
                 "asce7:s_ds=1,s_d1=0.6"
             ]
@@ -355,8 +432,10 @@ mod tests {
             .join("\n"),
             @r#"
         target: found "ec9:a_g=1", allowed are "ec8:a_g=0.25g,ground=C" (and type=2), "asce7:s_ds=1.0,s_d1=0.6,t_l=8" and a CSV file of periods in s and accelerations in g
-        target: ground: found nothing, type 1, allowed are A to E, of type 1 or 2
-        target: a_g: found -1g, allowed is a number > 0
+        target: ground: found nothing, allowed are A to E, as in "ec8:a_g=0.25g,ground=C"
+        target: a_g: found -1g, allowed is a number > 0 with its unit, such as 0.25g or 2.45m/s2
+        target: a_g: found 0.25, allowed is a number > 0 with its unit, such as 0.25g or 2.45m/s2
+        target: a_g: found nothing, allowed is a number > 0 with its unit, such as 0.25g or 2.45m/s2
         target: ag: found 1, allowed are a_g, ground and type after ec8:, and s_ds, s_d1 and t_l after asce7:
         target: t_l: found nothing, allowed is a number > 0
         "#

@@ -8,5 +8,6 @@ mod peaks;
 pub(crate) mod run;
 pub(crate) mod scaling;
 pub(crate) mod separation;
+pub(crate) mod target_fit;
 
 pub use peaks::FloorPeaks;

@@ -13,6 +13,17 @@ pub struct FloorPeaks {
     pub acceleration: f64,
 }
 
+impl FloorPeaks {
+    /// One of two for each of them.
+    pub(super) fn each(self, other: Self, one: fn(f64, f64) -> f64) -> Self {
+        Self {
+            drift: one(self.drift, other.drift),
+            shear: one(self.shear, other.shear),
+            acceleration: one(self.acceleration, other.acceleration),
+        }
+    }
+}
+
 /// Peaks of every floor of a run, in the order of the row.
 pub(super) fn peaks(simulation: &Simulation, result: &RunResult) -> Vec<FloorPeaks> {
     let of_floor = |floor: usize| {

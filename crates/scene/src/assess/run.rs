@@ -38,8 +38,8 @@ pub struct AssessedFloor {
     pub alone: FloorPeaks,
     /// Beside its neighbours, with the contact stiffness of the scene.
     pub beside: FloorPeaks,
-    /// Least and largest amplification of the drift over the contact stiffness \[–\]; `None` if it does not move alone.
-    pub drift_range: Option<[f64; 2]>,
+    /// Beside its neighbours, the least and the largest of each over the contact stiffness.
+    pub over_stiffness: [FloorPeaks; 2],
 }
 
 /// What happens to a pair.
@@ -106,11 +106,11 @@ impl Simulation {
         let floor = |index: usize| AssessedFloor {
             alone: before[index],
             beside: after[after.len() - 1][index],
-            drift_range: range(
-                after
-                    .iter()
-                    .map(|one| one[index].drift / before[index].drift),
-            ),
+            over_stiffness: [f64::min, f64::max].map(|end| {
+                let all = after.iter().map(|one| one[index]);
+                all.reduce(|one, other| one.each(other, end))
+                    .unwrap_or(before[index])
+            }),
         };
         // Of records others judge.
         let doubts = self.doubts();

@@ -1,11 +1,15 @@
 //! How the records of an assessment are scaled before they shake a row.
 
+use std::fmt;
+
 use pounding_motion::{Record, RecordError};
+use pounding_text::{digits, percent, short};
 
 use super::design::DesignSpectrum;
+use super::target_fit::MotionSpectrum;
 use crate::{
-    Error, Motion, MotionError, RecordUse, ScaleTo, Scene, Structure, in_scene, periods_between,
-    response_spectrum,
+    Error, Motion, MotionError, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene,
+    periods_between, response_spectrum,
 };
 
 /// What records are scaled to.
@@ -26,10 +30,36 @@ pub enum Scaling {
 const PERIODS: u32 = 30;
 
 /// Part of the shortest and multiple of the longest period between which it is compared; of ASCE 7-16, 16.2.3.1, and EN 1998-1, 3.2.3.1.2.
-const BETWEEN: [f64; 2] = [0.2, 2.0];
+pub(super) const BETWEEN: [f64; 2] = [0.2, 2.0];
 
 /// Damping ratio of target spectra \[–\].
-const DAMPING: f64 = 0.05;
+pub(super) const DAMPING: f64 = 0.05;
+
+impl fmt::Display for Scaling {
+    /// What was understood, in words.
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let both = |g: f64| format!("{} g = {} m/s²", digits(g), short(g * STANDARD_GRAVITY));
+        match self {
+            Self::AsScene => to.write_str("as the scene scales its own record"),
+            Self::Unscaled => to.write_str("not at all"),
+            Self::To(ScaleTo::PgaG(g)) => {
+                write!(to, "to a peak ground acceleration of {}", both(*g))
+            }
+            Self::To(ScaleTo::Sa {
+                period_s,
+                damping_ratio,
+                sa_g,
+            }) => write!(
+                to,
+                "to a spectral acceleration of {} at {} s, {} of damping",
+                both(*sa_g),
+                digits(*period_s),
+                percent(*damping_ratio)
+            ),
+            Self::Target(spectrum) => write!(to, "to the spectrum of {spectrum}"),
+        }
+    }
+}
 
 impl Scaling {
     /// A scene whose records are scaled so.
@@ -48,17 +78,23 @@ impl Scaling {
         scaled
     }
 
-    /// The scene as a motion is to shake it.
+    /// The scene as a motion is to shake it, and of motions that are scaled to a spectrum their own.
     ///
     /// # Errors
     /// Those of reading the motion and of its spectrum.
-    pub fn applied(&self, scene: &Scene, motion: &Motion) -> Result<Scene, Error> {
+    pub fn applied(
+        &self,
+        scene: &Scene,
+        motion: &Motion,
+    ) -> Result<(Scene, Option<MotionSpectrum>), Error> {
         let mut scaled = self.scene(scene);
-        if let Self::Target(target) = self {
-            let (_, ground) = motion.used_as(&scaled.record, &scene.name)?;
-            scaled.record.scale = factor(&ground.record, target, scene)?;
-        }
-        Ok(scaled)
+        let Self::Target(target) = self else {
+            return Ok((scaled, None));
+        };
+        let (_, ground) = motion.used_as(&scaled.record, &scene.name)?;
+        let unscaled = spectrum(&ground.record, scene)?;
+        scaled.record.scale = factor(&unscaled, target, scene)?;
+        Ok((scaled.clone(), Some(unscaled.scaled(scaled.record.scale))))
     }
 }
 
@@ -70,29 +106,43 @@ fn unscaled(record: &RecordUse) -> RecordUse {
     }
 }
 
-/// The factor that brings a record's spectrum to its target.
-fn factor(record: &Record, target: &DesignSpectrum, scene: &Scene) -> Result<f64, Error> {
-    const PLACE: &str = "record.scale";
-    let refused = |error: MotionError| in_scene(scene, error.into());
+/// The periods at which records are held against a spectrum \[s\], in rising order; at least one structure of the scene moves.
+pub(super) fn periods_of(scene: &Scene) -> Vec<f64> {
     let of_row = scene.structures.iter().filter_map(Structure::period);
     let (shortest, longest) = of_row.fold((f64::INFINITY, 0.0_f64), |(least, most), period| {
         (least.min(period), most.max(period))
     });
-    let periods = periods_between(BETWEEN[0] * shortest, BETWEEN[1] * longest, PERIODS);
-    let found = response_spectrum(record, &periods, DAMPING)
-        .map_err(|error| refused(MotionError::of_spectrum(PLACE, error)))?;
+    periods_between(BETWEEN[0] * shortest, BETWEEN[1] * longest, PERIODS)
+}
+
+/// Where in a scene a record is scaled.
+const PLACE: &str = "record.scale";
+
+/// The spectrum of a record at the periods of a scene.
+fn spectrum(record: &Record, scene: &Scene) -> Result<MotionSpectrum, Error> {
+    let found = response_spectrum(record, &periods_of(scene), DAMPING)
+        .map_err(|error| in_scene(scene, MotionError::of_spectrum(PLACE, error).into()))?;
+    Ok(MotionSpectrum {
+        peak: record.peak().1.abs(),
+        accelerations: found.iter().map(|one| one.pseudo_acceleration).collect(),
+    })
+}
+
+/// The factor that brings a spectrum to its target.
+fn factor(found: &MotionSpectrum, target: &DesignSpectrum, scene: &Scene) -> Result<f64, Error> {
+    let periods = periods_of(scene);
     let gravity = scene.record.gravity_m_per_s2;
-    let logs = periods.iter().zip(&found).map(|(period, found)| {
-        libm::log(target.acceleration(*period) * gravity / found.pseudo_acceleration)
-    });
+    let both = periods.iter().zip(&found.accelerations);
+    let logs =
+        both.map(|(period, found)| libm::log(target.acceleration(*period) * gravity / found));
     let factor = libm::exp(logs.sum::<f64>() / f64::from(PERIODS));
     if factor.is_finite() {
         return Ok(factor);
     }
     let nothing = RecordError::AllZero {
-        target: target.acceleration(longest) * gravity,
+        target: target.acceleration(periods[periods.len() - 1]) * gravity,
     };
-    Err(refused(MotionError::of(PLACE, &nothing)))
+    Err(in_scene(scene, MotionError::of(PLACE, &nothing).into()))
 }
 
 #[cfg(test)]
@@ -123,7 +173,8 @@ mod tests {
             |one: &crate::SpectralValues| [one.period, 2.0 * one.pseudo_acceleration / gravity];
         let mut points: Vec<[f64; 2]> = own.iter().map(point).collect();
         points.push([10.0, 1e6]);
-        let found = factor(&record, &DesignSpectrum::Table(points), &scene).expect("a factor");
+        let found = spectrum(&record, &scene).expect("a spectrum");
+        let found = factor(&found, &DesignSpectrum::Table(points), &scene).expect("a factor");
         assert!((found - 2.0).abs() < 1e-9, "{found}");
     }
 }

@@ -4,11 +4,13 @@ use crate::{RunResult, Simulation};
 use pounding_text::{digits, rounded_down};
 
 impl Simulation {
-    /// What the exact run of the scene does not need, a line each: yielding that is not reached, gaps that stay open.
-    pub fn unneeded(&self, expected: &RunResult) -> Vec<String> {
+    /// What none of these exact runs of the scene, of which there is at least one, needs, a line each: yielding that is not reached, gaps
+    /// that stay open. Runs of both directions say more than one.
+    pub fn unneeded(&self, expected: &[&RunResult]) -> Vec<String> {
         let floors = self.floors().all().iter().enumerate();
         let columns = floors.filter_map(|(index, floor)| {
-            let peak = expected.peaks.of(index).restoring_force.value.abs();
+            let peaks = expected.iter().map(|run| run.peaks.of(index).restoring_force.value.abs());
+            let peak = peaks.fold(0.0, f64::max);
             let columns = floor.made_of?.columns;
             // Columns that yield smoothly do so from the first drift on.
             let sharp = columns.yield_force_n.filter(|_| columns.bouc_wen.is_none());
@@ -29,7 +31,7 @@ impl Simulation {
             .take(self.floors().facing().len())
             .enumerate();
         let gaps = pairs.filter_map(|(pair, one)| {
-            let touch = expected.collisions_of(pair).next().is_some();
+            let touch = expected.iter().any(|run| run.collisions_of(pair).next().is_some());
             let [left, right] = self.floors().names(pair);
             let contact = self.floors().facing()[pair].contact;
             (!touch).then(|| {

@@ -250,8 +250,10 @@ impl Member {
     /// The first coefficient of the rate of the drift that is more than rounding.
     fn leading_rate(&self, below: Option<&Self>, (p, len): (usize, usize)) -> Option<f64> {
         let mut rates = self.drift_rate()[..len].iter().enumerate();
-        // An event sets the rounding of what it makes zero to zero.
-        let leading = rates.find(|(n, rate)| rate.abs() > self.noise_of_rate(below, p, *n));
+        // An event sets the rounding of what it makes zero to zero; and a row at rest before its record begins need not ask.
+        let leads =
+            |n: usize, rate: f64| rate != 0.0 && rate.abs() > self.noise_of_rate(below, p, n);
+        let leading = rates.find(|(n, rate)| leads(*n, **rate));
         leading.map(|(_, rate)| *rate)
     }
 

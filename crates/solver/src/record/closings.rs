@@ -1,7 +1,13 @@
+mod cubic;
+mod piece;
+
 use std::collections::VecDeque;
 
 use crate::span::Expansion;
 use crate::{Impact, Motion, Path, Recorder, Span, State, Travel};
+
+use cubic::{Cubic, Node};
+use piece::Piece;
 
 /// How far two neighbours came towards each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +23,8 @@ pub struct Closing {
 /// The motion of a stepping method is the cubic of its spans, and the largest closing that of these cubics. A series is taken
 /// as a cubic between looks: with 200 of them in the shortest natural period it is off by (2π/200)⁴/384 of the
 /// amplitude, 3e-9. What waits for a neighbour to come as far is kept, and nothing else: a record's step of it in the exact
-/// method, a time step in others. Where grounds move apart, how far they do is part of the closing.
+/// method, a time step in others. Where grounds move apart, how far they do is part of the closing. A series is looked at only
+/// where the cubic through its ends, and what that leaves out at most, could close the gap further than it is known to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closings {
     look: f64,
@@ -32,23 +39,8 @@ pub struct Closings {
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Gap {
     /// Motion of the left and of the right neighbour that the other has not come to, from one common instant on.
-    ahead: [VecDeque<Cubic>; 2],
+    ahead: [VecDeque<Piece>; 2],
     largest: Option<Closing>,
-}
-
-/// Instant \[s\], displacement \[m\] and velocity \[m/s\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Node {
-    time: f64,
-    displacement: f64,
-    velocity: f64,
-}
-
-/// The cubic through two nodes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Cubic {
-    start: Node,
-    end: Node,
 }
 
 impl Closings {
@@ -79,14 +71,20 @@ impl Closings {
     }
 
     /// A piece of the motion of a structure, for the gaps on both sides.
-    fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: Cubic) {
-        let wall = |node: usize| self.walls[node].then(|| piece.of_ground(node, travel));
-        if let Some(left) = structure.checked_sub(1) {
-            self.gaps[left].follow(1, piece, wall(left));
-        }
-        if structure < self.gaps.len() {
-            let wall = wall(structure + 1);
-            self.gaps[structure].follow(0, piece, wall);
+    fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: Piece) {
+        let left = structure.checked_sub(1);
+        let right = (structure < self.gaps.len()).then_some(structure + 1);
+        let sides = [(left, left, 1), (right, right.map(|_| structure), 0)];
+        for (neighbour, gap, side) in sides {
+            let Some((neighbour, gap)) = neighbour.zip(gap) else {
+                continue;
+            };
+            let gap = &mut self.gaps[gap];
+            if self.walls[neighbour] {
+                gap.follow_beside_wall(side, &piece, |cubic| cubic.of_ground(neighbour, travel));
+            } else {
+                gap.follow(side, piece.clone());
+            }
         }
     }
 
@@ -124,16 +122,27 @@ impl Recorder for Closings {
         let mut room = Expansion::default();
         let span = &span.expanded(&mut room);
         let looks = self.looks(span);
-        let mut start = node(span.start_time, span.start);
+        let start = node(span.start_time, span.start);
+        let end = node(span.end_time, span.end);
+        let whole = Cubic { start, end };
+        let coarse = match span.path {
+            Path::Series(series) if looks > 1 && travel.is_none() => {
+                Piece::coarse(whole, &series, looks)
+            }
+            Path::Series(_) | Path::Cubic(_) | Path::Flight(_) => None,
+        };
+        if let Some(piece) = coarse {
+            return self.follow(span.structure, None, piece);
+        }
+        let mut start = start;
         for look in 1..looks {
             let share = f64::from(look) / f64::from(looks);
             let time = span.start_time + share * span.duration();
             let end = node(time, span.at(time));
-            self.follow(span.structure, travel.as_ref(), Cubic { start, end });
+            self.follow(span.structure, travel.as_ref(), Cubic { start, end }.into());
             start = end;
         }
-        let end = node(span.end_time, span.end);
-        self.follow(span.structure, travel.as_ref(), Cubic { start, end });
+        self.follow(span.structure, travel.as_ref(), Cubic { start, end }.into());
         self.travel = travel;
     }
 
@@ -141,168 +150,67 @@ impl Recorder for Closings {
 }
 
 impl Gap {
-    /// A piece of the motion of the left neighbour (side 0) or of the right one; and of the other where that is a wall.
-    fn follow(&mut self, side: usize, piece: Cubic, wall: Option<Cubic>) {
-        let signed = |piece: Cubic| if side == 0 { piece } else { piece.mirrored() };
-        if let Some(wall) = wall {
-            return self.take(signed(piece.less(wall)));
+    /// A piece of the motion of the left neighbour (side 0) or of the right one, beside a wall that moves so.
+    fn follow_beside_wall(&mut self, side: usize, piece: &Piece, wall: impl Fn(Cubic) -> Cubic) {
+        let closing = |cubic: Cubic| {
+            let apart = cubic.less(wall(cubic));
+            if side == 0 { apart } else { apart.mirrored() }
+        };
+        if !self.knows(&closing(piece.cubic), piece.leaves_out()) {
+            for cubic in piece.fine() {
+                self.take(&closing(cubic));
+            }
         }
+    }
+
+    /// The same beside a neighbour that moves.
+    fn follow(&mut self, side: usize, piece: Piece) {
         self.ahead[side].push_back(piece);
-        while let [Some(left), Some(right)] =
-            self.ahead.each_ref().map(|ahead| ahead.front().copied())
-        {
-            let end = left.end.time.min(right.end.time);
-            self.take(left.until(end).less(right.until(end)));
-            for (ahead, piece) in self.ahead.iter_mut().zip([left, right]) {
-                ahead.pop_front();
-                if piece.end.time > end {
+        while let [Some(left), Some(right)] = self.ahead.each_ref().map(VecDeque::front) {
+            let end = left.cubic.end.time.min(right.cubic.end.time);
+            let closing = left.cubic.until(end).less(right.cubic.until(end));
+            let leaves_out = left.leaves_out() + right.leaves_out();
+            if !self.knows(&closing, leaves_out) {
+                if leaves_out > 0.0 {
+                    self.ahead.iter_mut().for_each(look_closer);
+                    continue;
+                }
+                self.take(&closing);
+            }
+            for ahead in &mut self.ahead {
+                let piece = ahead.pop_front();
+                let rest = piece.filter(|piece| piece.cubic.end.time > end);
+                if let Some(piece) = rest {
                     ahead.push_front(piece.from(end));
                 }
             }
         }
     }
 
-    /// Takes the largest value of a closing that is a cubic.
-    fn take(&mut self, closing: Cubic) {
-        // Not above its control points, so that most pieces are left at once.
+    /// Whether a closing that is so far from a cubic at most goes no further than is known. It does not go above the control points, so
+    /// that most pieces are left at once.
+    fn knows(&self, closing: &Cubic, leaves_out: f64) -> bool {
         let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
-        if closing.controls().iter().all(|height| *height <= known) {
-            return;
-        }
-        let (distance, time) = closing.highest();
-        if distance > known {
-            self.largest = Some(Closing { distance, time });
-        }
+        let mut controls = closing.controls().into_iter();
+        controls.all(|height| height + leaves_out <= known)
     }
-}
 
-impl Node {
-    fn new(time: f64, motion: Motion) -> Self {
-        Self {
-            time,
-            displacement: motion.displacement,
-            velocity: motion.velocity,
+    /// Takes the largest value of a closing that is a cubic.
+    fn take(&mut self, closing: &Cubic) {
+        let highest = closing.highest();
+        let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
+        if highest.distance > known {
+            self.largest = Some(highest);
         }
     }
 }
 
-impl Cubic {
-    /// The ground of a node over the same interval.
-    fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
-        let at = |time: f64| {
-            let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
-            Node::new(time, ground)
-        };
-        Self {
-            start: at(self.start.time),
-            end: at(self.end.time),
+/// Puts the cubics between the looks of the first piece in its place.
+fn look_closer(ahead: &mut VecDeque<Piece>) {
+    if let Some(piece) = ahead.pop_front() {
+        for cubic in piece.fine().rev() {
+            ahead.push_front(cubic.into());
         }
-    }
-
-    fn duration(&self) -> f64 {
-        self.end.time - self.start.time
-    }
-
-    /// Coefficients of 1, s, s² and s³ with s from 0 at the start to 1 at the end.
-    fn coefficients(&self) -> [f64; 4] {
-        let h = self.duration();
-        let (first, last) = (self.start.velocity * h, self.end.velocity * h);
-        let rise = self.end.displacement - self.start.displacement;
-        [
-            self.start.displacement,
-            first,
-            3.0 * rise - 2.0 * first - last,
-            first + last - 2.0 * rise,
-        ]
-    }
-
-    fn at(&self, time: f64) -> Node {
-        let h = self.duration();
-        let s = (time - self.start.time) / h;
-        let [u, a, b, c] = self.coefficients();
-        Node {
-            time,
-            displacement: u + s * (a + s * (b + s * c)),
-            velocity: (a + s * (2.0 * b + 3.0 * s * c)) / h,
-        }
-    }
-
-    /// The part up to an instant, which is not before its start.
-    fn until(self, time: f64) -> Self {
-        if time < self.end.time {
-            Self {
-                end: self.at(time),
-                ..self
-            }
-        } else {
-            self
-        }
-    }
-
-    /// The part from an instant before its end on.
-    fn from(self, time: f64) -> Self {
-        Self {
-            start: self.at(time),
-            ..self
-        }
-    }
-
-    fn mirrored(self) -> Self {
-        let mirrored = |node: Node| Node {
-            displacement: -node.displacement,
-            velocity: -node.velocity,
-            ..node
-        };
-        Self {
-            start: mirrored(self.start),
-            end: mirrored(self.end),
-        }
-    }
-
-    /// The difference of two cubics over one interval.
-    fn less(self, other: Self) -> Self {
-        let less = |one: Node, other: Node| Node {
-            time: one.time,
-            displacement: one.displacement - other.displacement,
-            velocity: one.velocity - other.velocity,
-        };
-        Self {
-            start: less(self.start, other.start),
-            end: less(self.end, other.end),
-        }
-    }
-
-    /// Heights between which it stays: those of its Bézier points.
-    fn controls(&self) -> [f64; 4] {
-        let third = self.duration() / 3.0;
-        let (start, end) = (&self.start, &self.end);
-        [
-            start.displacement,
-            start.displacement + third * start.velocity,
-            end.displacement - third * end.velocity,
-            end.displacement,
-        ]
-    }
-
-    /// Its largest value and where it is first.
-    fn highest(&self) -> (f64, f64) {
-        let [u, a, b, c] = self.coefficients();
-        // Slope a + 2bs + 3cs²; without a root where it does not change its sign. A root that is no number, of b = 0 and
-        // c = 0 or a = 0, is not between 0 and 1.
-        let root = (b * b - 3.0 * a * c).sqrt();
-        let sum = -(b + root.copysign(b));
-        let mut highest = (self.start.displacement, self.start.time);
-        let between = [sum / (3.0 * c), a / sum].into_iter();
-        for s in between.filter(|s| *s > 0.0 && *s < 1.0) {
-            let height = u + s * (a + s * (b + s * c));
-            if height > highest.0 {
-                highest = (height, self.start.time + s * self.duration());
-            }
-        }
-        if self.end.displacement > highest.0 {
-            highest = (self.end.displacement, self.end.time);
-        }
-        highest
     }
 }
 
@@ -310,6 +218,7 @@ impl Cubic {
 mod tests {
     use super::*;
     use crate::Weighed;
+    use crate::span::{Power, Series};
 
     /// A cubic path between two instants, as a step of a stepping method.
     fn step(structure: usize, times: [f64; 2], path: fn(f64) -> (f64, f64)) -> Span<'static> {
@@ -360,6 +269,78 @@ mod tests {
         assert!((found.time - time).abs() < 1e-15, "{found:?}");
         assert!((found.distance - wanted).abs() < 1e-15, "{found:?}");
         assert!(closings.gaps[0].ahead.iter().all(VecDeque::is_empty));
+    }
+
+    /// Taylor series of sin ωt from an instant on, and of its rate.
+    fn sine(omega: f64, from: f64) -> [[f64; 20]; 2] {
+        let (sine, cosine) = (libm::sin(omega * from), libm::cos(omega * from));
+        let mut terms = [[0.0; 20]; 2];
+        // Derivatives of order n are ωⁿ times these; divided by n!.
+        let (cycle, mut scale) = ([sine, cosine, -sine, -cosine], 1.0);
+        for n in 0..20 {
+            terms[0][n] = scale * cycle[n % 4];
+            terms[1][n] = scale * omega * cycle[(n + 1) % 4];
+            scale *= omega / (n + 1) as f64;
+        }
+        terms
+    }
+
+    /// sin t ahead of sin 1.3 t, each in pieces of its own, in front of each other and of a wall: what is left at once is never
+    /// the largest, and the rest is as close as the looks are.
+    #[test]
+    fn reference_series_are_looked_at_where_they_matter() {
+        let mut closings = Closings::new(vec![true, false, false], 0.01);
+        let mut follow = |node: usize, omega: f64, step: f64| {
+            let mut from = 0.0;
+            while from < 12.0 {
+                let [displacement, velocity] = sine(omega, from);
+                let to = from + step;
+                let state = |t: f64| State {
+                    displacement: libm::sin(omega * t),
+                    velocity: omega * libm::cos(omega * t),
+                    ..State::default()
+                };
+                closings.span(&Span {
+                    path: Path::Series(Series {
+                        origin: from,
+                        power: Power::One,
+                        end: step,
+                        displacement: &displacement,
+                        velocity: &velocity,
+                        acceleration: &[],
+                        below: None,
+                        restoring_force: (0.0, 0.0),
+                        bent: &[],
+                        force_from_left: &[],
+                        force_from_right: &[],
+                    }),
+                    start: state(from),
+                    end: state(to),
+                    ..step_of(node, [from, to])
+                });
+                from = to;
+            }
+        };
+        follow(1, 1.0, 0.5);
+        follow(2, 1.3, 0.375);
+        let ahead = |t: f64| libm::sin(t) - libm::sin(1.3 * t);
+        let looked = (0..1_200_000).map(|look| ahead(1e-5 * f64::from(look)));
+        let wanted = looked.fold(0.0, f64::max);
+        let found = closings.of(1).expect("both moved");
+        assert!((found.distance - wanted).abs() < 1e-9, "{found:?} {wanted}");
+        assert!((ahead(found.time) - wanted).abs() < 1e-9, "{found:?}");
+        // The wall on the left: the least of sin t is −1 at 3π/2.
+        let wall = closings.of(0).expect("it moved");
+        assert!((wall.distance - 1.0).abs() < 1e-9, "{wall:?}");
+        assert!(
+            (wall.time - 1.5 * std::f64::consts::PI).abs() < 1e-4,
+            "{wall:?}"
+        );
+    }
+
+    /// A span at rest.
+    fn step_of(node: usize, times: [f64; 2]) -> Span<'static> {
+        step(node, times, |_| (0.0, 0.0))
     }
 
     #[test]

@@ -70,12 +70,14 @@ impl Power {
 }
 
 /// Value of a polynomial with these coefficients, the lowest power first.
+#[inline]
 pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
     let sum = |sum, coefficient: &f64| sum * x + coefficient;
     coefficients.iter().rev().fold(0.0, sum)
 }
 
 /// What a polynomial has risen since x = 0.
+#[inline]
 pub(crate) fn rise(coefficients: &[f64], x: f64) -> f64 {
     x * value(coefficients.get(1..).unwrap_or_default(), x)
 }
@@ -87,6 +89,7 @@ impl Series<'_> {
     }
 
     /// Drift of the storey below the floor, whose own motion at x this is.
+    #[inline]
     pub(super) fn drift(&self, floor: Motion, x: f64) -> Motion {
         match self.below {
             None => floor,
@@ -97,7 +100,8 @@ impl Series<'_> {
         }
     }
 
-    /// State at x.
+    /// State at x. Inlined, so that whoever integrates pays for what the integrand asks only.
+    #[inline]
     pub(super) fn at(&self, x: f64) -> State {
         let rise = rise(self.displacement, x);
         let drift = match self.below {

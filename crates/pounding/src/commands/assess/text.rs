@@ -10,10 +10,13 @@ use crate::text::{NONE, paragraph, short, table};
 const MOST: usize = 6;
 
 pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
-    let answers = report.answers().into_iter();
+    let answers = report.before().into_iter().chain(report.answers());
     let more = report.proposals().into_iter().chain(report.consequences());
     let answer: Vec<String> = answers.chain(more).collect();
-    let mut parts = vec![paragraph("Answer", &answer.join("\n"))];
+    let mut parts = vec![
+        paragraph("Answer", &answer.join("\n")),
+        paragraph("Motions", &report.shaking().join("\n")),
+    ];
     let warnings = report.warnings();
     if !warnings.is_empty() {
         parts.push(paragraph("Warnings", &warnings.join("\n")));
@@ -108,7 +111,7 @@ fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
         ["When they touch", "median / 84 %"],
         ["Drift", "× alone"],
         ["Shear", "× alone"],
-        ["Acceleration", "× alone"],
+        ["Acceleration", "range × alone"],
         ["Largest", "drift [mm]"],
     ];
     let all: Vec<(usize, &FloorAssessment)> = if most == usize::MAX {
@@ -124,7 +127,11 @@ fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
             report.floor_name(*floor),
             both(&one.drift),
             both(&one.shear),
-            both(&one.acceleration),
+            format!(
+                "{} to {}",
+                two_decimals(one.acceleration_range[0].median()),
+                two_decimals(one.acceleration_range[1].p84())
+            ),
             millimetres(one.largest_drift),
         ]
     };

@@ -63,13 +63,17 @@ fn structure(structure: &Structure, limit: Option<f64>) -> Value {
     })
 }
 
-/// Every pair; what is expected of it is null where it never touches.
+/// Every pair; what is expected of it is null where it does not touch in the direction of the scene.
 fn pairs(plan: &Plan<'_>) -> Vec<Value> {
     let scene = plan.prepared.scene();
     let limits = plan
         .expected
         .as_ref()
         .map(|expected| &expected.limits.contacts);
+    let reversed = plan
+        .expected
+        .as_ref()
+        .and_then(|expected| expected.reversed.as_ref());
     let contacts: Vec<_> = scene.contacts.iter().flatten().collect();
     let floors = plan.prepared.floors();
     let pair = |(index, facing): (usize, &FloorPair)| {
@@ -85,6 +89,7 @@ fn pairs(plan: &Plan<'_>) -> Vec<Value> {
             "gap_m": contact.gap_m,
             "law": contact.law.name(),
             "touches": limit.map(touches),
+            "touches_reversed": reversed.map(|run| run.collisions_of(index).next().is_some()),
         })
     };
     floors.facing().iter().enumerate().map(pair).collect()

@@ -47,7 +47,6 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
             doubts,
         );
     }
-    doubt_the_heights(index, building, doubts);
     doubt_the_period(index, building, doubts);
 }
 
@@ -71,27 +70,6 @@ pub(super) fn doubt_the_yielding(
                 percent(ratio)
             ),
             "0.05 % to 5 %; yield_force_n and yield_displacement_m decide it as well",
-        ),
-    );
-}
-
-/// Some heights without the others count for nothing where floors are to face each other.
-fn doubt_the_heights(index: usize, building: &Building, doubts: &mut Doubts) {
-    let missing = building
-        .storeys
-        .iter()
-        .position(|one| one.height_m.is_none());
-    let given = building.storeys.iter().any(|one| one.height_m.is_some());
-    let storey = missing.filter(|_| given);
-    doubts.unless(
-        storey.is_none(),
-        format!(
-            "structures[{index}].building.storeys[{}].height_m",
-            storey.unwrap_or(0)
-        ),
-        (
-            "none, beside storeys that have one".into(),
-            "all heights or none: now storeys of one number count as level in the whole row",
         ),
     );
 }

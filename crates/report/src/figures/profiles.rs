@@ -1,0 +1,145 @@
+//! Peak drift and shear force over the height of every building, in both directions of shaking, and of the building alone where that is known.
+
+use super::{Known, fitting, unit};
+use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_scene::{RunResult, Simulation};
+
+/// More buildings than this do not fit side by side.
+const MOST: usize = 4;
+
+/// Nothing where no building has several storeys.
+pub(super) fn figure(
+    prepared: &Simulation,
+    outcome: &RunResult,
+    known: Known<'_>,
+) -> Option<(Figure, String)> {
+    let floors = prepared.floors();
+    let several = |index: &usize| floors.of_structure(*index).len() > 1;
+    let moves = |index: &usize| !floors.all()[floors.of_structure(*index)[0]].is_wall();
+    let structures = 0..prepared.scene().structures.len();
+    let buildings: Vec<usize> = structures.filter(several).filter(moves).collect();
+    let shown = &buildings[..buildings.len().min(MOST)];
+    if shown.is_empty() {
+        return None;
+    }
+    let all = 0..floors.all().len();
+    let largest = all.map(|floor| outcome.peaks.of(floor).restoring_force.value.abs());
+    let (unit, factor) = unit(largest.fold(0.0, f64::max), "N");
+    let responses = [
+        Response {
+            label: "Drift (mm)".into(),
+            of: |result, floor| 1e3 * result.peaks.of(floor).drift().value.abs(),
+            alone: 0,
+            factor: 1.0,
+        },
+        Response {
+            label: format!("Shear ({unit})"),
+            of: |result, floor| result.peaks.of(floor).restoring_force.value.abs(),
+            alone: 1,
+            factor,
+        },
+    ];
+    let panels = responses.iter().flat_map(|response| {
+        let curves = shown
+            .iter()
+            .map(|building| response.curves((prepared, *building), outcome, known));
+        let curves: Vec<Vec<Curve>> = curves.collect();
+        let points = curves.iter().flatten().flat_map(|curve| &curve.points);
+        // From zero, and the same for all buildings.
+        let end = 1.05 * points.map(|point| point.0).fold(0.0, f64::max);
+        let label = &response.label;
+        shown
+            .iter()
+            .zip(curves)
+            .map(move |(building, curves)| Panel {
+                title: fitting(prepared.scene().structures[*building].name()),
+                x: Some(if end > 0.0 {
+                    Axis::over(label.clone(), 0.0, end)
+                } else {
+                    Axis::auto(label.clone())
+                }),
+                y: Axis::auto("Storey"),
+                curves,
+                legend: Legend::Shared,
+                ..Panel::default()
+            })
+    });
+    let alone = match known.effects {
+        Some(_) => " Dashed: the same building alone, the larger of both directions.",
+        None => "",
+    };
+    let left_out = if shown.len() < buildings.len() {
+        format!(
+            " Of {} buildings the first {MOST} from the left.",
+            buildings.len()
+        )
+    } else {
+        String::new()
+    };
+    let figure = Figure {
+        height_in: 5.6,
+        columns: shown.len(),
+        panels: panels.collect(),
+        ..Figure::default()
+    };
+    Some((
+        figure,
+        format!(
+            "Peak storey drift and shear force over the height of the buildings, in the direction of the scene and in the other one.{alone}{left_out}"
+        ),
+    ))
+}
+
+/// What a row of panels shows.
+struct Response {
+    label: String,
+    /// Of a run and a floor, in the unit of the axis but for the factor.
+    of: fn(&RunResult, usize) -> f64,
+    /// Its place among the responses of effects.
+    alone: usize,
+    factor: f64,
+}
+
+impl Response {
+    fn curves(
+        &self,
+        (prepared, building): (&Simulation, usize),
+        outcome: &RunResult,
+        known: Known<'_>,
+    ) -> Vec<Curve> {
+        let floors = prepared.floors().of_structure(building);
+        let of = |result: &RunResult| over(floors, |floor| self.factor * (self.of)(result, floor));
+        let mut curves = Vec::new();
+        if let Some(effects) = known.effects {
+            let scale = if self.alone == 0 { 1e3 } else { self.factor };
+            let alone = |floor: usize| {
+                let both = [&effects.as_given[floor], &effects.reversed[floor]];
+                let all = both
+                    .iter()
+                    .filter_map(|one| Some(one.responses()[self.alone]?.alone));
+                scale * all.fold(0.0, f64::max)
+            };
+            curves.push(Curve::new(Kind::Dashed, Shade::Ink, over(floors, alone)).named("alone"));
+        }
+        curves.push(
+            Curve::new(Kind::Line, Shade::Blue, of(outcome))
+                .marked(Mark::Disc)
+                .named("as in the scene"),
+        );
+        if let Some(other) = known.other {
+            curves.push(
+                Curve::new(Kind::Line, Shade::Vermilion, of(other))
+                    .marked(Mark::Square)
+                    .named("the other direction"),
+            );
+        }
+        curves
+    }
+}
+
+/// A value of every floor of a building over the number of its storey.
+fn over(floors: &[usize], value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
+    let storeys = floors.iter().enumerate();
+    let point = |(storey, floor): (usize, &usize)| (value(*floor), (storey + 1) as f64);
+    storeys.map(point).collect()
+}

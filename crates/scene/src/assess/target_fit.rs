@@ -1,0 +1,129 @@
+//! Whether the mean spectrum of the records that shake a row is as strong as the spectrum that they were scaled to.
+
+use super::design::DesignSpectrum;
+use super::scaling::{BETWEEN, periods_of};
+use crate::{Scene, Structure};
+
+/// Part of the target below which no value of the mean spectrum may lie \[–\]: EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, 16.2.3.2.
+pub const LEAST_SHARE: f64 = 0.9;
+
+/// How strong a motion is as it shakes a row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSpectrum {
+    /// Peak ground acceleration \[m/s²\].
+    pub peak: f64,
+    /// Pseudo-acceleration \[m/s²\] for 5 % of damping, at the periods by which records are scaled to spectra.
+    pub accelerations: Vec<f64>,
+}
+
+/// The mean spectrum of some motions beside their target, 5 % of damping.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TargetFit {
+    /// Periods in rising order, each between 0.2 and 2 times the first period of some structure \[s\].
+    pub periods: Vec<f64>,
+    /// The target there \[g\].
+    pub target: Vec<f64>,
+    /// Mean of the motions there \[g\].
+    pub mean: Vec<f64>,
+    /// Mean peak ground acceleration over the target at period 0 \[–\].
+    pub peak_share: f64,
+}
+
+impl MotionSpectrum {
+    /// Of a motion so many times as strong.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            peak: factor * self.peak,
+            accelerations: self.accelerations.iter().map(|one| factor * one).collect(),
+        }
+    }
+}
+
+impl TargetFit {
+    /// Of the motions that shake a scene; `None` without one.
+    pub fn of(scene: &Scene, target: &DesignSpectrum, spectra: &[&MotionSpectrum]) -> Option<Self> {
+        let n = spectra.len() as f64;
+        let gravity = scene.record.gravity_m_per_s2;
+        let structures = || scene.structures.iter().filter_map(Structure::period);
+        let counts = |period: f64| {
+            let [from, to] = BETWEEN;
+            // What rounding leaves of the ends.
+            structures()
+                .any(|own| period > from * own * (1.0 - 1e-9) && period < to * own * (1.0 + 1e-9))
+        };
+        let periods = periods_of(scene).into_iter().enumerate();
+        let counted: Vec<(usize, f64)> = periods.filter(|(_, period)| counts(*period)).collect();
+        let mean = |index: usize| {
+            let values = spectra.iter().map(|one| one.accelerations[index]);
+            values.sum::<f64>() / n / gravity
+        };
+        let peak = spectra.iter().map(|one| one.peak).sum::<f64>() / n / gravity;
+        (!spectra.is_empty() && !counted.is_empty()).then(|| Self {
+            periods: counted.iter().map(|(_, period)| *period).collect(),
+            target: counted
+                .iter()
+                .map(|(_, period)| target.acceleration(*period))
+                .collect(),
+            mean: counted.iter().map(|(index, _)| mean(*index)).collect(),
+            peak_share: peak / target.acceleration(0.0),
+        })
+    }
+
+    /// The least part of the target that the mean spectrum reaches \[–\], and the period of it \[s\].
+    pub fn least(&self) -> (f64, f64) {
+        let shares = self.mean.iter().zip(&self.target);
+        let shares = shares.map(|(mean, target)| mean / target);
+        let all = shares.zip(self.periods.iter().copied());
+        let least = all.min_by(|one, other| one.0.total_cmp(&other.0));
+        least.unwrap_or((1.0, 0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Structures of 4 s, from 0.8 to 8 s, and of 0.1 s, from 0.02 to 0.2 s.
+    const SCENE: &str = r#"{
+        "name": "two",
+        "record": {"generated": {"half_sine": {"amplitude_m_per_s2": 4.0, "duration_s": 0.4, "time_step_s": 0.01}},
+                   "gravity_m_per_s2": 10.0},
+        "structures": [
+            {"sdof": {"name": "left", "mass_kg": 1e5, "period_s": 4.0, "damping": {"ratio": 0.05}}},
+            {"sdof": {"name": "right", "mass_kg": 1e5, "period_s": 0.1, "damping": {"ratio": 0.05}}}
+        ]
+    }"#;
+
+    fn flat(peak: f64, value: f64, scene: &Scene) -> MotionSpectrum {
+        MotionSpectrum {
+            peak,
+            accelerations: vec![value; periods_of(scene).len()],
+        }
+    }
+
+    /// EN 1998-1, 3.2.3.1.2 (4): the mean of 2 and 4 m/s² is 0.3 g; a plateau of 0.4 g leaves three quarters of it.
+    #[test]
+    fn reference_the_mean_spectrum_is_held_against_the_target() {
+        let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
+        let target = DesignSpectrum::Table(vec![[0.0, 0.2], [0.02, 0.4], [10.0, 0.4]]);
+        let motions = [flat(1.0, 2.0, &scene), flat(3.0, 4.0, &scene)];
+        let all: Vec<&MotionSpectrum> = motions.iter().collect();
+        let fit = TargetFit::of(&scene, &target, &all).expect("two motions");
+        let (share, _) = fit.least();
+        assert!((share - 0.75).abs() < 1e-12, "{share}");
+        assert!((fit.peak_share - 1.0).abs() < 1e-12, "{}", fit.peak_share);
+        assert_eq!(TargetFit::of(&scene, &target, &[]), None);
+    }
+
+    /// Between the ranges of two periods forty times apart nothing is asked for.
+    #[test]
+    fn limit_periods_of_no_structure_do_not_count() {
+        let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
+        let motion = flat(1.0, 1.0, &scene);
+        let target = DesignSpectrum::Table(vec![[0.0, 0.1]]);
+        let fit = TargetFit::of(&scene, &target, &[&motion]).expect("a motion");
+        let between = |period: &&f64| (0.201..0.799).contains(*period);
+        assert_eq!(fit.periods.iter().find(between), None);
+        assert!(fit.periods.len() > 10, "{}", fit.periods.len());
+    }
+}

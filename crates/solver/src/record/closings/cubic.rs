@@ -1,0 +1,161 @@
+//! Cubics through displacements and velocities at both ends.
+
+use super::Closing;
+use crate::{Motion, Travel};
+
+/// Instant \[s\], displacement \[m\] and velocity \[m/s\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Node {
+    pub(super) time: f64,
+    pub(super) displacement: f64,
+    pub(super) velocity: f64,
+}
+
+/// The cubic through two nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cubic {
+    pub(super) start: Node,
+    pub(super) end: Node,
+}
+
+impl Node {
+    pub(super) fn new(time: f64, motion: Motion) -> Self {
+        Self {
+            time,
+            displacement: motion.displacement,
+            velocity: motion.velocity,
+        }
+    }
+}
+
+impl Cubic {
+    /// The ground of a node over the same interval.
+    pub(super) fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
+        let at = |time: f64| {
+            let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
+            Node::new(time, ground)
+        };
+        Self {
+            start: at(self.start.time),
+            end: at(self.end.time),
+        }
+    }
+
+    pub(super) fn duration(&self) -> f64 {
+        self.end.time - self.start.time
+    }
+
+    /// Coefficients of 1, s, s² and s³ with s from 0 at the start to 1 at the end.
+    fn coefficients(&self) -> [f64; 4] {
+        let h = self.duration();
+        let (first, last) = (self.start.velocity * h, self.end.velocity * h);
+        let rise = self.end.displacement - self.start.displacement;
+        [
+            self.start.displacement,
+            first,
+            3.0 * rise - 2.0 * first - last,
+            first + last - 2.0 * rise,
+        ]
+    }
+
+    fn at(&self, time: f64) -> Node {
+        let h = self.duration();
+        let s = (time - self.start.time) / h;
+        let [u, a, b, c] = self.coefficients();
+        Node {
+            time,
+            displacement: u + s * (a + s * (b + s * c)),
+            velocity: (a + s * (2.0 * b + 3.0 * s * c)) / h,
+        }
+    }
+
+    /// The part up to an instant, which is not before its start.
+    pub(super) fn until(self, time: f64) -> Self {
+        if time < self.end.time {
+            Self {
+                end: self.at(time),
+                ..self
+            }
+        } else {
+            self
+        }
+    }
+
+    /// The part from an instant before its end on.
+    pub(super) fn from(self, time: f64) -> Self {
+        Self {
+            start: self.at(time),
+            ..self
+        }
+    }
+
+    pub(super) fn mirrored(self) -> Self {
+        let mirrored = |node: Node| Node {
+            displacement: -node.displacement,
+            velocity: -node.velocity,
+            ..node
+        };
+        Self {
+            start: mirrored(self.start),
+            end: mirrored(self.end),
+        }
+    }
+
+    /// The difference of two cubics over one interval.
+    pub(super) fn less(self, other: Self) -> Self {
+        let less = |one: Node, other: Node| Node {
+            time: one.time,
+            displacement: one.displacement - other.displacement,
+            velocity: one.velocity - other.velocity,
+        };
+        Self {
+            start: less(self.start, other.start),
+            end: less(self.end, other.end),
+        }
+    }
+
+    /// Heights between which it stays: those of its Bézier points.
+    pub(super) fn controls(&self) -> [f64; 4] {
+        let third = self.duration() / 3.0;
+        let (start, end) = (&self.start, &self.end);
+        [
+            start.displacement,
+            start.displacement + third * start.velocity,
+            end.displacement - third * end.velocity,
+            end.displacement,
+        ]
+    }
+
+    /// Its largest value and where it is first.
+    pub(super) fn highest(&self) -> Closing {
+        let [u, a, b, c] = self.coefficients();
+        // Slope a + 2bs + 3cs²; without a root where it does not change its sign. A root that is no number, of b = 0 and
+        // c = 0 or a = 0, is not between 0 and 1.
+        let root = (b * b - 3.0 * a * c).sqrt();
+        let sum = -(b + root.copysign(b));
+        let Node {
+            time, displacement, ..
+        } = self.start;
+        let mut highest = Closing {
+            distance: displacement,
+            time,
+        };
+        let between = [sum / (3.0 * c), a / sum].into_iter();
+        for s in between.filter(|s| *s > 0.0 && *s < 1.0) {
+            let distance = u + s * (a + s * (b + s * c));
+            if distance > highest.distance {
+                highest = Closing {
+                    distance,
+                    time: self.start.time + s * self.duration(),
+                };
+            }
+        }
+        if self.end.displacement > highest.distance {
+            highest = Closing {
+                distance: self.end.displacement,
+                time: self.end.time,
+            };
+        }
+        highest
+    }
+}
