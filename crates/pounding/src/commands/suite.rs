@@ -141,7 +141,6 @@ pub(super) fn lines_of<T: Send, K: Send + Sync>(
     stop_when_asked();
     let motions = motions(folder)?;
     let progress = Progress::new();
-    stop_when_asked();
     // Once for both directions: to scale a record takes its spectrum.
     let scenes: Vec<Result<(Scene, K), String>> = motions
         .par_iter()
@@ -162,7 +161,6 @@ pub(super) fn lines_of<T: Send, K: Send + Sync>(
         let line = case.line(&run);
         progress.step(cases.len());
         line
-/// Whether Ctrl-C was pressed, or the system asked the program to end (SIGTERM, SIGHUP).
     };
     let lines = until_stopped(&cases, &STOPPED, line);
     match nothing_found(lines.iter().map(|line| &line.found)) {
