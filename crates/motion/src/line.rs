@@ -81,7 +81,7 @@ const MOST: usize = 20_000_000;
 /// Refuses a text of too many lines, before it takes memory for them.
 pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, ReadError> {
     let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let count = |end: u8| rest.iter().filter(|byte| **byte == end).count();
+    let count = |end: u8| memchr::memchr_iter(end, rest).count();
     let n_ends = count(b'\n').max(count(b'\r'));
     if n_ends > MOST {
         return Err(ReadError::TooManyLines {

@@ -74,10 +74,10 @@ fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String>
         .command(&disk.place, &arguments)
         .spawn()
         .map_err(fail)?;
-    // On a disk of its own it takes longer.
-    let wait = bench.time.mul_f64(3.0 * bench.random());
+    let wait = bench.time.mul_f64(1.2 * bench.random());
     if within {
-        thread::sleep(wait);
+        // Python starts meanwhile.
+        thread::sleep(wait / 2);
         disk.shut_down()?;
         let ended = child.wait().map_err(fail)?;
         return Ok(ended.success());

@@ -30,8 +30,10 @@ pub(super) fn run(bench: &Bench) -> Result<(), String> {
         for at in (1..=n).step_by(step).chain(last).filter(|at| *at > 0) {
             let folder = bench.folder("writes")?;
             let inject = format!("inject={calls}:error={error}:when={at}");
-            let ended = traced(bench, &folder, &["-e", &inject]);
-            let ended = ended.output().map_err(|error| format!("strace: {error}"))?;
+            let mut refused = traced(bench, &folder, &["-e", &inject]);
+            let ended = refused
+                .output()
+                .map_err(|error| format!("strace: {error}"))?;
             let code = ended.status.code();
             if code == Some(0) && !bench.is_table_of(&folder, 0)? || !matches!(code, Some(0 | 1)) {
                 return Err(format!("{inject}: exit code {code:?}: {}", said(&ended)));
