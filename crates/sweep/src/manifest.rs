@@ -60,6 +60,12 @@ pub(super) struct Manifest {
     sha256: String,
 }
 
+/// Its version alone: of another one nothing else needs to be as here.
+#[derive(Deserialize)]
+struct Versioned {
+    schema_version: Option<u32>,
+}
+
 impl Manifest {
     pub(super) fn of(sweep: &Sweep) -> Self {
         let runs = sweep.n_runs();
@@ -122,11 +128,6 @@ impl Manifest {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
             read => read.map_err(SweepError::file(&path))?,
         };
-        // Of another version nothing else needs to be as here.
-        #[derive(Deserialize)]
-        struct Versioned {
-            schema_version: Option<u32>,
-        }
         let version = serde_json::from_slice::<Versioned>(&bytes);
         let version = version.map_err(|_| SweepError::DamagedManifest(path.clone()))?;
         if version.schema_version != Some(SCHEMA_VERSION) {

@@ -76,7 +76,8 @@ fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String>
         .map_err(fail)?;
     let wait = bench.time.mul_f64(1.2 * bench.random());
     if within {
-        thread::sleep(wait);
+        // Python starts meanwhile.
+        thread::sleep(wait / 2);
         disk.shut_down()?;
         let ended = child.wait().map_err(fail)?;
         return Ok(ended.success());

@@ -31,7 +31,8 @@ fn prepared(test: &str) -> Prepared {
         opened(&sweep, &out, Shard::WHOLE)
             .fill(&sweep, &GO, &|_| ())
             .expect("a disk"),
-        10
+        10,
+        "all are there"
     );
     let other = folder.join("other.csv");
     merge(&other, std::slice::from_ref(&parts), Existing::Kept).expect("a table");
@@ -59,8 +60,9 @@ impl Prepared {
         let parts = opened(&self.sweep, &self.out, Shard::WHOLE);
         let said = parts.damaged().iter().map(ToString::to_string).collect();
         let before = parts.n_runs_there();
-        assert_eq!(parts.fill(&self.sweep, &GO, &|_| ()).expect("a disk"), 10);
-        assert_eq!(self.merged_within(&parts), self.table);
+        let there = parts.fill(&self.sweep, &GO, &|_| ()).expect("a disk");
+        assert_eq!(there, 10, "all are there");
+        assert!(self.merged_within(&parts) == self.table, "a wrong table");
         (said, before)
     }
 
