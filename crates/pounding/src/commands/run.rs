@@ -179,15 +179,11 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let other = other.as_ref()?;
         Some(summary::direction::sentences(&prepared, outcome, other))
     };
-    let with_answer = |both: Option<&[String; 2]>, text: String| match both {
-        Some(both) if !args.shown.json => format!("{}\n{text}", summary::direction::text(both)),
-        Some(_) | None => text,
-    };
     let Some(out) = out else {
         let review = prepared.review(measure).map_err(refused)?;
         let both = sentences(&review.outcome);
         let text = printed(args, &prepared, effects, &review);
-        return Ok(with_answer(both.as_ref(), text));
+        return Ok(with_answer(args, both.as_ref(), text));
     };
     let report = Report::of(&prepared, measure).map_err(refused)?;
     let both = sentences(&report.review().outcome);
@@ -197,7 +193,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     }
     out.write(&report.files())?;
     let text = printed(args, &prepared, effects, report.review());
-    let text = with_answer(both.as_ref(), text);
+    let text = with_answer(args, both.as_ref(), text);
     let page = out.path().join("report.html");
     Ok(if args.shown.json {
         text
@@ -212,6 +208,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 const EFFECTS_OF_ONE: &str = "--effects takes one record at a time, 24 runs of it, and --records a folder: run the folder without --effects, \
                               name the record that matters in the scene (record.file), and run that with --effects";
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
+
+/// The sentences of both directions before what is printed of a run; JSON has them inside.
+fn with_answer(args: &Arguments, both: Option<&[String; 2]>, text: String) -> String {
+    match both {
+        Some(both) if !args.shown.json => format!("{}\n{text}", summary::direction::text(both)),
+        Some(_) | None => text,
+    }
+}
 
 /// What is printed of a run.
 fn printed(
