@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use super::manifest::MANIFEST;
 use super::place::PlaceError;
 use pounding_files::LockError;
 use pounding_scene::{Error, Fault};
+
+/// Name of the file that tells what parts a folder holds.
+pub(super) const MANIFEST: &str = "manifest.json";
 
 /// Why a sweep is refused or cannot go on; a run that fails is none of them, but a row.
 #[derive(Debug, thiserror::Error)]
