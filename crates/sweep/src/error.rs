@@ -6,7 +6,7 @@ use super::place::PlaceError;
 use pounding_files::LockError;
 use pounding_scene::{Error, Fault};
 
-/// Name of the file that says of what a folder holds parts.
+/// Name of the file that tells what parts a folder holds.
 pub(super) const MANIFEST: &str = "manifest.json";
 
 /// Why a sweep is refused or cannot go on; a run that fails is none of them, but a row.

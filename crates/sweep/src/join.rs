@@ -10,7 +10,8 @@ use rayon::prelude::*;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::SweepError;
-use super::manifest::{MANIFEST, Manifest, path_of};
+use super::error::MANIFEST;
+use super::manifest::{Manifest, path_of};
 use super::part::{self, Part, length_of_line};
 
 /// A table that was joined.

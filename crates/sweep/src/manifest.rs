@@ -7,11 +7,10 @@ use pounding_files::{Existing, Length};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::error::MANIFEST;
 use super::{Sweep, SweepError};
 
-pub(super) use super::error::MANIFEST;
-
-/// The same when the table is on disk, and what is left of the parts is to be deleted.
+/// Name of the file when the table is on disk, and what is left of the parts is to be deleted.
 pub(super) const JOINED: &str = "joined.json";
 
 /// Version of the form of parts and manifests. Raise it with every change of either.

@@ -9,8 +9,9 @@ use std::time::{Duration, Instant};
 use pounding_files::{Existing, Lock, NewFile, Users};
 use rayon::prelude::*;
 
+use super::error::MANIFEST;
 use super::join::{self, Joined, Sources};
-use super::manifest::{JOINED, MANIFEST, Manifest, is_own, path_of};
+use super::manifest::{JOINED, Manifest, is_own, path_of};
 use super::part::{self, sealed};
 use super::{Shard, Sweep, SweepError};
 
