@@ -68,9 +68,8 @@ impl Expected {
     /// What is expected of a pair that does not touch in the direction of the scene.
     fn apart(&self, pair: usize) -> &'static str {
         match &self.reversed {
-            None => "stays open",
             Some(run) if run.collisions_of(pair).next().is_some() => "reversed",
-            Some(_) => "stays open",
+            Some(_) | None => "stays open",
         }
     }
 }

@@ -332,7 +332,7 @@ fn issue_a_mean_spectrum_below_its_target_is_warned_of() {
     assert!(share.is_some_and(|share| share < 0.9), "{share:?}");
 }
 
-/// a_g = 0.25 was taken in g, where Eurocode 8 gives it in m/s².
+/// `a_g = 0.25` was taken in g, where Eurocode 8 gives it in m/s².
 #[test]
 fn issue_a_number_without_a_unit_is_asked_for_one() {
     let work = workplace("assess_units", TOWERS);

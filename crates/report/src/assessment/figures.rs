@@ -105,11 +105,8 @@ fn needing(gap: &GapAssessment, end: f64) -> Vec<(f64, f64)> {
     points
 }
 
-/// Amplification of every storey that moves; `None` if nothing touches.
-fn amplification(report: &AssessmentReport) -> Option<Figure> {
-    if report.hit().is_empty() {
-        return None;
-    }
+/// The storeys that are shown: building by building, from the roof down.
+fn shown(report: &AssessmentReport) -> Vec<usize> {
     let floors = report.floors();
     let structures = 0..report.scene.structures.len();
     let downwards = structures.flat_map(|one| floors.of_structure(one).iter().rev().copied());
@@ -125,6 +122,16 @@ fn amplification(report: &AssessmentReport) -> Option<Figure> {
             .collect();
         shown.retain(|floor| worst.contains(floor));
     }
+    shown
+}
+
+/// Amplification of every storey that moves; `None` if nothing touches.
+fn amplification(report: &AssessmentReport) -> Option<Figure> {
+    if report.hit().is_empty() {
+        return None;
+    }
+    let floors = report.floors();
+    let shown = shown(report);
     let names: Vec<String> = shown
         .iter()
         .map(|floor| writable(&report.floor_name(*floor)))

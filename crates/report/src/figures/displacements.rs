@@ -60,8 +60,14 @@ pub(super) fn figure(seen: &Seen<'_>) -> (Figure, String) {
     }
     let height_in = 1.7 + 1.5 * panels.len() as f64;
     let caption = caption(seen, &panels, markers.is_empty());
-    for panel in &mut panels {
-        panel.markers.clone_from(&markers);
+    for (index, panel) in panels.iter_mut().enumerate() {
+        panel.markers = if storeys {
+            // Of a pair its own; the stems mark themselves.
+            let pair = seen.shown.panels.get(index..=index).unwrap_or_default();
+            sparse_markers(seen.collisions(pair).map(|one| one.start).collect())
+        } else {
+            markers.clone()
+        };
     }
     let figure = Figure {
         height_in,

@@ -6,6 +6,8 @@ use pounding_scene::{RunResult, Simulation};
 
 /// More buildings than this do not fit side by side.
 const MOST: usize = 4;
+/// More storeys than this have no names of their own on an axis.
+const NAMED: usize = 12;
 
 /// Nothing where no building has several storeys.
 pub(super) fn figure(
@@ -22,23 +24,7 @@ pub(super) fn figure(
     if shown.is_empty() {
         return None;
     }
-    let all = 0..floors.all().len();
-    let largest = all.map(|floor| outcome.peaks.of(floor).restoring_force.value.abs());
-    let (unit, factor) = unit(largest.fold(0.0, f64::max), "N");
-    let responses = [
-        Response {
-            label: "Drift (mm)".into(),
-            of: |result, floor| 1e3 * result.peaks.of(floor).drift().value.abs(),
-            alone: 0,
-            factor: 1.0,
-        },
-        Response {
-            label: format!("Shear ({unit})"),
-            of: |result, floor| result.peaks.of(floor).restoring_force.value.abs(),
-            alone: 1,
-            factor,
-        },
-    ];
+    let responses = responses(prepared, outcome);
     let panels = responses.iter().flat_map(|response| {
         let curves = shown
             .iter()
@@ -58,7 +44,7 @@ pub(super) fn figure(
                 } else {
                     Axis::auto(label.clone())
                 }),
-                y: Axis::auto("Storey"),
+                y: storeys(floors.of_structure(*building).len()),
                 curves,
                 legend: Legend::Shared,
                 ..Panel::default()
@@ -88,6 +74,41 @@ pub(super) fn figure(
             "Peak storey drift and shear force over the height of the buildings, in the direction of the scene and in the other one.{alone}{left_out}"
         ),
     ))
+}
+
+/// What is shown, with the unit of shear forces that fits a run.
+fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
+    let floors = prepared.floors();
+    let all = 0..floors.all().len();
+    let largest = all.map(|floor| outcome.peaks.of(floor).restoring_force.value.abs());
+    let (unit, factor) = unit(largest.fold(0.0, f64::max), "N");
+    [
+        Response {
+            label: "Drift (mm)".into(),
+            of: |result, floor| 1e3 * result.peaks.of(floor).drift().value.abs(),
+            alone: 0,
+            factor: 1.0,
+        },
+        Response {
+            label: format!("Shear ({unit})"),
+            of: |result, floor| result.peaks.of(floor).restoring_force.value.abs(),
+            alone: 1,
+            factor,
+        },
+    ]
+}
+
+/// Storeys from the ground up; each has its name where there is room.
+fn storeys(n: usize) -> Axis {
+    let names = (1..=n).rev().map(|storey| storey.to_string());
+    Axis {
+        label: "Storey".into(),
+        ..if n <= NAMED {
+            Axis::names(names.collect())
+        } else {
+            Axis::default()
+        }
+    }
 }
 
 /// What a row of panels shows.
@@ -137,9 +158,17 @@ impl Response {
     }
 }
 
-/// A value of every floor of a building over the number of its storey.
+/// A value of every floor of a building over the number of its storey; names of an axis count from the top.
 fn over(floors: &[usize], value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
     let storeys = floors.iter().enumerate();
-    let point = |(storey, floor): (usize, &usize)| (value(*floor), (storey + 1) as f64);
+    let n = floors.len();
+    let place = |storey: usize| {
+        if n <= NAMED {
+            n - 1 - storey
+        } else {
+            storey + 1
+        }
+    };
+    let point = |(storey, floor): (usize, &usize)| (value(*floor), place(storey) as f64);
     storeys.map(point).collect()
 }

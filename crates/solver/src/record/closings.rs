@@ -71,7 +71,7 @@ impl Closings {
     }
 
     /// A piece of the motion of a structure, for the gaps on both sides.
-    fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: Piece) {
+    fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: &Piece) {
         let left = structure.checked_sub(1);
         let right = (structure < self.gaps.len()).then_some(structure + 1);
         let sides = [(left, left, 1), (right, right.map(|_| structure), 0)];
@@ -81,7 +81,7 @@ impl Closings {
             };
             let gap = &mut self.gaps[gap];
             if self.walls[neighbour] {
-                gap.follow_beside_wall(side, &piece, |cubic| cubic.of_ground(neighbour, travel));
+                gap.follow_beside_wall(side, piece, |cubic| cubic.of_ground(neighbour, travel));
             } else {
                 gap.follow(side, piece.clone());
             }
@@ -132,17 +132,25 @@ impl Recorder for Closings {
             Path::Series(_) | Path::Cubic(_) | Path::Flight(_) => None,
         };
         if let Some(piece) = coarse {
-            return self.follow(span.structure, None, piece);
+            return self.follow(span.structure, None, &piece);
         }
         let mut start = start;
         for look in 1..looks {
             let share = f64::from(look) / f64::from(looks);
             let time = span.start_time + share * span.duration();
             let end = node(time, span.at(time));
-            self.follow(span.structure, travel.as_ref(), Cubic { start, end }.into());
+            self.follow(
+                span.structure,
+                travel.as_ref(),
+                &Cubic { start, end }.into(),
+            );
             start = end;
         }
-        self.follow(span.structure, travel.as_ref(), Cubic { start, end }.into());
+        self.follow(
+            span.structure,
+            travel.as_ref(),
+            &Cubic { start, end }.into(),
+        );
         self.travel = travel;
     }
 
