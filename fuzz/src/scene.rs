@@ -55,7 +55,7 @@ pub(crate) fn check(bytes: &[u8]) {
             prepared.warnings_before(&expected),
             prepared.limits(&expected),
         );
-        let _ = (prepared.unneeded(&expected), prepared.openings());
+        let _ = (prepared.unneeded(&[&expected]), prepared.openings());
     }
     for doubt in prepared.doubts() {
         assert!(!doubt.to_string().is_empty(), "{doubt:?}");
