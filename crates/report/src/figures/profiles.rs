@@ -9,7 +9,7 @@ const MOST: usize = 4;
 /// More storeys than this have no names of their own on an axis.
 const NAMED: usize = 12;
 
-/// Nothing where no building has several storeys.
+/// `None` if no building has several storeys.
 pub(super) fn figure(
     prepared: &Simulation,
     outcome: &RunResult,
@@ -114,7 +114,7 @@ fn storeys(n: usize) -> Axis {
 /// What a row of panels shows.
 struct Response {
     label: String,
-    /// Of a run and a floor, in the unit of the axis but for the factor.
+    /// Of a run and a floor, in the unit of the axis divided by the factor.
     of: fn(&RunResult, usize) -> f64,
     /// Its place among the responses of effects.
     alone: usize,

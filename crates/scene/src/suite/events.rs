@@ -9,7 +9,7 @@ use super::Motion;
 /// Numbers of the events of motions, from 0 in the order of the motions.
 ///
 /// Motions of one file are of one event. So are those of files in one folder whose names differ in a word for the direction alone, as
-/// `ABC001.EW` and `ABC001.NS`, or are two that end in azimuths a right angle apart, as `A-ELC180.AT2` and `A-ELC270.AT2`.
+/// `ABC001.EW` and `ABC001.NS`. So are two whose names end in azimuths a right angle apart, as `A-ELC180.AT2` and `A-ELC270.AT2`.
 pub fn events(motions: &[Motion]) -> Vec<usize> {
     let names: Vec<String> = motions.iter().map(Motion::file_name).collect();
     let mut azimuths: BTreeMap<String, Vec<u32>> = BTreeMap::new();
