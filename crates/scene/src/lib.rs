@@ -65,7 +65,7 @@ pub use assess::run::{
 };
 pub use assess::scaling::Scaling;
 pub use assess::separation::{Rule, Separation};
-pub use assess::target_fit::{LEAST_SHARE, MotionSpectrum, TargetFit};
+pub use assess::target_fit::{LEAST_SHARE, TargetFit};
 pub use file::error::{Error, Vertical};
 pub use file::fault::Fault;
 pub use file::motion_error::MotionError;

@@ -6,7 +6,6 @@ use pounding_motion::{Record, RecordError};
 use pounding_text::{digits, percent, short};
 
 use super::design::DesignSpectrum;
-use super::target_fit::MotionSpectrum;
 use crate::{
     Error, Motion, MotionError, RecordUse, STANDARD_GRAVITY, ScaleTo, Scene, Structure, in_scene,
     periods_between, response_spectrum,
@@ -34,6 +33,25 @@ pub(super) const BETWEEN: [f64; 2] = [0.2, 2.0];
 
 /// Damping ratio of target spectra \[–\].
 pub(super) const DAMPING: f64 = 0.05;
+
+/// How strong a motion is as it shakes a row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSpectrum {
+    /// Peak ground acceleration \[m/s²\].
+    pub peak: f64,
+    /// Pseudo-acceleration \[m/s²\] for 5 % of damping, at the periods by which records are scaled to spectra.
+    pub accelerations: Vec<f64>,
+}
+
+impl MotionSpectrum {
+    /// Of a motion so many times as strong.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            peak: factor * self.peak,
+            accelerations: self.accelerations.iter().map(|one| factor * one).collect(),
+        }
+    }
+}
 
 impl fmt::Display for Scaling {
     /// What was understood, in words.

@@ -1,20 +1,11 @@
 //! Whether the mean spectrum of the records that shake a row is as strong as the spectrum that they were scaled to.
 
 use super::design::DesignSpectrum;
-use super::scaling::{BETWEEN, periods_of};
+use super::scaling::{BETWEEN, MotionSpectrum, periods_of};
 use crate::{Scene, Structure};
 
 /// Part of the target below which no value of the mean spectrum may lie \[–\]: EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, 16.2.3.2.
 pub const LEAST_SHARE: f64 = 0.9;
-
-/// How strong a motion is as it shakes a row.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MotionSpectrum {
-    /// Peak ground acceleration \[m/s²\].
-    pub peak: f64,
-    /// Pseudo-acceleration \[m/s²\] for 5 % of damping, at the periods by which records are scaled to spectra.
-    pub accelerations: Vec<f64>,
-}
 
 /// The mean spectrum of some motions beside their target, 5 % of damping.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,16 +18,6 @@ pub struct TargetFit {
     pub mean: Vec<f64>,
     /// Mean peak ground acceleration over the target at period 0 \[–\].
     pub peak_share: f64,
-}
-
-impl MotionSpectrum {
-    /// Of a motion so many times as strong.
-    pub(super) fn scaled(&self, factor: f64) -> Self {
-        Self {
-            peak: factor * self.peak,
-            accelerations: self.accelerations.iter().map(|one| factor * one).collect(),
-        }
-    }
 }
 
 impl TargetFit {
