@@ -63,7 +63,7 @@ pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES,
 pub use assess::run::{
     AssessedFloor, AssessedPair, AssessedRun, STIFFNESS_FACTORS, StiffnessFactors,
 };
-pub use assess::scaling::Scaling;
+pub use assess::scaling::{MotionSpectrum, Scaling};
 pub use assess::separation::{Rule, Separation};
 pub use assess::target_fit::{LEAST_SHARE, TargetFit};
 pub use file::error::{Error, Vertical};
