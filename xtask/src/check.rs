@@ -53,12 +53,38 @@ fn denied(root: &Path, cargo: &OsStr) -> Result<(), String> {
     }
 }
 
+/// Checks the code with the Rust version that Cargo.toml declares, where rustup has it.
+fn oldest(root: &Path) -> Result<(), String> {
+    let version = env!("CARGO_PKG_RUST_VERSION");
+    let cargo = |arguments: &[&str]| {
+        let mut command = Command::new("rustup");
+        command.args(["run", version, "cargo"]).args(arguments);
+        command.current_dir(root);
+        // Else it would build anew whatever the other version has built.
+        command.env("CARGO_TARGET_DIR", root.join("target/oldest"));
+        command
+    };
+    println!("── declared Rust: rustup run {version} cargo check --workspace");
+    let asked = cargo(&["--version"]).output();
+    if !asked.is_ok_and(|ended| ended.status.success()) {
+        println!("   left out: rustup has no Rust {version} (rustup toolchain install {version})");
+        return Ok(());
+    }
+    match cargo(&["check", "--workspace"]).status() {
+        Ok(status) if status.success() => Ok(()),
+        _ => Err(format!(
+            "the code is no Rust {version}, which Cargo.toml declares"
+        )),
+    }
+}
+
 /// Runs every step and stops at the first that fails.
 pub(crate) fn run(root: &Path) -> Result<(), String> {
     println!("── rooms: cargo xtask rooms");
     crate::rooms::check(root)?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     denied(root, &cargo)?;
+    oldest(root)?;
     for (name, arguments, (variable, value)) in STEPS {
         println!("── {name}: cargo {}", arguments.join(" "));
         let started = Instant::now();

@@ -2,15 +2,19 @@
 //! mounted anew from what had reached the disk.
 
 use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::thread;
 
 use super::bench::{Bench, SWEEPS, TABLE, said, write_sweeps};
 
 /// `EXT4_IOC_SHUTDOWN` without flushing the journal: what was not synced is gone.
 const SHUT_DOWN: &str = "import fcntl, os, struct, sys\n\
-    fcntl.ioctl(os.open(sys.argv[1], os.O_RDONLY), 0x8004587D, struct.pack('I', 2))";
+    disk = os.open(sys.argv[1], os.O_RDONLY)\n\
+    print(flush=True)\n\
+    sys.stdin.read()\n\
+    fcntl.ioctl(disk, 0x8004587D, struct.pack('I', 2))";
 /// Names reach the disk within a second, and what files hold much later, if nobody asks: the worst order.
 const OPTIONS: &str = "loop,commit=1,noauto_da_alloc";
 
@@ -70,25 +74,38 @@ pub(super) fn run(bench: &mut Bench, rounds: u32) -> Result<(), String> {
 fn failure(bench: &mut Bench, disk: &Disk, within: bool) -> Result<bool, String> {
     let arguments = ["sweep", SWEEPS[0], "--out", TABLE];
     let fail = |error: std::io::Error| format!("power failure: {error}");
+    let switch = disk.switch()?;
     let mut child = bench
         .command(&disk.place, &arguments)
         .spawn()
         .map_err(fail)?;
     let wait = bench.time.mul_f64(1.2 * bench.random());
     if within {
-        // Python starts meanwhile.
-        thread::sleep(wait / 2);
-        disk.shut_down()?;
+        thread::sleep(wait);
+        switch.turn()?;
         let ended = child.wait().map_err(fail)?;
         return Ok(ended.success());
     }
     let ended = child.wait().map_err(fail)?;
     thread::sleep(wait);
-    disk.shut_down()?;
+    switch.turn()?;
     if ended.success() {
         Ok(true)
     } else {
         Err("the sweep failed".into())
+    }
+}
+
+/// A process that shuts the disk down as soon as nobody writes to it.
+struct Switch(Child);
+
+impl Switch {
+    fn turn(mut self) -> Result<(), String> {
+        drop(self.0.stdin.take());
+        match self.0.wait() {
+            Ok(status) if status.success() => Ok(()),
+            _ => Err("python3 cannot shut the disk down".into()),
+        }
     }
 }
 
@@ -121,12 +138,21 @@ impl Disk {
         step(Command::new("umount").arg(&self.place))
     }
 
-    fn shut_down(&self) -> Result<(), String> {
-        step(
-            Command::new("python3")
-                .args(["-c", SHUT_DOWN])
-                .arg(&self.place),
-        )
+    /// Makes ready to shut it down.
+    fn switch(&self) -> Result<Switch, String> {
+        let fail = |error: std::io::Error| format!("python3: {error}");
+        let mut command = Command::new("python3");
+        command.args(["-c", SHUT_DOWN]).arg(&self.place);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut python = command.spawn().map_err(fail)?;
+        // Its first line says that it is ready.
+        let mut ready = [0];
+        let told = python
+            .stdout
+            .as_mut()
+            .map(|told| told.read_exact(&mut ready));
+        told.transpose().map_err(fail)?;
+        Ok(Switch(python))
     }
 
     /// Takes the disk off and puts it on again.

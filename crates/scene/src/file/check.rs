@@ -71,7 +71,8 @@ impl Scene {
         let Some(dt) = self.method.time_step() else {
             return Ok(());
         };
-        let place = format_args!("method.{}.time_step_s", self.method.name());
+        let name = self.method.name();
+        let place = format_args!("method.{name}.time_step_s");
         require(dt > 0.0, place, dt, POSITIVE)?;
         match self.duration_s {
             Some(duration) => check_steps(self, dt, duration),
