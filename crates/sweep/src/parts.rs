@@ -15,7 +15,7 @@ use super::manifest::{JOINED, Manifest, is_own, path_of};
 use super::part::{self, sealed};
 use super::{Shard, Sweep, SweepError};
 
-/// Time that a part takes which is synced at once: a hundred times as long as that.
+/// A part that took longer is synced at once, which takes some hundredth of this.
 const LONG: Duration = Duration::from_millis(500);
 
 /// The folder of parts of a table, which is this process's, or that of all shards together.
@@ -239,7 +239,7 @@ impl Parts {
     /// Runs what is missing of the shard, with all threads; `done` is told of every part how many runs it has. When somebody says
     /// stop, runs that have begun end, and parts that are not whole are left out. Returns how many runs of the shard are there then.
     ///
-    /// A part that took [`LONG`] is on disk at once, the others are when this returns: a power failure before may empty parts of the
+    /// A part that took half a second is on disk at once, the others are when this returns: a power failure before may empty parts of the
     /// last half minute, which then run again. Only the parts of a table that is whole are not synced at all, as [`join`](Self::join)
     /// reads them now.
     ///

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
 use serde_json::json;
 
 /// The table in every folder.
@@ -18,7 +20,7 @@ pub(super) struct Bench {
     tables: [Vec<u8>; 2],
     /// How long the first takes.
     pub(super) time: Duration,
-    random: u64,
+    random: Pcg64,
 }
 
 /// The sweeps.
@@ -42,7 +44,7 @@ impl Bench {
             home: own.with_file_name("torture"),
             tables: [Vec::new(), Vec::new()],
             time: Duration::ZERO,
-            random: seed,
+            random: Pcg64::new(seed.into(), 0),
         };
         for (index, sweep) in SWEEPS.into_iter().enumerate() {
             let folder = bench.folder("alone")?;
@@ -113,14 +115,9 @@ impl Bench {
         Ok(())
     }
 
-    /// A random number from 0 to 1 (xorshift of G. Marsaglia, *J. Stat. Softw.* 8 (2003) 14).
+    /// A random number from 0 to 1.
     pub(super) fn random(&mut self) -> f64 {
-        let state = &mut self.random;
-        *state = (*state).max(1);
-        *state ^= *state << 13;
-        *state ^= *state >> 7;
-        *state ^= *state << 17;
-        (*state >> 11) as f64 / (1_u64 << 53) as f64
+        (self.random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 

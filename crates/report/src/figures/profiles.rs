@@ -50,30 +50,32 @@ pub(super) fn figure(
                 ..Panel::default()
             })
     });
-    let alone = match known.effects {
-        Some(_) => " Dashed: the same building alone, the larger of both directions.",
-        None => "",
-    };
-    let left_out = if shown.len() < buildings.len() {
-        format!(
-            " Of {} buildings the first {MOST} from the left.",
-            buildings.len()
-        )
-    } else {
-        String::new()
-    };
     let figure = Figure {
         height_in: 5.6,
         columns: shown.len(),
         panels: panels.collect(),
         ..Figure::default()
     };
-    Some((
-        figure,
-        format!(
-            "Peak storey drift and shear force over the height of the buildings, in the direction of the scene and in the other one.{alone}{left_out}"
-        ),
-    ))
+    Some((figure, caption(known, (shown.len(), buildings.len()))))
+}
+
+fn caption(known: Known<'_>, (shown, all): (usize, usize)) -> String {
+    let both = match known.other {
+        Some(_) => ", in the direction of the scene and in the other one",
+        None => "",
+    };
+    let alone = match known.effects {
+        Some(_) => " Dashed: the same building alone, the larger of both directions.",
+        None => "",
+    };
+    let left_out = if shown < all {
+        format!(" Of {all} buildings the first {MOST} from the left.")
+    } else {
+        String::new()
+    };
+    format!(
+        "Peak storey drift and shear force over the height of the buildings{both}.{alone}{left_out}"
+    )
 }
 
 /// What is shown, with the unit of shear forces that fits a run.

@@ -273,3 +273,30 @@ fn pulls(pair: usize, push: &Push, magnitude: f64) -> Result<(), LedgerError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A span that the clock does not tell from an instant, of floors that touch before they have felt the shaking: −4e-120 N·s over 0 s
+    /// were a pull of −∞.
+    #[test]
+    fn issue_an_impulse_below_rounding_is_no_pull() {
+        let push = |impulse: f64, duration: f64| Push {
+            times: (0.75, 0.75 + duration),
+            displacement: 0.0,
+            exact: true,
+            forces: (1e-104, 5e-104),
+            impulse,
+            momentum: 1e4,
+            work: 0.0,
+        };
+        let mut contact = Contact::default();
+        assert_eq!(contact.push(7, 0, &push(-4e-120, 0.0)), Ok(()));
+        let pull = Contact::default().push(7, 0, &push(-1.0, 0.01));
+        let Err(LedgerError::Tension { pair: 7, found, .. }) = pull else {
+            panic!("{pull:?}");
+        };
+        assert!((found + 100.0).abs() < 1e-9, "{found}");
+    }
+}
