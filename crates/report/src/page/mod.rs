@@ -8,9 +8,9 @@ mod verdict;
 
 use markup::{digits, escaped, list, short};
 
-use super::Report;
 use super::figures::Illustration;
 use super::summary::Summary;
+use super::{Animation, Report};
 use pounding_scene::{Source, Structure};
 
 /// Above what to know before the numbers are used.
@@ -23,6 +23,7 @@ pub(super) fn html(
     report: &Report<'_>,
     summary: &Summary,
     illustrations: &[Illustration],
+    animation: Option<&Animation>,
 ) -> String {
     let review = report.review();
     let title = escaped(&summary.scene.name);
@@ -36,7 +37,9 @@ pub(super) fn html(
         verdict::verdict(summary, review),
         boxed(BEFORE, &summary.warnings),
         unusual(summary),
+        animation.map_or_else(String::new, animated),
         figure("profiles"),
+        "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
         figure("displacements"),
         format!(
             "<h2>Pairs</h2>\n{}",
@@ -63,16 +66,49 @@ pub(super) fn html(
         format!("<h2>Energy</h2>\n{}", tables::ledger(summary)),
         again(summary),
     ];
-    document(&title, &sections.concat())
+    document(&summary.scene.name, "", &sections.concat())
 }
 
-/// A page of its own, from markup.
-pub(crate) fn document(title: &str, body: &str) -> String {
+/// A page of its own, from its title and markup; on paper the title and who signed it stand below every sheet.
+pub(crate) fn document(title: &str, signed: &str, body: &str) -> String {
+    let below = match signed {
+        "" => title.into(),
+        signed => format!("{title} \u{b7} {signed}"),
+    };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title} – pounding</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{} – pounding</title>\n\
+         <style>\n{STYLE}@page {{ @bottom-left {{ content: \"{}\"; }} }}\n</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
+        escaped(title),
+        quoted(&below)
     )
+}
+
+/// Text between quotation marks of a style sheet, in which nothing can be taken for markup.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::new();
+    for letter in text.chars() {
+        if letter.is_alphanumeric() || " .,:;()-+–·".contains(letter) {
+            quoted.push(letter);
+        } else {
+            quoted.push_str(&format!("\\{:x} ", u32::from(letter)));
+        }
+    }
+    quoted
+}
+
+/// An animation with its caption.
+pub(crate) fn animated(animation: &Animation) -> String {
+    format!(
+        "<figure class=\"moving\">\n{}<figcaption>{}</figcaption>\n</figure>\n",
+        animation.svg,
+        escaped(&animation.caption)
+    )
+}
+
+/// Figures side by side, where there is room.
+pub(crate) fn beside(figures: &[String]) -> String {
+    format!("<div class=\"beside\">\n{}</div>\n", figures.concat())
 }
 
 /// What to know before the numbers are used, under a heading; nothing where there is nothing.
