@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use pounding_scene::{
-    Effects, RunResult, STIFFNESS_FACTORS, Scene, Simulation, Structure,
-};
+use pounding_scene::{Effects, RunResult, STIFFNESS_FACTORS, Scene, Simulation, Structure};
 
 /// Two towers that touch: three storeys beside two, of the same height and other periods.
 fn towers() -> Scene {

@@ -492,7 +492,10 @@ fn reference_an_unknown_neighbour_is_each_that_it_may_be() {
     fs::write(work.join("scene.toml"), known).expect("it can be written");
     let known = found(&work, &["--scale", "pga=0.4g"]);
     let needed = |of: &Value| of["largest"].as_f64().expect("a width");
-    let (known, unknown) = (needed(&known["gaps"][0]["required_m"]), needed(&one["required_m"]));
+    let (known, unknown) = (
+        needed(&known["gaps"][0]["required_m"]),
+        needed(&one["required_m"]),
+    );
     assert!((known / unknown - 1.0).abs() < 1e-9, "{known} {unknown}");
 }
 
@@ -503,23 +506,46 @@ fn limit_an_unknown_neighbour_gives_the_same_bytes() {
     let with = |threads: &str| {
         let ended = assert_cmd::Command::cargo_bin("pounding")
             .expect("it is built")
-            .args(["assess", "scene.toml", "--records", "records", "--out", threads, "--bumper", "k=50MN/m"])
+            .args([
+                "assess",
+                "scene.toml",
+                "--records",
+                "records",
+                "--out",
+                threads,
+                "--bumper",
+                "k=50MN/m",
+            ])
             .env("RAYON_NUM_THREADS", threads)
             .current_dir(&work)
             .output()
             .expect("it runs");
         assert!(ended.status.success(), "{ended:?}");
-        let names = ["assess.csv", "assess.json", "report.html", "animation.svg", "neighbour.svg"];
+        let names = [
+            "assess.csv",
+            "assess.json",
+            "report.html",
+            "animation.svg",
+            "neighbour.svg",
+        ];
         names.map(|name| fs::read(work.join(threads).join(name)).expect(name))
     };
     assert!(with("1") == with("3"));
     let said = assess(&work, &[]).stdout;
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-    for wanted in ["The neighbour of Own is not known: of 4", "mm with a probability of 84 %", "is enough beside"] {
+    for wanted in [
+        "The neighbour of Own is not known: of 4",
+        "mm with a probability of 84 %",
+        "is enough beside",
+    ] {
         assert!(said.contains(wanted), "{wanted}: {said}");
     }
-    let table = String::from_utf8(fs::read(work.join("1/assess.csv")).expect("a table")).expect("text");
-    assert!(table.contains("bumper_compression_m") && table.starts_with("record,reversed,scale_factor,neighbour_period_s,"));
+    let table =
+        String::from_utf8(fs::read(work.join("1/assess.csv")).expect("a table")).expect("text");
+    assert!(
+        table.contains("bumper_compression_m")
+            && table.starts_with("record,reversed,scale_factor,neighbour_period_s,")
+    );
 }
 
 #[test]
@@ -556,7 +582,10 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     for one in bumper["bumpers"].as_array().expect("bumpers") {
         assert!((one["thickness_m"].as_f64().expect("a width") - 0.05).abs() < 1e-12);
     }
-    assert!(found(&work, &[])["bumper"].is_null(), "none unless asked for");
+    assert!(
+        found(&work, &[])["bumper"].is_null(),
+        "none unless asked for"
+    );
     let refused = assess(&work, &["--bumper", "k=20"]).stderr;
     assert!(refused.contains("has no unit"), "{refused}");
 }
@@ -570,7 +599,11 @@ fn reference_the_report_moves_without_a_script() {
     let read = |name: &str| fs::read_to_string(work.join("out").join(name)).expect(name);
     let (svg, page) = (read("animation.svg"), read("report.html"));
     roxmltree::Document::parse(&svg).expect("it is well formed");
-    for wanted in ["@keyframes film-0", "prefers-reduced-motion:reduce", "prefers-color-scheme:dark"] {
+    for wanted in [
+        "@keyframes film-0",
+        "prefers-reduced-motion:reduce",
+        "prefers-color-scheme:dark",
+    ] {
         assert!(svg.contains(wanted), "{wanted}");
     }
     assert!(page.contains("class=\"film\"") && !page.contains("<script"));

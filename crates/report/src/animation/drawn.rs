@@ -103,6 +103,9 @@ impl Stage {
         for structure in 0..self.lefts.len() {
             self.structure(film, structure, (&mut style, &mut body));
         }
+        for floor in 0..film.floors().all().len() {
+            self.marks(film, floor, (&mut style, &mut body));
+        }
         self.clock(film, (&mut style, &mut body));
         let (width, height) = (self.width, self.ground + BELOW);
         format!(
@@ -143,9 +146,8 @@ impl Stage {
             let (name, moved) = (format!("film-{floor}"), (below, (top, Some(*floor))));
             let _ = writeln!(
                 body,
-                "<g class=\"{name}\" transform=\"{}\"><path class=\"s\" d=\"M{l} {b}H{r}V{t}H{l}z\"/><path class=\"f\" d=\"M{l} {t}H{r}\"/>{}</g>",
+                "<g class=\"{name}\" transform=\"{}\"><path class=\"s\" d=\"M{l} {b}H{r}V{t}H{l}z\"/><path class=\"f\" d=\"M{l} {t}H{r}\"/></g>",
                 self.moved(film, moved, film.at()),
-                self.marks(film, *floor, style),
                 l = mm(left),
                 r = mm(left + WIDE),
                 b = mm(below.0),
@@ -193,35 +195,44 @@ impl Stage {
         format!("matrix(1,0,{shear},1,{},0)", mm(bottom - shear * below.0))
     }
 
-    /// Marks of the pairs that touch at the right side of a floor, or of a wall at its left.
-    fn marks(&self, film: &Film<'_>, floor: usize, style: &mut String) -> String {
+    /// Marks of the pairs that touch at the right side of a floor, or of a wall at its left; above all buildings, and with the floor.
+    fn marks(&self, film: &Film<'_>, floor: usize, (style, body): (&mut String, &mut String)) {
         let floors = film.floors();
         let is_wall = |floor: usize| floors.all()[floor].is_wall();
-        let pairs = floors.facing().iter().enumerate();
-        let own = pairs.filter_map(|(index, pair)| {
-            let right_of = pair.left == floor && !is_wall(floor);
-            let left_of = pair.right == floor && is_wall(pair.left);
-            let structure = floors.all()[floor].structure;
-            let left = self.lefts[structure];
-            (right_of || left_of).then(|| (index, if right_of { left + WIDE } else { left }))
-        });
-        let mut marks = String::new();
-        for (pair, x) in own {
+        let left = self.lefts[floors.all()[floor].structure];
+        let (y, moved) = (
+            self.height(film, floor),
+            self.across * film.displacement(floor, film.at()),
+        );
+        for (pair, facing) in floors.facing().iter().enumerate() {
+            let x = if facing.left == floor && !is_wall(floor) {
+                left + WIDE
+            } else if facing.right == floor && is_wall(facing.left) {
+                left
+            } else {
+                continue;
+            };
             let touches = film.touches(pair);
             if touches.is_empty() || touches.len() > MOST {
                 continue;
             }
-            let name = format!("film-h{pair}");
+            let (name, follows) = (format!("film-h{pair}"), format!("film-m{pair}"));
             let opacity = u8::from(pair == film.hardest.pair);
-            let _ = write!(
-                marks,
-                "<circle class=\"h {name}\" cx=\"{}\" cy=\"{}\" r=\"1.7\" opacity=\"{opacity}\"/>",
+            let _ = writeln!(
+                body,
+                "<g class=\"{follows}\" transform=\"translate({},0)\"><circle class=\"h {name}\" cx=\"{}\" cy=\"{}\" r=\"1.7\" \
+                 opacity=\"{opacity}\"/></g>",
+                mm(moved),
                 mm(x),
-                mm(self.height(film, floor))
+                mm(y)
             );
+            let frames = film.instants().map(|(time, share)| {
+                let moved = self.across * film.displacement(floor, time);
+                format!("{}%{{transform:translate({}px,0)}}", mm(share), mm(moved))
+            });
+            animate(style, &follows, &frames.collect::<String>());
             animate(style, &name, &lit(&touches));
         }
-        marks
     }
 
     /// The ground, and a clock below it.
@@ -254,7 +265,10 @@ impl Stage {
         body.push_str(&text(to, "end", &format!("{} s", short(film.to))));
         let gaps = film.simulation.scene().contacts.iter().flatten();
         let gaps: Vec<String> = gaps.map(|one| millimetres(one.gap_m)).collect();
-        let gaps = format!("gap {} mm", gaps.join(", "));
+        let gaps = match &gaps[..] {
+            [one] => format!("gap {one} mm"),
+            several => format!("gaps {} mm", several.join(", ")),
+        };
         if gaps.chars().count() <= 2 * LONGEST {
             body.push_str(&text((from + to) / 2.0, "middle", &gaps));
         }

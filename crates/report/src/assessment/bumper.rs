@@ -44,7 +44,7 @@ impl AssessmentReport {
         };
         let one = |bumper: &Bumper| {
             format!(
-                "{} mm thick with {} MN/m at each floor between {}",
+                "{} mm and {} MN/m between {}",
                 millimetres(bumper.thickness),
                 short(1e-6 * bumper.stiffness),
                 self.bumper_name(bumper)
@@ -54,15 +54,14 @@ impl AssessmentReport {
         let why = match &self.bumper_words {
             Some(words) if words.contains("k=") => String::new(),
             _ => format!(
-                " (half of the gap, and the softest that stops the approach of free floors that 84 % of the runs do not exceed at {:.0} % of its \
-                 thickness)",
+                ", half of the gap, the softest that stop the approach that 84 % of the runs do not exceed at {:.0} % of it",
                 100.0 * COMPRESSION
             ),
         };
         let force = effect.force.as_ref();
         let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));
         let thin = match effect.too_thin {
-            0 => "In no run is one compressed by more than its thickness.".into(),
+            0 => "None is compressed by more than its thickness.".into(),
             n => format!(
                 "In {n} of {} runs one is compressed by more than its thickness: what is behind it then hits, which is left out.",
                 effect.runs
@@ -75,8 +74,7 @@ impl AssessmentReport {
             _ => "",
         };
         vec![format!(
-            "Bumpers at the given gap, {}{why}, change {force}drifts by {}, accelerations by {} in the runs that touch, against the contact \
-             of the scene. {thin}{room}",
+            "Bumpers at the given gap ({}{why}) change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}{room}",
             bumpers.join("; "),
             both(&effect.drift),
             both(&effect.acceleration)

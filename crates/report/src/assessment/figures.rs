@@ -102,7 +102,7 @@ fn share(report: &AssessmentReport) -> Figure {
         }
     };
     Figure {
-        height_in: 0.7 + 1.5 * gaps.len() as f64,
+        height_in: 0.7 + 1.1 * gaps.len() as f64,
         x: Axis::over("Gap (mm)", 0.0, end),
         panels: gaps.iter().map(panel).collect(),
         ..Figure::default()

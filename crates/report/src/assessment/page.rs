@@ -11,9 +11,14 @@ use crate::page::{BEFORE, animated, beside, boxed, document, illustrated};
 
 pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> String {
     let title = escaped(&report.scene.name);
+    // Numbered as they are read.
+    let shown = std::cell::Cell::new(0);
     let figure = |name: &str| {
-        let found = figures.iter().position(|one| one.name == name);
-        found.map_or_else(String::new, |at| illustrated(at + 1, &figures[at]))
+        let found = figures.iter().find(|one| one.name == name);
+        found.map_or_else(String::new, |one| {
+            shown.set(shown.get() + 1);
+            illustrated(shown.get(), one)
+        })
     };
     let first = [
         format!(
@@ -26,10 +31,10 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
                 .animation
                 .as_ref()
                 .map_or_else(|| figure("row"), animated),
-            figure("gap"),
+            list(&report.shaking()),
         ]),
         format!("<h2>Required gap</h2>\n{}", gaps(report)),
-        list(&report.shaking()),
+        figure("gap"),
         boxed(BEFORE, &report.warnings()),
         figure("profiles"),
     ];

@@ -8,8 +8,8 @@ use crate::figures::profiles::{MOST, over, storeys};
 use crate::figures::{fitting, unit};
 
 pub(super) const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings, over all runs in both directions. \
-                                  Dashed: alone. Lines with marks: beside the neighbours, with the contact of the scene. Left of each two \
-                                  lines the median, right what 84 % of the runs do not exceed.";
+                                  Dashed: alone. Lines with marks: beside the neighbours, with the contact of the scene. Blue: the \
+                                  median; orange: what 84 % of the runs do not exceed.";
 
 /// `None` if no building has several storeys.
 pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
@@ -62,7 +62,7 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
         shown.iter().zip(curves).map(panel)
     });
     Some(Figure {
-        height_in: 5.0,
+        height_in: 4.4,
         columns: shown.len(),
         panels: panels.collect(),
         ..Figure::default()

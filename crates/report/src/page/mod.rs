@@ -106,9 +106,9 @@ pub(crate) fn animated(animation: &Animation) -> String {
     )
 }
 
-/// Figures side by side, where there is room.
-pub(crate) fn beside(figures: &[String]) -> String {
-    format!("<div class=\"beside\">\n{}</div>\n", figures.concat())
+/// A picture with what is said beside it on paper, and below it on screens.
+pub(crate) fn beside(parts: &[String]) -> String {
+    format!("<div class=\"beside\">\n{}</div>\n", parts.concat())
 }
 
 /// What to know before the numbers are used, under a heading; nothing where there is nothing.
