@@ -8,6 +8,7 @@ use pounding_scene::{Error, Extras, Floors, RunResult, Simulation, Structure};
 use pounding_solver::Collision;
 use pounding_text::{short, two_digits};
 
+use crate::page::markup::escaped;
 use drawn::Stage;
 
 /// The name of its file.
@@ -62,6 +63,15 @@ impl Animation {
             ..Extras::default()
         })?;
         Ok(Self::of_run(&exact, &run))
+    }
+
+    /// As a part of a page, with its caption.
+    pub(crate) fn figure(&self) -> String {
+        format!(
+            "<figure class=\"moving\">\n{}<figcaption>{}</figcaption>\n</figure>\n",
+            self.svg,
+            escaped(&self.caption)
+        )
     }
 
     /// The same of a run with histories.

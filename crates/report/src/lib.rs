@@ -147,7 +147,10 @@ impl<'a> Report<'a> {
         };
         let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
         let animation = Animation::of_run(prepared, outcome);
-        let page = page::html(self, &summary, &illustrations, animation.as_ref());
+        let moving = animation
+            .as_ref()
+            .map_or_else(String::new, Animation::figure);
+        let page = page::html(self, &summary, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (

@@ -5,9 +5,10 @@ use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
 use pounding_text::{millimetres, two_decimals, two_digits};
 
 use super::AssessmentReport;
+use crate::animation::Animation;
 use crate::figures::Illustration;
 use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
-use crate::page::{BEFORE, animated, beside, boxed, document, illustrated};
+use crate::page::{BEFORE, beside, boxed, document, illustrated};
 
 pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> String {
     let title = escaped(&report.scene.name);
@@ -30,7 +31,7 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
             report
                 .animation
                 .as_ref()
-                .map_or_else(|| figure("row"), animated),
+                .map_or_else(|| figure("row"), Animation::figure),
             list(&report.shaking()),
         ]),
         format!("<h2>Required gap</h2>\n{}", gaps(report)),

@@ -82,14 +82,14 @@ impl AssessmentReport {
         let widths = PROBABILITIES.map(|part| {
             let width = millimetres(gap.built(gap.required.quantile(part)));
             if part < 1.0 {
-                format!("{width} mm with a probability of {:.0} %", 100.0 * part)
+                format!("{:.0} %: {width} mm", 100.0 * part)
             } else {
-                format!("{width} mm in all")
+                format!("in all: {width} mm")
             }
         });
         let mut said = vec![format!(
-            "The neighbour of {beside} is not known: of {} with periods of {} s and {} times its mass, all as likely by their logarithms, \
-             each under every motion, {} are enough.",
+            "The neighbour of {beside} is not known. Drawn: {} with periods of {} s and {} times its mass, all as likely by their logarithms, \
+             each under every motion. Enough with a probability of {}.",
             neighbours.len(),
             range(unknown.period_s),
             range(unknown.mass_ratio),
@@ -104,10 +104,12 @@ impl AssessmentReport {
         {
             let enough = gap.own.map_or_else(String::new, |own| {
                 let free = neighbours.iter().filter(|one| one.touching == 0).count();
-                format!(
-                    "{} mm is enough beside {free} of them in every run. ",
-                    millimetres(own)
-                )
+                let free = match free {
+                    0 => "none".into(),
+                    n => n.to_string(),
+                };
+                let own = millimetres(own);
+                format!("{own} mm is enough in every run beside {free} of them. ")
             });
             said.push(format!(
                 "{enough}Most is needed beside one with a period of {} s: {} mm in the median.",

@@ -8,9 +8,9 @@ mod verdict;
 
 use markup::{digits, escaped, list, short};
 
+use super::Report;
 use super::figures::Illustration;
 use super::summary::Summary;
-use super::{Animation, Report};
 use pounding_scene::{Source, Structure};
 
 /// Above what to know before the numbers are used.
@@ -23,7 +23,7 @@ pub(super) fn html(
     report: &Report<'_>,
     summary: &Summary,
     illustrations: &[Illustration],
-    animation: Option<&Animation>,
+    animation: &str,
 ) -> String {
     let review = report.review();
     let title = escaped(&summary.scene.name);
@@ -37,7 +37,7 @@ pub(super) fn html(
         verdict::verdict(summary, review),
         boxed(BEFORE, &summary.warnings),
         unusual(summary),
-        animation.map_or_else(String::new, animated),
+        animation.into(),
         figure("profiles"),
         "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
         figure("displacements"),
@@ -95,15 +95,6 @@ fn quoted(text: &str) -> String {
         }
     }
     quoted
-}
-
-/// An animation with its caption.
-pub(crate) fn animated(animation: &Animation) -> String {
-    format!(
-        "<figure class=\"moving\">\n{}<figcaption>{}</figcaption>\n</figure>\n",
-        animation.svg,
-        escaped(&animation.caption)
-    )
 }
 
 /// A picture with what is said beside it on paper, and below it on screens.

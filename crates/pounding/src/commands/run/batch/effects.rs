@@ -50,7 +50,7 @@ pub(super) fn text(lines: &[Line]) -> Vec<String> {
     let rows: Vec<_> = moving.map(row).collect();
     let notes = format!(
         "peaks beside the neighbours over those of the same building alone, by the exact method, under {} motions in both directions; \
-         --csv and --json have every motion, and how far a change of the record by 1 % moves each number",
+         --csv has every motion, --json also how far a change of the record by 1 % moves each number",
         all.len()
     );
     vec![table(&header, &rows), paragraph("Effects", &notes)]
