@@ -131,13 +131,14 @@ impl Stage {
         let left = self.lefts[structure];
         let own = floors.of_structure(structure);
         if own.iter().any(|floor| is_wall(&floor)) {
+            let top = self.wall(film, own);
             let _ = writeln!(
                 body,
                 "<rect class=\"s\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
                 mm(left),
-                mm(self.ground - TALL),
+                mm(top),
                 mm(WIDE),
-                mm(TALL)
+                mm(self.ground - top)
             );
         }
         let mut below = (self.ground, None);
@@ -172,6 +173,21 @@ impl Stage {
             mm(self.ground + NAMES),
             escaped(&short)
         );
+    }
+
+    /// The top of a wall: where the highest floor is that can touch it.
+    fn wall(&self, film: &Film<'_>, own: &[usize]) -> f64 {
+        let pairs = film.floors().facing().iter();
+        let faced =
+            pairs.filter_map(
+                |pair| match (own.contains(&pair.left), own.contains(&pair.right)) {
+                    (true, _) => Some(pair.right),
+                    (_, true) => Some(pair.left),
+                    (false, false) => None,
+                },
+            );
+        let tops = faced.map(|floor| self.height(film, floor));
+        tops.fold(self.ground, f64::min)
     }
 
     /// How a storey between two heights is moved at an instant: each with the floor that is there, the ground without one.
