@@ -119,7 +119,7 @@ fn extreme_unknown_neighbours_that_are_refused() {
         said("samples = 4", "samples = 0"),
         said("samples = 4", "samples = 4\ndamping_ratio = 1"),
         said("gap_m = 0.03", "gap_m = -0.03"),
-        said("name = \"unknown\"", "name = \"unknown\"\ncontacts = []").replace('\n', ""),
+        said("structures = [{", "structures = [{ wall = {} }, {"),
         run,
     ];
     insta::assert_snapshot!(all.join("\n"));
