@@ -286,7 +286,7 @@ impl Stage {
             several => format!("gaps {} mm", several.join(", ")),
         };
         if gaps.chars().count() <= 2 * LONGEST {
-            body.push_str(&text((from + to) / 2.0, "middle", &gaps));
+            body.push_str(&text(f64::midpoint(from, to), "middle", &gaps));
         }
         let frames = format!(
             "0%{{transform:translate(0,0)}}100%{{transform:translate({}px,0)}}",

@@ -355,11 +355,9 @@ fn motions(report: &AssessmentReport) -> String {
 
 fn again(report: &AssessmentReport) -> String {
     let words = [&report.scaling.words, &report.bumper_words];
-    let scaling: String = words
-        .into_iter()
-        .flatten()
-        .map(|words| format!(" {words}"))
-        .collect();
+    let words: Vec<&str> = words.into_iter().flatten().map(String::as_str).collect();
+    let words = words.iter().map(|words| [" ", words].concat());
+    let scaling = words.collect::<Vec<_>>().concat();
     let scene = serde_json::to_string_pretty(&report.asked).unwrap_or_default();
     let said = facts(&[
         (

@@ -6,6 +6,8 @@ mod scene;
 mod tables;
 mod verdict;
 
+use std::fmt::Write as _;
+
 use markup::{digits, escaped, list, short};
 
 use super::Report;
@@ -91,7 +93,7 @@ fn quoted(text: &str) -> String {
         if letter.is_alphanumeric() || " .,:;()-+–·".contains(letter) {
             quoted.push(letter);
         } else {
-            quoted.push_str(&format!("\\{:x} ", u32::from(letter)));
+            let _ = write!(quoted, "\\{:x} ", u32::from(letter));
         }
     }
     quoted
