@@ -31,6 +31,7 @@
 //! - [`AssessmentReport`]: the folder of a row under many records.
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
+mod animation;
 mod assessment;
 mod figures;
 mod history;
@@ -43,6 +44,7 @@ mod summary;
 
 use std::collections::BTreeMap;
 
+pub use animation::Animation;
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 use figures::Known;
 use history::Motion;
@@ -132,6 +134,7 @@ impl<'a> Report<'a> {
     /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps what is open of them |
     /// | `impacts.csv` | a line per collision |
     /// | `effects.csv` | what pounding does to every storey, where that was asked for |
+    /// | `animation.svg` | the buildings around the hardest collision, in slow motion; where something touches |
     /// | `*.svg`, `*.png` | the figures of the report |
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);
@@ -143,7 +146,11 @@ impl<'a> Report<'a> {
             other: self.other(),
         };
         let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
-        let page = page::html(self, &summary, &illustrations);
+        let animation = Animation::of_run(prepared, outcome);
+        let moving = animation
+            .as_ref()
+            .map_or_else(String::new, Animation::figure);
+        let page = page::html(self, &summary, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (
@@ -156,8 +163,13 @@ impl<'a> Report<'a> {
         if let Some(effects) = &self.effects {
             files.insert(
                 EFFECTS.into(),
-                effects.to_csv(prepared.floors()).into_bytes(),
+                effects
+                    .to_csv(prepared.scene(), prepared.floors())
+                    .into_bytes(),
             );
+        }
+        if let Some(animation) = animation {
+            files.insert(animation::FILE.into(), animation.svg.into_bytes());
         }
         for illustration in illustrations {
             if let Ok((svg, png)) = illustration.drawn {
@@ -173,7 +185,7 @@ impl<'a> Report<'a> {
         let is_figure = |(stem, end): (&str, &str)| {
             figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
         };
-        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE].contains(&name)
+        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE, animation::FILE].contains(&name)
             || name.rsplit_once('.').is_some_and(is_figure)
     }
 }

@@ -5,12 +5,11 @@ use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape, writable};
 use pounding_text::millimetres;
 
 use super::AssessmentReport;
+use crate::figures::elevation;
 
 pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
                                   that touch in some run are orange and thick.";
 
-/// Height of a storey whose height nobody gives \[m\].
-const STOREY: f64 = 3.0;
 /// Largest height on paper \[mm\].
 const TALL: f64 = 60.0;
 /// Width of a building, and of what lies between two \[mm\].
@@ -24,8 +23,8 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
     let floors = report.floors();
     let structures = &report.scene().structures;
     let touched = touched(report);
-    let elevations = (0..floors.all().len()).map(|floor| elevation(report, floor));
-    let scale = TALL / elevations.fold(STOREY, f64::max);
+    let elevations = (0..floors.all().len()).map(|floor| elevation(floors, floor));
+    let scale = TALL / elevations.fold(0.0, f64::max);
     let width = structures.len() as f64 * (WIDE + BETWEEN) + BETWEEN;
     let mut shapes = vec![Shape::line(
         (0.0, GROUND),
@@ -68,7 +67,7 @@ fn building(
     let floors = report.floors();
     let own = floors.of_structure(index);
     let is_wall = own.iter().all(|floor| floors.all()[*floor].is_wall());
-    let tops = own.iter().map(|floor| scale * elevation(report, *floor));
+    let tops = own.iter().map(|floor| scale * elevation(floors, *floor));
     let (top, shade) = if is_wall {
         (TALL / 2.0, Shade::Silver)
     } else {
@@ -81,7 +80,7 @@ fn building(
         outline: Some(Pen::solid(Shade::Ink, 0.8)),
     }];
     for floor in own.iter().filter(|_| !is_wall) {
-        let height = GROUND + scale * elevation(report, *floor);
+        let height = GROUND + scale * elevation(floors, *floor);
         let pen = if touched.contains(floor) {
             Pen::solid(Shade::Vermilion, 3.0)
         } else {
@@ -90,13 +89,6 @@ fn building(
         shapes.push(Shape::line((left, height), (left + WIDE, height), pen));
     }
     shapes
-}
-
-/// Height of a floor above the ground \[m\].
-fn elevation(report: &AssessmentReport, floor: usize) -> f64 {
-    let one = &report.floors().all()[floor];
-    let storeys = one.storey.unwrap_or(1);
-    one.elevation_m.unwrap_or(STOREY * storeys as f64)
 }
 
 /// The floors that touch in some run.
