@@ -22,8 +22,8 @@ fn extreme_folders_that_hold_other_things() {
     assert_eq!(text(out.join("thesis.tex")), "years of work");
     assert_eq!(
         files(&out).len(),
-        11,
-        "three figures twice, four files, and the thesis"
+        12,
+        "three figures twice, the animation, four files, and the thesis"
     );
     assert_eq!(
         fs::read_dir(&folder).expect("there").count(),

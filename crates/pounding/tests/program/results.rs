@@ -253,7 +253,11 @@ fn limit_the_same_scene_gives_the_same_bytes() {
         assert!(ended.status.success(), "a good run");
     }
     let [first, second] = ["first", "second"].map(|out| files(&folder.join(out)));
-    assert_eq!(first.len(), 12, "four files and four figures twice");
+    assert_eq!(
+        first.len(),
+        13,
+        "four files, four figures twice, the animation"
+    );
     assert!(first == second, "the same bytes");
 }
 
@@ -294,7 +298,11 @@ fn extreme_the_page_is_well_formed_and_needs_nothing_else() {
     let drawings = document
         .descendants()
         .filter(|node| node.has_tag_name("svg"));
-    assert_eq!(drawings.count(), 3, "displacements, gaps and ground motion");
+    assert_eq!(
+        drawings.count(),
+        4,
+        "displacements, gaps, ground motion and the animation"
+    );
     for node in document.descendants() {
         let other = ["script", "img", "link", "iframe", "object", "a"];
         assert!(

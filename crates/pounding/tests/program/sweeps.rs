@@ -283,16 +283,16 @@ fn limit_records_are_those_of_run() {
             let Some((of, quantity)) = column.split_once(": ") else {
                 continue;
             };
+            // Buildings of one storey, by their names.
+            let (building, neighbour) = of.split_once(" – ").unwrap_or((of, ""));
             let same = wanted.iter().find(|wanted| {
-                wanted[0] == row[1]
-                    && wanted[1] == row[2]
-                    && &wanted[2] == of
-                    && &wanted[3] == quantity
+                [&wanted[0], &wanted[1], &wanted[2], &wanted[4], &wanted[6]]
+                    == [&row[1], &row[2], building, neighbour, quantity]
             });
             let same = same.unwrap_or_else(|| panic!("{column} of {}", &row[1]));
             assert_eq!(
                 found.parse::<f64>().ok(),
-                same[4].parse::<f64>().ok(),
+                same[7].parse::<f64>().ok(),
                 "{column}"
             );
             compared += 1;
