@@ -13,6 +13,8 @@ use drawn::Stage;
 
 /// The name of its file.
 pub(crate) const FILE: &str = "animation.svg";
+/// What makes a file of it; a page needs none.
+const NAMESPACE: &str = " xmlns=\"http://www.w3.org/2000/svg\"";
 
 /// Keyframes of all storeys together, and the least and the most of one storey: they decide how large the file is.
 const KEYFRAMES: usize = 1400;
@@ -69,7 +71,7 @@ impl Animation {
     pub(crate) fn figure(&self) -> String {
         format!(
             "<figure class=\"moving\">\n{}<figcaption>{}</figcaption>\n</figure>\n",
-            self.svg,
+            self.svg.replacen(NAMESPACE, "", 1),
             escaped(&self.caption)
         )
     }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use pounding_text::{millimetres, short};
 
-use super::{Film, LASTS};
+use super::{Film, LASTS, NAMESPACE};
 use crate::figures::elevation;
 use crate::page::markup::escaped;
 
@@ -109,7 +109,7 @@ impl Stage {
         self.clock(film, (&mut style, &mut body));
         let (width, height) = (self.width, self.ground + BELOW);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"film\" role=\"img\" viewBox=\"0 0 {w} {h}\" width=\"{}\" height=\"{}\" \
+            "<svg{NAMESPACE} class=\"film\" role=\"img\" viewBox=\"0 0 {w} {h}\" width=\"{}\" height=\"{}\" \
              aria-label=\"{}\">\n<style>\n{style}</style>\n<rect class=\"p\" width=\"{w}\" height=\"{h}\"/>\n{body}</svg>\n",
             mm(5.0 * width),
             mm(5.0 * height),
