@@ -4,10 +4,10 @@ mod text;
 
 use std::path::PathBuf;
 
-use pounding::report::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
+use pounding::report::{AssessmentReport, ScalingAsked};
 use pounding::scene::{
-    AssessedRun, DesignSpectrum, DesignSpectrumError, Error, Method, MotionSpectrum, ScaleTo,
-    Scaling, Scene, Structure, acceleration_in_g,
+    AssessedRun, DesignSpectrum, Error, Method, MotionSpectrum, ScaleTo, Scaling, Scene, Structure,
+    acceleration_in_g,
 };
 use pounding::text::{digits, json_text};
 
@@ -121,20 +121,6 @@ fn factors(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
-/// The spectrum of the command line: a code's, or that of a file.
-fn target(text: &str) -> Result<DesignSpectrum, String> {
-    let is_code = ["ec8:", "asce7:"].iter().any(|code| text.starts_with(code));
-    if is_code || !std::path::Path::new(text).is_file() {
-        return text
-            .parse()
-            .map_err(|error: DesignSpectrumError| error.to_string());
-    }
-    let unreadable = |error: &dyn std::fmt::Display| format!("{text}: cannot be read: {error}");
-    let read = pounding::scene::bytes(text.as_ref()).map_err(|error| unreadable(&error))?;
-    let read = String::from_utf8(read).map_err(|error| unreadable(&error))?;
-    DesignSpectrum::table(&read).map_err(|error| format!("{text}: {error}"))
-}
-
 impl Arguments {
     /// The scaling as it was asked for, to be asked for again.
     fn scaling_words(&self) -> Option<String> {
@@ -155,7 +141,7 @@ impl Arguments {
 
     fn scaling(&self) -> Result<Scaling, String> {
         match (&self.target, &self.scale) {
-            (Some(text), _) => Ok(Scaling::Target(target(text)?)),
+            (Some(text), _) => Ok(Scaling::Target(DesignSpectrum::named(text)?)),
             (None, Some(scale)) => Ok(scale.clone()),
             (None, None) => Ok(Scaling::AsScene),
         }
@@ -220,35 +206,13 @@ impl Arguments {
         scaling: Scaling,
         lines: &[suite::Line<(AssessedRun, Option<MotionSpectrum>)>],
     ) -> Result<Option<AssessmentReport>, Error> {
-        let found = lines.iter().filter_map(|line| {
-            let (run, spectrum) = line.found.as_ref().ok()?.clone();
-            Some(AssessedMotion {
-                name: line.motion.clone(),
-                event: line.event,
-                reversed: line.reversed,
-                spectrum,
-                run,
-            })
-        });
-        let folder = FolderOfMotions {
-            vertical: suite::count(lines, |line| line.vertical),
-            failed: suite::count(lines, |line| {
-                let mut same = lines.iter().filter(|other| other.motion == line.motion);
-                !line.vertical && same.all(|other| other.found.is_err())
-            }),
-            remarks: suite::left_out(lines)
-                .into_iter()
-                .chain(suite::untold(lines))
-                .collect(),
-        };
         let scaling = ScalingAsked {
             to: scaling,
             words: self.scaling_words(),
         };
-        let report = AssessmentReport::of(scene, found.collect())?;
+        let report = AssessmentReport::of_lines(scene, lines)?;
         Ok(report.map(|report| {
             report
-                .with_folder(folder)
                 .with_stiffness(self.stiffness)
                 .with_scaling(scaling)
                 .signed(self.author.clone(), self.date.clone())

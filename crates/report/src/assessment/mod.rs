@@ -2,8 +2,8 @@
 
 mod facts;
 mod figures;
+mod of_lines;
 mod page;
-mod sketch;
 mod words;
 
 use std::collections::BTreeMap;

@@ -1,10 +1,8 @@
 //! The row as a sketch: heights to scale, floors that touch in orange.
 
-use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape, writable};
-
+use pounding_plot::{Align, Drawing, Fill, Pen, PlotError, Shade, Shape, render_both, writable};
+use pounding_scene::{Floors, Scene};
 use pounding_text::millimetres;
-
-use super::AssessmentReport;
 
 pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
                                   that touch in some run are orange and thick.";
@@ -20,11 +18,31 @@ const BETWEEN: f64 = 14.0;
 const GROUND: f64 = 8.0;
 const ABOVE: f64 = 6.0;
 
-pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
-    let floors = report.floors();
-    let structures = &report.scene().structures;
-    let touched = touched(report);
-    let elevations = (0..floors.all().len()).map(|floor| elevation(report, floor));
+/// A row, and which of its floors touch.
+#[derive(Debug, Clone, Copy)]
+pub struct Sketch<'a> {
+    /// What it is a row of.
+    pub scene: &'a Scene,
+    /// Its floors.
+    pub floors: &'a Floors,
+    /// Indices of the floors that touch.
+    pub touched: &'a [usize],
+}
+
+impl Sketch<'_> {
+    /// The sketch as SVG.
+    ///
+    /// # Errors
+    /// What cannot be drawn: see [`PlotError`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        Ok(render_both(&drawing(self))?.0)
+    }
+}
+
+pub(super) fn drawing(sketch: &Sketch<'_>) -> Drawing {
+    let Sketch { scene, floors, .. } = sketch;
+    let structures = &scene.structures;
+    let elevations = (0..floors.all().len()).map(|floor| elevation(floors, floor));
     let scale = TALL / elevations.fold(STOREY, f64::max);
     let width = structures.len() as f64 * (WIDE + BETWEEN) + BETWEEN;
     let mut shapes = vec![Shape::line(
@@ -34,7 +52,7 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
     )];
     for (index, structure) in structures.iter().enumerate() {
         let left = BETWEEN + index as f64 * (WIDE + BETWEEN);
-        shapes.extend(building(report, index, &touched, left, scale));
+        shapes.extend(building(sketch, index, left, scale));
         let below = (left + WIDE / 2.0, GROUND - 4.0);
         shapes.push(Shape::text(
             below,
@@ -43,12 +61,10 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
             Align::Middle,
         ));
     }
-    for gap in &report.assessment().gaps {
-        let at = BETWEEN + (gap.left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
-        if let Some(own) = gap.own {
-            let text = format!("{} mm", millimetres(own));
-            shapes.push(Shape::text((at, GROUND + 2.0), text, 8.0, Align::Middle));
-        }
+    for (left, contact) in scene.contacts.iter().flatten().enumerate() {
+        let at = BETWEEN + (left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
+        let text = format!("{} mm", millimetres(contact.gap_m));
+        shapes.push(Shape::text((at, GROUND + 2.0), text, 8.0, Align::Middle));
     }
     Drawing {
         width,
@@ -58,17 +74,13 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
 }
 
 /// A structure from its left side on, with its floors; a wall is half as high as the paper.
-fn building(
-    report: &AssessmentReport,
-    index: usize,
-    touched: &[usize],
-    left: f64,
-    scale: f64,
-) -> Vec<Shape> {
-    let floors = report.floors();
+fn building(sketch: &Sketch<'_>, index: usize, left: f64, scale: f64) -> Vec<Shape> {
+    let Sketch {
+        floors, touched, ..
+    } = sketch;
     let own = floors.of_structure(index);
     let is_wall = own.iter().all(|floor| floors.all()[*floor].is_wall());
-    let tops = own.iter().map(|floor| scale * elevation(report, *floor));
+    let tops = own.iter().map(|floor| scale * elevation(floors, *floor));
     let (top, shade) = if is_wall {
         (TALL / 2.0, Shade::Silver)
     } else {
@@ -81,7 +93,7 @@ fn building(
         outline: Some(Pen::solid(Shade::Ink, 0.8)),
     }];
     for floor in own.iter().filter(|_| !is_wall) {
-        let height = GROUND + scale * elevation(report, *floor);
+        let height = GROUND + scale * elevation(floors, *floor);
         let pen = if touched.contains(floor) {
             Pen::solid(Shade::Vermilion, 3.0)
         } else {
@@ -93,17 +105,10 @@ fn building(
 }
 
 /// Height of a floor above the ground \[m\].
-fn elevation(report: &AssessmentReport, floor: usize) -> f64 {
-    let one = &report.floors().all()[floor];
+fn elevation(floors: &Floors, floor: usize) -> f64 {
+    let one = &floors.all()[floor];
     let storeys = one.storey.unwrap_or(1);
     one.elevation_m.unwrap_or(STOREY * storeys as f64)
-}
-
-/// The floors that touch in some run.
-fn touched(report: &AssessmentReport) -> Vec<usize> {
-    let hit = report.hit().into_iter();
-    let both = hit.map(|(pair, _)| report.floors().facing()[pair]);
-    both.flat_map(|pair| [pair.left, pair.right]).collect()
 }
 
 fn shortened(name: &str) -> String {
