@@ -25,7 +25,7 @@ def code(notebook: pathlib.Path) -> str:
 
 
 def test_limit_the_package_has_its_types() -> None:
-    mypy("--strict", "--ignore-missing-imports", pathlib.Path(pounding.__file__).parent)
+    mypy("--strict", "--ignore-missing-imports", "--package", "pounding")
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)

@@ -15,7 +15,7 @@ class Array:
     Numbers that do not change: `numpy.asarray` gives a view of them, which may only be read.
     """
     @property
-    def __array_interface__(self, /) -> dict:
+    def __array_interface__(self, /) -> Any:
         """
         Address, type and shape, as NumPy asks for them; the memory lives as long as this object.
         """
@@ -58,11 +58,6 @@ class Record:
         Ground acceleration as used [m/s²].
         """
     @property
-    def raw(self, /) -> bytes:
-        """
-        The bytes of the file, or of the samples as they were given; empty of a formula.
-        """
-    @property
     def duration(self, /) -> float:
         """
         Time of the last sample [s].
@@ -79,7 +74,7 @@ class Record:
     @staticmethod
     def of_file(path: str | PathLike[str], words: str, raw: bytes | None = None) -> Record:
         """
-        Reads a file; `bytes` are what it holds, where it need not be opened. `words` is the table `record` as JSON.
+        Reads a file; `raw` is what it holds, where it need not be opened. `words` is the table `record` as JSON.
         """
     @staticmethod
     def of_formula(words: str) -> Record:
@@ -95,6 +90,11 @@ class Record:
     def path(self, /) -> Path | None:
         """
         The file; `None` of another kind.
+        """
+    @property
+    def raw(self, /) -> bytes:
+        """
+        The bytes of the file, or of the samples as they were given; empty of a formula.
         """
     @property
     def raw_time_step(self, /) -> float | None:
@@ -225,7 +225,7 @@ def effects(text: str, path: str | PathLike[str], record: Record | None = None) 
 
 def laws() -> list[tuple[str, str, str]]:
     """
-    The contact laws: name, formula, source, and unit of the stiffness, of each.
+    The contact laws: name, force, and unit of the stiffness, of each.
     """
 
 def opensees(text: str, path: str | PathLike[str], record: Record | None = None, time_step: SupportsFloat | SupportsIndex | None = None, approximate: bool = False) -> str:
