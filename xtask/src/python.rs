@@ -30,7 +30,10 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     let python = environment(root, "python")?;
     let mut install = pip(&python, &["install", "--quiet"]);
     step(install.args(TESTS), root)?;
-    let opensees = step(pip(&python, &["install", "--quiet", OPENSEES]).arg("--only-binary=:all:"), root);
+    let opensees = step(
+        pip(&python, &["install", "--quiet", OPENSEES]).arg("--only-binary=:all:"),
+        root,
+    );
     if opensees.is_err() {
         println!("   left out: the notebook beside OpenSees, which has no wheel for this machine");
     }
@@ -67,7 +70,10 @@ pub(crate) fn dist(root: &Path) -> Result<(), String> {
     copy(&root.join("target/release/pounding"), &out)?;
     let clean = environment(root, "clean")?;
     let name = wheel.file_name().unwrap_or_default();
-    step(pip(&clean, &["install", "--quiet"]).arg(out.join(name)), root)?;
+    step(
+        pip(&clean, &["install", "--quiet"]).arg(out.join(name)),
+        root,
+    )?;
     let mut tried = Command::new(clean);
     step(tried.args(["-c", TRIED]), &out)?;
     step(Command::new(out.join("pounding")).arg("--version"), &out)?;
@@ -102,7 +108,10 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
         )),
         Err(_) => {
             fs::write(&known, new).map_err(|error| fail(&known, &error))?;
-            Err(format!("{}: was missing, and is written: look at it", known.display()))
+            Err(format!(
+                "{}: was missing, and is written: look at it",
+                known.display()
+            ))
         }
     }
 }
@@ -110,7 +119,11 @@ fn stubs(root: &Path, python: &Path) -> Result<(), String> {
 /// The Python of an environment below `target`, made where it is missing.
 fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
     let home = root.join("target").join(format!("venv-{name}"));
-    let python = home.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    let python = home.join(if cfg!(windows) {
+        "Scripts/python.exe"
+    } else {
+        "bin/python"
+    });
     if !python.exists() {
         let base = if cfg!(windows) { "python" } else { "python3" };
         step(Command::new(base).args(["-m", "venv"]).arg(&home), root)?;

@@ -16,7 +16,8 @@ from ._errors import PoundingWarning, Refused
 from ._folder import Assessment
 from ._record import Record, formula, read, record
 from ._run import Run
-from ._scene import Scene, building, row, scene, sdof, wall
+from ._scene import Scene, row, scene
+from ._structures import building, sdof, wall
 
 __all__ = [
     "Assessment",

@@ -8,9 +8,8 @@ import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _pounding
@@ -18,166 +17,22 @@ from ._errors import PoundingWarning, Refused
 from ._record import Record
 from ._run import Run
 from ._tables import frame
-from ._words import STRUCTURE, to_json, words
+from ._structures import Law, for_each, law_of
+from ._sweep import arrays_of, restitution_of, spread
+from ._words import to_json, words
 
 if TYPE_CHECKING:
     import pandas
 
     from ._folder import Assessment
 
-__all__ = ["Scene", "building", "row", "scene", "sdof", "wall"]
+__all__ = ["Scene", "row", "scene"]
 
-#: A structure in the words of a file.
-Structure = dict[str, Any]
-#: A contact law: its name, or its name with its parameters.
-Law = Union[str, Mapping[str, Any]]
 #: Told of what is done, and of all.
 Progress = Callable[[int, int], object]
 
 #: What shakes a row that names no record, until one is given.
 _NOBODY = {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 1.0, "time_step_s": 0.5}}}
-
-
-def _damping(damping: float | Mapping[str, Any]) -> dict[str, Any]:
-    return dict(damping) if isinstance(damping, Mapping) else {"ratio": damping}
-
-
-def sdof(
-    *,
-    mass: float,
-    period: float | None = None,
-    stiffness: float | None = None,
-    damping: float | Mapping[str, Any] = 0.05,
-    name: str | None = None,
-    yield_force: float | None = None,
-    yield_displacement: float | None = None,
-    yield_drift_ratio: float | None = None,
-    hardening_ratio: float | None = None,
-    bouc_wen: Mapping[str, Any] | None = None,
-    height: float | None = None,
-    initial_displacement: float | None = None,
-    initial_velocity: float | None = None,
-) -> Structure:
-    """A structure of one storey.
-
-    Parameters
-    ----------
-    mass
-        Mass [kg], > 0.
-    period
-        Natural period [s], > 0; or ``stiffness``.
-    stiffness
-        Elastic stiffness [N/m], > 0; or ``period``.
-    damping
-        Damping ratio [–], or the table of a file.
-    name
-        Name for tables; without it ``structure 1`` from the left, and so on.
-    yield_force
-        Yield force [N]; without it, and without the two below, columns stay elastic.
-    yield_displacement
-        Displacement at which columns yield [m].
-    yield_drift_ratio
-        The same over ``height`` [–].
-    hardening_ratio
-        Stiffness after yielding over that before [–], 0 to less than 1.
-    bouc_wen
-        How columns yield smoothly, as in a file.
-    height
-        Height of the mass over the ground [m].
-    initial_displacement, initial_velocity
-        State at t = 0 [m], [m/s].
-    """
-    given = dict(locals())
-    given["damping"] = _damping(damping)
-    return {"sdof": words(given, STRUCTURE)}
-
-
-def building(
-    storeys: Sequence[Mapping[str, Any]],
-    *,
-    period: float | None = None,
-    damping: float | Mapping[str, Any] = 0.05,
-    name: str | None = None,
-    **fields: Any,
-) -> Structure:
-    """A building of several storeys.
-
-    Parameters
-    ----------
-    storeys
-        From the ground up: dicts with ``mass`` [kg], ``stiffness`` [N/m], ``height`` [m], ``yield_force`` [N],
-        ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–], ``repeat`` (so many equal ones).
-    period
-        First natural period [s]; equal storeys get the stiffness that gives it. Or ``stiffness`` of each storey.
-    damping
-        Damping ratio [–] in the first two modes, or the table of a file.
-    name
-        Name for tables.
-    **fields
-        Other fields of a building in a file.
-    """
-    given = {
-        "name": name,
-        "period": period,
-        "damping": _damping(damping),
-        **fields,
-        "storeys": [words(storey, STRUCTURE) for storey in storeys],
-    }
-    return {"building": words(given, STRUCTURE)}
-
-
-def wall() -> Structure:
-    """A fixed wall, which moves with the ground."""
-    return {"wall": {}}
-
-
-def _law(law: Law | None, restitution: float | None) -> Any:
-    if law is None:
-        return {"stereomechanical": {"restitution": 0.65 if restitution is None else restitution}}
-    if isinstance(law, str) and restitution is not None:
-        law = {law: {}}
-    if isinstance(law, str):
-        return law
-    if restitution is None:
-        return dict(law)
-    return {name: {**parameters, "restitution": restitution} for name, parameters in law.items()}
-
-
-def _each(value: Any, n: int, what: str) -> list[Any]:
-    if isinstance(value, (str, Mapping)) or not hasattr(value, "__len__"):
-        return [value] * n
-    if len(value) != n:
-        message = f"{what}: found {len(value)}, allowed are {n}, one between each structure and its right neighbour, or one for all"
-        raise Refused(message, what, str(len(value)), str(n))
-    return list(value)
-
-
-def _spread(field: str, values: Any) -> dict[str, Any]:
-    """An entry of ``vary``: values, or the spread of a file."""
-    if isinstance(values, Mapping):
-        return {"field": field, **values}
-    listed = values.tolist() if isinstance(values, np.ndarray) else values
-    return {"field": field, "values": list(listed) if hasattr(listed, "__iter__") else [listed]}
-
-
-def _restitution(scene: Mapping[str, Any]) -> str:
-    """The field of every coefficient of restitution."""
-    laws = {name for contact in scene.get("contacts", []) for name in contact["law"]}
-    if len(laws) != 1:
-        found = ", ".join(sorted(laws)) or "none"
-        message = (
-            f"restitution: found the laws {found}, allowed is one law; name the fields in vary, such as "
-            '"contacts[0].law.stereomechanical.restitution"'
-        )
-        raise Refused(message, "restitution", f"the laws {found}", "one law", "name the fields in vary")
-    return f"contacts[*].law.{laws.pop()}.restitution"
-
-
-def _arrays(own: Scene | Record) -> list[Record]:
-    """A record of an array, which a sweep reads from a file."""
-    record = own if isinstance(own, Record) else own._record
-    is_array = record is not None and record._native.kind == "samples"
-    return [record] if record is not None and is_array else []
 
 
 def row(
@@ -230,8 +85,8 @@ def row(
     given: dict[str, Any] = {"name": name, "structures": named}
     if gap is not None:
         n = max(len(named) - 1, 0)
-        laws = [_law(one, restitution) for one in _each(law, n, "law")]
-        gaps = _each(gap, n, "gap")
+        laws = [law_of(one, restitution) for one in for_each(law, n, "law")]
+        gaps = for_each(gap, n, "gap")
         contacts = [{"gap_m": gap, "law": law} for gap, law in zip(gaps, laws)]
         if levels is not None:
             contacts = [{**contact, "levels": list(levels)} for contact in contacts]
@@ -537,10 +392,10 @@ class Scene:
         if gap is not None:
             fields["contacts[*].gap_m"] = gap
         if restitution is not None:
-            fields[_restitution(scene)] = restitution
+            fields[restitution_of(scene)] = restitution
         given: dict[str, Any] = {
             "scene": scene,
-            "vary": [_spread(field, values) for field, values in fields.items()],
+            "vary": [spread(field, values) for field, values in fields.items()],
             "verdict": verdict,
             **words(
                 {
@@ -552,12 +407,11 @@ class Scene:
                 {},
             ),
         }
-        own = self if record is None else record
         with contextlib.ExitStack() as stack:
             if records is not None:
                 folder = stack.enter_context(folder_of(records))
                 given["records"] = str(folder.resolve())
-            elif arrays := _arrays(own):
+            elif arrays := arrays_of(record or self._record):
                 (only,) = stack.enter_context(folder_of(arrays)).iterdir()
                 scene["record"] = {"file": str(only)}
             native, left_out, untold = _pounding.sweep(
