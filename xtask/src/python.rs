@@ -136,7 +136,7 @@ fn wheel(root: &Path, python: &Path) -> Result<PathBuf, String> {
     let out = root.join("target/wheels");
     fresh(&out)?;
     let mut build = maturin(root, python);
-    build.args(["build", "--quiet", "--release", "--strip", "--out"]);
+    build.args(["build", "--quiet", "--release", "--out"]);
     step(build.arg(&out), &root.join(PACKAGE))?;
     found(&out, "whl")
 }
