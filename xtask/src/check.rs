@@ -105,6 +105,8 @@ pub(crate) fn run(root: &Path) -> Result<(), String> {
             started.elapsed().as_secs_f64()
         );
     }
+    println!("── promises, in part: cargo xtask torture with few rounds");
+    crate::torture::run(root, &crate::torture::Rounds::FEW)?;
     println!("── results: cargo xtask reproduce --check");
     crate::reproduce::run(root, true, pounding_studies::Extent::Part)
 }

@@ -64,6 +64,18 @@ impl Lock {
     /// # Errors
     /// [`LockError`].
     pub fn of(output: &Path, users: Users) -> Result<Self, LockError> {
+        let lock = match users {
+            Users::One => File::try_lock,
+            Users::Several => File::try_lock_shared,
+        };
+        Self::by(output, lock)
+    }
+
+    /// Takes an output by this call of the system.
+    fn by(
+        output: &Path,
+        lock: impl Fn(&File) -> Result<(), TryLockError>,
+    ) -> Result<Self, LockError> {
         let path = hidden(output, "lock");
         let fault = |source| LockError::File {
             path: path.clone(),
@@ -75,11 +87,7 @@ impl Lock {
             let mut options = OpenOptions::new();
             options.read(true).write(true).create(true).truncate(false);
             let file = options.open(&path).map_err(fault)?;
-            let locked = match users {
-                Users::One => file.try_lock(),
-                Users::Several => file.try_lock_shared(),
-            };
-            match locked {
+            match lock(&file) {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) if patience > 0 => {
                     patience -= 1;
@@ -186,6 +194,17 @@ mod tests {
         // What a kill leaves holds nobody off.
         fs::write(hidden(&output, "lock"), "process 1").unwrap();
         assert!(Lock::of(&output, Users::One).is_ok());
+    }
+
+    #[test]
+    fn issue_a_disk_without_locks_is_written_and_said() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("table.csv");
+        let refused = |_: &File| Err(TryLockError::Error(io::ErrorKind::Unsupported.into()));
+        let one = Lock::by(&output, refused).unwrap();
+        assert!(!one.is_kept());
+        drop(one);
+        assert!(Lock::of(&output, Users::One).unwrap().is_kept());
     }
 
     /// The file comes and goes, and still there is one at a time.

@@ -204,3 +204,45 @@ fn beside(folder: &Path, end: &str) -> Result<PathBuf, String> {
     name.push(end);
     Ok(folder.with_file_name(name))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn results(word: &str) -> BTreeMap<String, Vec<u8>> {
+        let names = ["summary.json", "impacts.csv"];
+        names.map(|name| (name.into(), word.into())).into()
+    }
+
+    /// A process can be killed between any two of its steps; whoever comes next finds one run, whole, and tidies up.
+    #[test]
+    fn issue_a_kill_between_two_renames_loses_no_results() {
+        type Step = fn(&ResultFolder) -> io::Result<()>;
+        let steps: [(Step, &str); 3] = [
+            (|_| Ok(()), "earlier"),
+            (|folder| fs::rename(&folder.path, &folder.old), "earlier"),
+            (
+                |folder| {
+                    fs::rename(&folder.path, &folder.old)?;
+                    fs::rename(&folder.new, &folder.path)
+                },
+                "later",
+            ),
+        ];
+        for (step, left) in steps {
+            let home = tempfile::tempdir().unwrap();
+            let path = home.path().join("out");
+            let killed = ResultFolder::open(&path, false).unwrap();
+            killed.write(&results("earlier")).unwrap();
+            killed.fill(&results("later")).unwrap();
+            step(&killed).unwrap();
+            drop(killed);
+            let next = ResultFolder::open(&path, false).unwrap();
+            for (name, bytes) in results(left) {
+                assert_eq!(fs::read(path.join(name)).unwrap(), bytes);
+            }
+            drop(next);
+            assert_eq!(fs::read_dir(home.path()).unwrap().count(), 1, "{left}");
+        }
+    }
+}

@@ -13,7 +13,7 @@ use super::Sweep;
 use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, LONGEST, Prices, STEPPING, mean};
 use super::sampling::Point;
-use pounding_scene::Method;
+use pounding_scene::{Method, Simulation};
 use pounding_text::to_csv;
 
 /// Runs that choose the method, and others that measure it.
@@ -21,6 +21,8 @@ const CHOOSING: usize = 64;
 const MEASURING: usize = 128;
 /// The first of those that choose, which tell what methods cost and whether any step can be short enough.
 const FEW: usize = 8;
+/// Scenes of which more than this part goes side by side do so.
+const HALF: f64 = 0.5;
 /// Tolerance of the exact method side by side, as a part of the error that is asked for.
 const PART: f64 = 0.1;
 
@@ -99,7 +101,7 @@ fn at_most(sorted: &[f64], part: f64) -> f64 {
 }
 
 /// Distance of two numbers of a table, as a part of the larger one or of what they count as at least.
-fn distance(a: f64, b: f64, least: f64) -> f64 {
+pub(super) fn distance(a: f64, b: f64, least: f64) -> f64 {
     match (a.is_nan(), b.is_nan()) {
         (true, true) => 0.0,
         // The smallest number stands for zeros of both.
@@ -125,6 +127,8 @@ impl Sweep {
 
     /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
     pub(super) fn choose(&mut self, asked: f64) {
+        // What breaks a law fails where it is run for the table.
+        let verdict = std::mem::take(&mut self.verdict);
         let sampled = self.sampled();
         let method = sampled.as_ref().map_or(Method::EXACT, |sampled| {
             self.cheapest(&sampled.chooses, &sampled.measures, asked)
@@ -139,8 +143,8 @@ impl Sweep {
             _ => Vec::new(),
         };
         self.set_method(&method);
-        let names = self.columns();
-        let names = &names[names.len() - 1 - self.n_columns()..names.len() - 1];
+        self.verdict = verdict;
+        let names = self.columns_of_numbers();
         let column = |(index, name): (usize, &String)| {
             let of_runs = errors.iter().map(|row| row[index]).collect();
             ColumnErrors::of(name.clone(), of_runs)
@@ -165,9 +169,17 @@ impl Sweep {
         self.set_method(&Method::EXACT);
         let few = &chooses[..chooses.len().min(FEW)];
         let truth = self.numbers(few);
+        // Impacts without a tolerance fly side by side as they are.
+        let flies_already = truth.beside > HALF;
+        let price = if flies_already {
+            self.price_alone(few) / ALONE
+        } else {
+            truth.price
+        };
         let flown = exact(asked * PART);
         self.set_method(&flown);
-        let by_flights = self.numbers(few);
+        let flights = (!flies_already).then(|| self.numbers(few));
+        let flights = flights.filter(|flown| flown.beside > 0.0);
         let counts = Counts {
             all: self.n_runs() as f64,
             choosing: chooses.len() as f64,
@@ -175,9 +187,9 @@ impl Sweep {
         };
         let prices = Prices {
             counts,
-            exact: truth.price,
+            exact: price,
             steps: self.prices_of_steps(few),
-            flights: (by_flights.beside > 0.0).then(|| side_by_side(truth.price, &by_flights)),
+            flights: flights.map(|flown| side_by_side(price, &flown)),
         };
         let flies = prices
             .flights
@@ -217,6 +229,25 @@ impl Sweep {
         })
     }
 
+    /// What some runs cost by the exact method alone, as a mean.
+    fn price_alone(&self, runs: &[u64]) -> f64 {
+        let mut scene = self.scene.clone();
+        let price = |run: &u64| {
+            let prepared = self.prepared_run(*run, &mut scene)?;
+            let ran = self.run_alone(&prepared, &mut Vec::new(), &mut Vec::new());
+            ran.ok()
+        };
+        mean(runs.iter().filter_map(price))
+    }
+
+    /// A run, where it can be made ready.
+    fn prepared_run(&self, run: u64, scene: &mut Value) -> Option<Simulation> {
+        let (mut point, mut settings) = (Point::default(), Vec::new());
+        self.plan.settings(run, &mut point, &mut settings);
+        let motion = self.plan.motion(run).0;
+        self.prepared(motion, &settings, scene).ok()
+    }
+
     /// What each of the methods that step costs with steps of a second, as a mean of some runs.
     fn prices_of_steps(&mut self, runs: &[u64]) -> [f64; STEPPING.len()] {
         STEPPING.map(|method| {
@@ -226,10 +257,7 @@ impl Sweep {
             self.set_method(&Method::EXACT);
             let mut scene = self.scene.clone();
             let price = |run: &u64| {
-                let (mut point, mut settings) = (Point::default(), Vec::new());
-                self.plan.settings(*run, &mut point, &mut settings);
-                let motion = self.plan.motion(*run).0;
-                let prepared = self.prepared(motion, &settings, &mut scene).ok()?;
+                let prepared = self.prepared_run(*run, &mut scene)?;
                 Some(prepared.price_of_steps(&method(1.0), beside))
             };
             mean(runs.iter().filter_map(price))

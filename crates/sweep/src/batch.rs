@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Sweep;
+use super::checked::{Checked, TwoRuns};
 use super::sampling::Point;
 use pounding_scene::{Error, Extras, Simulation};
 
@@ -17,6 +18,8 @@ pub struct Batch {
     pub columns: Vec<Vec<f64>>,
     /// Of every run why it failed; nothing where it did not.
     pub failed: Vec<Option<String>>,
+    /// How every run was held to the laws of mechanics.
+    pub checked: Vec<Checked>,
     /// How many runs went side by side.
     pub beside: usize,
     /// What those that did not have cost, in force evaluations that take as long.
@@ -32,6 +35,7 @@ impl Batch {
             runs,
             columns: vec![vec![f64::NAN; n]; n_columns],
             failed: vec![None; n],
+            checked: vec![Checked::No; n],
             beside: 0,
             price: 0.0,
             least: Vec::with_capacity(n_columns),
@@ -161,22 +165,46 @@ impl Sweep {
             // A fault of the program in one run is no reason to lose the others.
             let ran = if told {
                 batch.beside += 1;
-                Ok(0.0)
+                let run = batch.runs.start + *place as u64;
+                let sampled = self.verdict && self.is_sampled(run);
+                let both = || self.run_both(prepared, &numbers).map(|()| Checked::Both);
+                let checked = if sampled {
+                    caught(both)
+                } else {
+                    Ok(Checked::Books)
+                };
+                checked.map(|checked| (checked, 0.0))
             } else {
-                caught(|| self.run_alone(prepared, &mut numbers, &mut batch.least))
+                let price = caught(|| self.run_alone(prepared, &mut numbers, &mut batch.least));
+                price.map(|price| (Checked::Ledger, price))
             };
             match ran {
-                Ok(price) => {
+                Ok((checked, price)) => {
                     batch.take(*place, &numbers);
                     batch.price += price;
+                    if self.verdict {
+                        batch.checked[*place] = checked;
+                    }
                 }
                 Err(reason) => batch.failed[*place] = Some(reason),
             }
         }
     }
 
+    /// Runs a scene that went side by side alone, too, and holds its numbers to each other.
+    fn run_both(&self, prepared: &Simulation, beside: &[f64]) -> Result<(), String> {
+        let (mut alone, mut least) = (Vec::new(), Vec::new());
+        self.run_alone(prepared, &mut alone, &mut least)?;
+        let runs = TwoRuns {
+            beside,
+            alone: &alone,
+            least: &least,
+        };
+        self.compare(prepared, &runs)
+    }
+
     /// One run; its numbers in the order of the columns, what they count as at least, and its price.
-    fn run_alone(
+    pub(super) fn run_alone(
         &self,
         prepared: &Simulation,
         numbers: &mut Vec<f64>,

@@ -19,7 +19,7 @@ impl Sweep {
             .flatten()
     }
 
-    /// Whether runs side by side know all that is asked for: no verdict, no more than peaks and sums, and one motion.
+    /// Whether runs side by side know all that is asked for: no more than peaks and sums, and one motion.
     pub(super) fn asks_for_tallies(&self) -> bool {
         let structures = &self.outputs.structures;
         let of_structures = structures
@@ -31,7 +31,16 @@ impl Sweep {
                 PairQuantity::Collisions | PairQuantity::PeakForceN | PairQuantity::TotalImpulseNS
             )
         });
-        !self.verdict && self.motions.differs == Differs::Nothing && of_structures && of_pairs
+        self.motions.differs == Differs::Nothing && of_structures && of_pairs && !self.is_limited()
+    }
+
+    /// Whether runs are given up above a cost that is named: pieces and seconds are those of a run alone.
+    fn is_limited(&self) -> bool {
+        let budget = self.scene.get("budget");
+        let named = |name: &str| budget?.get(name).filter(|cost| !cost.is_null());
+        ["pieces", "seconds"]
+            .into_iter()
+            .any(|name| named(name).is_some())
     }
 
     /// The numbers of one of these scenes in the order of the columns; false where they are none, and a run alone says why.
@@ -43,7 +52,7 @@ impl Sweep {
         numbers: &mut Vec<f64>,
     ) -> bool {
         let none = f64::NAN;
-        if !tallies.is_told(scene) {
+        if !tallies.is_told(scene) || (self.verdict && tallies.is_doubted(scene)) {
             return false;
         }
         for (floor, made) in prepared.floors().all().iter().enumerate() {

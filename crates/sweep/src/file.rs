@@ -216,7 +216,6 @@ impl Default for Outputs {
                 PairQuantity::Collisions,
                 PairQuantity::PeakForceN,
                 PairQuantity::TotalImpulseNS,
-                PairQuantity::LeastOpeningM,
             ],
         }
     }

@@ -34,6 +34,7 @@
 mod accuracy;
 mod batch;
 mod beside;
+mod checked;
 mod distribution;
 mod error;
 mod file;
@@ -63,6 +64,7 @@ use sha2::{Digest, Sha256};
 
 pub use accuracy::{ColumnErrors, SweepAccuracy};
 pub use batch::Batch;
+pub use checked::Checked;
 pub use distribution::{LogNormal, Normal};
 pub use error::{RefusedScene, SweepError};
 pub use file::{
@@ -139,6 +141,7 @@ impl Sweep {
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
             scene.insert("budget".into(), serde_json::json!(budget));
         }
+        set_tolerance(&mut read.scene);
         let vary = placed(&file, &read.scene)?;
         let asked = accuracy::asked(&read.scene);
         if asked.is_some() && vary.iter().any(|(_, fields)| varies_method(fields)) {
@@ -232,6 +235,22 @@ impl Read {
                 })
             }
         }
+    }
+}
+
+/// Tolerance of the exact method in a sweep, where its scene names none: the finest that runs side by side can have.
+const TOLERANCE: f64 = 1e-12;
+
+/// Gives the exact method of a scene that names no tolerance that of a sweep.
+fn set_tolerance(scene: &mut Value) {
+    let Some(scene) = scene.as_object_mut() else {
+        return;
+    };
+    let method = scene
+        .entry("method")
+        .or_insert_with(|| serde_json::json!({"exact": {}}));
+    if let Some(exact) = method.get_mut("exact").and_then(Value::as_object_mut) {
+        exact.entry("tolerance").or_insert_with(|| TOLERANCE.into());
     }
 }
 

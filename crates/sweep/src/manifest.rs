@@ -38,7 +38,7 @@ const ALONE: Cut = Cut {
 /// Of runs side by side: the file of a part takes as long as some fifty of them.
 const BESIDE: Cut = Cut {
     parts: 128,
-    least: 512,
+    least: 256,
     most: 16_384,
 };
 

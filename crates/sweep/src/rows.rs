@@ -65,10 +65,17 @@ impl Sweep {
         rows.0
     }
 
-    /// Names of the columns: the run, its record and direction, what varies, what came out, and why it failed.
+    /// Names of the columns: the run, its record and direction, what varies, what came out, how that was checked, and why it failed.
     pub fn columns(&self) -> Vec<String> {
         let mut columns = vec!["run".into(), "record".into(), "reversed".into()];
         columns.extend(self.plan.axes().iter().map(|axis| axis.name.clone()));
+        columns.extend(self.columns_of_numbers());
+        columns.extend(["checked".into(), "failed".into()]);
+        columns
+    }
+
+    /// Names of the columns of what came out.
+    pub(super) fn columns_of_numbers(&self) -> Vec<String> {
         let of = |names: &[String], asked: &[String]| {
             let column = |name: &String| {
                 let asked = asked.iter();
@@ -83,10 +90,9 @@ impl Sweep {
             .map(|[left, right]| format!("{left} – {right}"))
             .collect();
         let structures: Vec<String> = self.outputs.structures.iter().map(name).collect();
-        columns.extend(of(&self.row.floors, &structures));
+        let mut columns = of(&self.row.floors, &structures);
         let quantities: Vec<String> = self.outputs.pairs.iter().map(name).collect();
         columns.extend(of(&pairs, &quantities));
-        columns.push("failed".into());
         columns
     }
 
@@ -109,6 +115,7 @@ impl Sweep {
             for column in &batch.columns {
                 rows.number(column[index]);
             }
+            rows.field(batch.checked[index].name());
             let reason = batch.failed[index].as_deref().unwrap_or_default();
             rows.field(reason);
             rows.end();

@@ -59,6 +59,10 @@ impl Sweep {
             let numbers = batches.iter().flat_map(|batch| &batch.columns[column]);
             SweepColumn::Numbers(numbers.copied().collect())
         }));
+        let checked = batches.iter().flat_map(|batch| &batch.checked);
+        let checked =
+            checked.map(|one| Some(one.name().to_owned()).filter(|name| !name.is_empty()));
+        columns.push(SweepColumn::Texts(checked.collect()));
         let failed = batches.iter().flat_map(|batch| &batch.failed);
         columns.push(SweepColumn::Texts(failed.cloned().collect()));
         Some(self.columns().into_iter().zip(columns).collect())

@@ -72,7 +72,7 @@ fn reference_a_small_sweep() {
     ");
     let text = String::from_utf8(table(&folder, "sweep.json.csv")).expect("text");
     let header = text.lines().next().unwrap_or_default();
-    assert_snapshot!(header, @"run,record,reversed,contacts[0].gap_m,structures[0].sdof.period_s,left: peak_displacement_m,right: peak_displacement_m,left – right: collisions,left – right: peak_force_n,left – right: total_impulse_n_s,left – right: least_opening_m,failed");
+    assert_snapshot!(header, @"run,record,reversed,contacts[0].gap_m,structures[0].sdof.period_s,left: peak_displacement_m,right: peak_displacement_m,left – right: collisions,left – right: peak_force_n,left – right: total_impulse_n_s,checked,failed");
     assert_eq!(text.lines().count(), 5);
     assert!(
         !folder.join("sweep.json.csv.parts").exists(),

@@ -29,8 +29,9 @@ pub(super) struct Constants<S: Simd, Column> {
 pub(super) struct Motion<S: Simd, Memory> {
     /// Displacement at the node that comes next \[m\].
     pub(super) displacement: Lanes<S>,
-    /// What it is more than at the node before.
+    /// What it is more than at the node before, and what it was more there than at the one before that.
     pub(super) increment: Lanes<S>,
+    earlier: Lanes<S>,
     memory: Memory,
     /// Least and largest displacement so far \[m\].
     extremes: [Lanes<S>; 2],
@@ -81,6 +82,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
             motion: Motion {
                 displacement,
                 increment,
+                earlier: increment,
                 memory: response.memory,
                 extremes: [displacement; 2],
             },
@@ -125,6 +127,15 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         }
     }
 
+    /// Velocity at the node before \[m/s\].
+    #[inline(always)]
+    pub(super) fn velocity_before(&self) -> Lanes<S> {
+        let Motion {
+            earlier, increment, ..
+        } = self.motion;
+        self.constants.coefficients.velocity([earlier, increment])
+    }
+
     /// Lets the next displacement follow from the velocity after a jump, where there was one.
     #[inline(always)]
     pub(super) fn restart(&mut self, ground: Lanes<S>) {
@@ -166,6 +177,7 @@ impl<S: Simd, Memory> Motion<S, Memory> {
     fn go_on(&mut self, coefficients: &Coefficients<Lanes<S>>, load: Lanes<S>) {
         let [least, largest] = self.extremes;
         self.extremes = [least.min(self.displacement), largest.max(self.displacement)];
+        self.earlier = self.increment;
         self.increment = coefficients.next(load, self.increment);
         self.displacement = self.displacement + self.increment;
     }

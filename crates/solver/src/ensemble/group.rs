@@ -5,6 +5,7 @@ use pounding_contact::Number;
 
 use super::Shaken;
 use super::body::Body;
+use super::books::Push;
 use super::column::SideBySideColumn;
 use super::jump::Jumps;
 use super::law::Law;
@@ -200,8 +201,12 @@ fn push<S: Simd, Column: RestoringForce<Lanes<S>>>(
         return;
     };
     let overlaps = pair.deformation.exceeds(rate.like(0.0));
-    let impulse = force.like(0.5 * time_step) * (pair.tally.last() + force);
-    pair.tally.follow(force, overlaps, impulse);
+    let push = Push {
+        force,
+        impulse: force.like(0.5 * time_step) * (pair.tally.last() + force),
+        rate: left.velocity_before() - right.velocity_before(),
+    };
+    pair.tally.follow(push, overlaps);
     left.contact.force_from_right = -force;
     right.contact.force_from_left = force;
 }

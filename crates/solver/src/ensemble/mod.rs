@@ -14,6 +14,7 @@
 )]
 
 mod body;
+mod books;
 mod column;
 mod exact;
 mod group;
@@ -37,7 +38,7 @@ pub use tallies::{PairSums, SceneSums};
 
 use crate::record::is_plastic;
 use crate::{
-    Budget, CentralDifference, Clock, Excitation, Integrator, RestoringForce, Row, RunError,
+    Budget, CentralDifference, Clock, Excitation, Integrator, Pair, RestoringForce, Row, RunError,
     Support, Verlet,
 };
 
@@ -163,8 +164,15 @@ impl SideBySide {
                 dispatch!(self.level, simd => verlet::run(simd, &method, task, tallies));
             }
         }
+        let is_compliant = |pair: &Pair| pair.law.is_compliant();
+        let both =
+            first.pairs().iter().any(is_compliant) && !first.pairs().iter().all(is_compliant);
         // Impacts of a rest are one collision, which only a run of the scene alone can tell.
         for (scene, row) in rows.iter().enumerate() {
+            if both {
+                // Velocities that jump in a compliant contact are not in its books.
+                tallies.doubt(scene);
+            }
             let several = |pair: usize| tallies.pair(scene, pair).collisions > 1.0;
             let mut pairs = row.pairs().iter().enumerate();
             if pairs.any(|(pair, of)| is_plastic(of) && several(pair)) {

@@ -133,6 +133,9 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             }
             for pair in group.pairs.iter().flatten() {
                 tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
+                if pair.tally.books.is_doubtful(lane) {
+                    tallies.doubt(scene);
+                }
             }
         }
     }

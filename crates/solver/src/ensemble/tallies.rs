@@ -19,6 +19,7 @@ pub struct SceneSums {
     pub(super) displacements: Vec<f64>,
     pub(super) pairs: Vec<PairSums>,
     pub(super) told: Vec<bool>,
+    doubted: Vec<bool>,
     /// Steps of groups of scenes, as many as a vector of the machine has lanes.
     pub steps: u64,
     /// Those of them in which some scene of the group touched.
@@ -42,6 +43,18 @@ impl SceneSums {
         self.told[scene]
     }
 
+    /// Whether the books of its contacts leave open that a scene breaks a law of mechanics: a run of it alone says.
+    ///
+    /// By stepping methods they book collisions as a [`Ledger`](crate::Ledger) does, and doubt a little more than it refuses. The exact
+    /// method carries impacts and contacts to rounding or tolerance, under laws that take energy and never pull: it doubts nothing.
+    pub fn is_doubted(&self, scene: usize) -> bool {
+        self.doubted[scene]
+    }
+
+    pub(super) fn doubt(&mut self, scene: usize) {
+        self.doubted[scene] = true;
+    }
+
     /// Makes room for so many scenes, with so many structures and pairs each; none is told.
     pub fn begin(&mut self, n_scenes: usize, (n_structures, n_pairs): (usize, usize)) {
         (self.n_structures, self.n_pairs) = (n_structures, n_pairs);
@@ -51,6 +64,8 @@ impl SceneSums {
         self.pairs.resize(n_scenes * n_pairs, PairSums::default());
         self.told.clear();
         self.told.resize(n_scenes, false);
+        self.doubted.clear();
+        self.doubted.resize(n_scenes, false);
         (self.steps, self.touching_steps) = (0, 0);
     }
 

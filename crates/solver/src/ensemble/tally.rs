@@ -4,6 +4,7 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::PairSums;
+use super::books::{Books, Push};
 use super::number::{Lanes, Mask};
 
 /// Collisions of a pair so far, as [`Collisions`](crate::Collisions) counts them.
@@ -19,6 +20,8 @@ pub(super) struct SceneSum<S: Simd> {
     /// Pounding force, and overlap, at the node before.
     force: Lanes<S>,
     overlapped: Mask<S>,
+    /// Of compliant contact.
+    pub(super) books: Books<S>,
 }
 
 impl<S: Simd> SceneSum<S> {
@@ -34,6 +37,7 @@ impl<S: Simd> SceneSum<S> {
             current: zero,
             force: zero,
             overlapped: nowhere,
+            books: Books::new(simd),
         }
     }
 
@@ -49,19 +53,24 @@ impl<S: Simd> SceneSum<S> {
         self.force
     }
 
-    /// Takes the force of a compliant pair at a node \[N\], where it overlaps there, and the impulse since the node before \[N·s\].
+    /// Takes the step of a compliant pair to a node, and where it overlaps there.
     #[inline(always)]
-    pub(super) fn follow(&mut self, force: Lanes<S>, overlaps: Mask<S>, impulse: Lanes<S>) {
+    pub(super) fn follow(&mut self, push: Push<S>, overlaps: Mask<S>) {
+        let Push { force, impulse, .. } = push;
         let zero = force.like(0.0);
+        self.books.follow(push);
         // A clamped force lets go of neighbours that overlap, and may push again; others have parted.
         let goes_on = self.open & self.overlapped;
         let ends = self.open & !self.overlapped;
         if Lanes::any(ends) {
             self.impulse = Number::select(ends, self.impulse + self.current, self.impulse);
             self.current = Number::select(ends, zero, self.current);
+            self.books.close(ends);
         }
         let acts = (self.force + force).exceeds(zero);
         let begins = acts & !goes_on;
+        // For the ledger neighbours that touch again at once have one collision.
+        self.books.doubt(begins & ends);
         let one = zero.like(1.0);
         self.collisions = Number::select(begins, self.collisions + one, self.collisions);
         self.open = goes_on | acts;

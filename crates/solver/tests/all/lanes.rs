@@ -3,7 +3,7 @@
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
     Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hysteretic,
-    Integrator, Node, Pair, PairSums, Peaks, Row, RowsOf, RunError, SceneSums, SideBySide,
+    Integrator, Ledger, Node, Pair, PairSums, Peaks, Row, RowsOf, RunError, SceneSums, SideBySide,
     Stepping,
 };
 use proptest::prelude::*;
@@ -61,8 +61,8 @@ fn steps(scene: usize) -> usize {
     CLOCK.n_steps - 7 * (scene % 3)
 }
 
-/// Displacements and pairs of a scene alone.
-type Alone = Result<(Vec<f64>, Vec<PairSums>), RunError>;
+/// Displacements and pairs of a scene alone, and whether its ledger refuses it.
+type Alone = Result<(Vec<f64>, Vec<PairSums>, bool), RunError>;
 
 fn alone<Column: Hysteretic>(
     (stepping, n_steps): (Stepping, usize),
@@ -70,9 +70,12 @@ fn alone<Column: Hysteretic>(
     excitation: Excitation<'_>,
 ) -> Alone {
     let (n, pairs) = (row.nodes().len(), row.pairs());
-    let mut recorder = (Peaks::new(n), Collisions::new(n, pairs));
+    let mut recorder = (
+        (Peaks::new(n), Collisions::new(n, pairs)),
+        Ledger::new(row, excitation),
+    );
     Integrator::from(stepping).watch(row, excitation, Clock { n_steps, ..CLOCK }, &mut recorder)?;
-    let (peaks, collisions) = recorder;
+    let ((peaks, collisions), ledger) = recorder;
     let mut tallies = vec![PairSums::default(); pairs.len()];
     for one in collisions.all() {
         let tally = &mut tallies[one.pair];
@@ -81,7 +84,7 @@ fn alone<Column: Hysteretic>(
         tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
     }
     let displacements = (0..n).map(|node| peaks.of(node).displacement.value);
-    Ok((displacements.collect(), tallies))
+    Ok((displacements.collect(), tallies, ledger.verdict().is_err()))
 }
 
 pub(crate) fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
@@ -108,7 +111,9 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     );
     prop_assert_eq!(found.len(), rows.len());
     for (scene, row) in rows.iter().enumerate() {
-        let Ok((displacements, pairs)) = alone((stepping, steps(scene)), row, excitation) else {
+        let Ok((displacements, pairs, is_refused)) =
+            alone((stepping, steps(scene)), row, excitation)
+        else {
             prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
             continue;
         };
@@ -124,6 +129,9 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
             continue;
         }
         prop_assert!(found.is_told(scene), "{} must not diverge", scene);
+        if is_refused {
+            prop_assert!(found.is_doubted(scene), "{} breaks a law unseen", scene);
+        }
         for (structure, displacement) in displacements.iter().enumerate() {
             let lane = found.displacement(scene, structure);
             prop_assert_eq!(

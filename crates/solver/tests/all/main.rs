@@ -16,6 +16,7 @@ mod flights;
 mod found;
 mod impacts;
 mod lanes;
+mod lanes_books;
 mod lanes_chains;
 mod lanes_exact;
 mod lanes_verlet;

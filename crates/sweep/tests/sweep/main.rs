@@ -1,6 +1,7 @@
 //! Sweeps: every row is the run of the scene that one would write by hand, in an order that each number alone tells.
 
 mod accuracy;
+mod checked;
 mod parts;
 
 use std::fs;
@@ -282,6 +283,8 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         "scene": scene(),
         "vary": [{"field": "contacts[0].gap_m", "uniform": {"from": 0.0, "to": 0.02}}],
         "samples": {"count": 300, "seed": 4, "method": "sobol"},
+        // Which keeps runs from going side by side, in larger parts.
+        "outputs": {"pairs": ["first_start_s", "total_impulse_n_s"]},
     });
     let sweep = sweep(&folder, &words);
     let fill = |out: &str, shard: Shard, stop: &'static AtomicBool| {

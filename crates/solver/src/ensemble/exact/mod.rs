@@ -25,7 +25,7 @@ use pair::{Scene, Side};
 
 use super::SceneSums;
 use crate::exact::{LONGEST_LEAP, in_flight};
-use crate::{Budget, Clock, Elastic, Exact, Excitation, Row, RunError, Support};
+use crate::{Budget, Clock, Elastic, Exact, Excitation, Pair, Row, RunError, Support};
 
 /// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
 const FINEST: f64 = 1e-12;
@@ -82,12 +82,13 @@ impl ExactSideBySide {
     }
 
     /// Whether a row can run side by side with others: two structures of one storey, or one and a wall, which can touch; the ground
-    /// motion arrives at both at once; and a tolerance of 1e-12 or more.
+    /// motion arrives at both at once; and a tolerance of 1e-12 or more, or an impulsive contact, which has none.
     pub fn takes(row: &Row<Elastic>, settings: Exact) -> bool {
         let on_ground =
             |node: usize| row.nodes()[node].support == Support::Ground && row.arrival(node) == 0.0;
         let two = row.nodes().len() == 2 && row.pairs().len() == 1;
-        two && (0..2).all(on_ground) && settings.tolerance >= FINEST
+        let is_flown = |pair: &Pair| settings.tolerance >= FINEST || !pair.law.is_compliant();
+        two && (0..2).all(on_ground) && row.pairs().iter().all(is_flown)
     }
 
     /// Runs rows that it [takes](Self::takes) to the end of the clock, and tells what happened in each at its place among the

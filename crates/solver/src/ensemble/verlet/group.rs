@@ -4,8 +4,9 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::NEAR;
-use super::body::{Constants, Motion, Push};
+use super::body::{self, Constants, Motion};
 use crate::ensemble::Shaken;
+use crate::ensemble::books;
 use crate::ensemble::column::SideBySideColumn;
 use crate::ensemble::group::Rows;
 use crate::ensemble::jump::struck;
@@ -116,16 +117,20 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         };
         let overlaps = deformation.exceeds(rate.like(0.0));
         let last = length.half * force;
-        let impulse = length.half * pair.tally.last() + last;
-        pair.tally.follow(force, overlaps, impulse);
+        let push = books::Push {
+            force,
+            impulse: length.half * pair.tally.last() + last,
+            rate: left.velocity - right.velocity,
+        };
+        pair.tally.follow(push, overlaps);
         self.touching_steps += u64::from(Lanes::any(overlaps));
         self.busy = pair.tally.lingers();
         let pushes = [
-            Push {
+            body::Push {
                 impulse: -last,
                 force: -force,
             },
-            Push {
+            body::Push {
                 impulse: last,
                 force,
             },
@@ -142,7 +147,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         let duration = self.constants[0].step.whole;
         let zero = to.like(0.0);
         let all = Mask::splat(to.token(), true);
-        let nothing = Push {
+        let nothing = body::Push {
             impulse: zero,
             force: zero,
         };

@@ -77,6 +77,9 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             }
             if let Some(pair) = &group.pair {
                 tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
+                if pair.tally.books.is_doubtful(lane) {
+                    tallies.doubt(scene);
+                }
             }
         }
     }

@@ -1,0 +1,164 @@
+//! How every run of a sweep was held to the laws of mechanics.
+//!
+//! A run alone has a ledger. Scenes side by side have books of their contacts, and what these doubt runs alone. Some of the others, drawn
+//! by their numbers, run alone as well, and have to come to the same: so that a fault of what runs side by side is found, too.
+
+use pounding_scene::{Method, Simulation};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+use super::Sweep;
+use super::accuracy::distance;
+
+/// Of so many scenes side by side one runs alone, too: they then take a tenth longer at most.
+const ONE_IN: u64 = 2048;
+/// Relative change of a record that tells what rounding moves.
+const CHANGE: f64 = 1e-12;
+/// How many times as far as the record's change moves them numbers may be apart, and how many tolerances.
+const TIMES: f64 = 1e3;
+
+/// How a run was held to the laws of mechanics.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Checked {
+    /// Not at all: the sweep asks for no verdict, or the run failed.
+    #[default]
+    No,
+    /// By the ledger of its own run.
+    Ledger,
+    /// By the books of its contacts, side by side with others.
+    Books,
+    /// By both: it ran side by side and alone, with the same numbers.
+    Both,
+}
+
+impl Checked {
+    /// Its name in tables; nothing where it was not.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::No => "",
+            Self::Ledger => "ledger",
+            Self::Books => "books",
+            Self::Both => "both",
+        }
+    }
+}
+
+/// The numbers of a scene, one for each column.
+pub(super) struct TwoRuns<'a> {
+    pub(super) beside: &'a [f64],
+    pub(super) alone: &'a [f64],
+    /// What each counts as at least where its error is relative to it.
+    pub(super) least: &'a [f64],
+}
+
+impl Sweep {
+    /// Whether a run that goes side by side runs alone, too; one of the sweep does at least.
+    pub(super) fn is_sampled(&self, run: u64) -> bool {
+        let drawn = |number: u64| Pcg64::new(number.into(), 29).next_u64();
+        run == drawn(u64::MAX) % self.n_runs() || drawn(run).is_multiple_of(ONE_IN)
+    }
+
+    /// Holds the numbers of a scene side by side to those of its run alone: stepping methods give the same bits, the exact method the same
+    /// to its tolerance and to how far rounding moves the scene.
+    ///
+    /// # Errors
+    /// Names the number that is furthest off.
+    pub(super) fn compare(&self, scene: &Simulation, runs: &TwoRuns<'_>) -> Result<(), String> {
+        let numbers = runs.beside.iter().zip(runs.alone).zip(runs.least);
+        let apart =
+            |((beside, alone), least): ((&f64, &f64), &f64)| distance(*beside, *alone, *least);
+        let apart: Vec<f64> = numbers.map(apart).collect();
+        let furthest = (0..apart.len()).max_by(|one, other| apart[*one].total_cmp(&apart[*other]));
+        let Some(furthest) = furthest.filter(|place| apart[*place] > 0.0) else {
+            return Ok(());
+        };
+        if let Method::Exact { tolerance, .. } = scene.method()
+            && apart[furthest] <= self.allowed(scene, runs, tolerance)
+        {
+            return Ok(());
+        }
+        Err(format!(
+            "{}: found {} side by side with other runs, allowed is {} as alone; this is a fault of the program: report it, and run with \
+             `outputs` that ask for more",
+            self.columns_of_numbers()[furthest],
+            runs.beside[furthest],
+            runs.alone[furthest],
+        ))
+    }
+
+    /// How far numbers of the exact method may be apart: as a change of the record as small as its tolerance moves the furthest of them.
+    fn allowed(&self, scene: &Simulation, runs: &TwoRuns<'_>, tolerance: f64) -> f64 {
+        let change = tolerance.max(CHANGE);
+        let Ok(near) = scene.under(|record| record.scaled(1.0 + change)) else {
+            return TIMES * change;
+        };
+        let (mut moved, mut least) = (Vec::new(), Vec::new());
+        match self.run_alone(&near, &mut moved, &mut least) {
+            Ok(_) => {
+                let numbers = moved.iter().zip(runs.alone).zip(runs.least);
+                let moved = numbers.map(|((one, other), least)| distance(*one, *other, *least));
+                TIMES * (change + moved.fold(0.0, f64::max))
+            }
+            Err(_) => f64::INFINITY,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::SweepFile;
+
+    fn sweep(method: &str) -> Sweep {
+        let text = format!(
+            r#"
+            vary = [{{ field = "contacts[0].gap_m", grid = {{ from = 0.001, to = 0.01, count = 9 }} }}]
+            [scene]
+            name = "a tower beside a wall"
+            record.generated.half_sine = {{ amplitude_m_per_s2 = -4.0, duration_s = 0.5, time_step_s = 0.01 }}
+            structures = [{{ sdof = {{ name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0.05 }} }}, {{ wall = {{}} }}]
+            contacts = [{{ gap_m = 0.05, law.stereomechanical.restitution = 0.65 }}]
+            method.{method}"#
+        );
+        let path = Path::new("sweep.toml");
+        let file = SweepFile::parse(text.as_bytes(), path).unwrap();
+        Sweep::of((file, text.as_bytes()), path).unwrap()
+    }
+
+    /// What a fault side by side would do to a number, put in on purpose: it is found in the last bit of a stepping method, and by the
+    /// exact method where rounding does not explain it.
+    #[test]
+    fn issue_a_fault_side_by_side_is_found() {
+        for (method, hidden, found) in [
+            ("central_difference.time_step_s = 0.005", 0.0, f64::EPSILON),
+            ("velocity_verlet.time_step_s = 0.005", 0.0, f64::EPSILON),
+            ("exact = {}", 1e-12, 1e-6),
+        ] {
+            let sweep = sweep(method);
+            let mut json = sweep.scene.clone();
+            let (mut point, mut settings) = (crate::sampling::Point::default(), Vec::new());
+            sweep.plan.settings(3, &mut point, &mut settings);
+            let scene = sweep.prepared(0, &settings, &mut json).unwrap();
+            let (mut alone, mut least) = (Vec::new(), Vec::new());
+            sweep.run_alone(&scene, &mut alone, &mut least).unwrap();
+            let changed = |by: f64| {
+                let mut beside = alone.clone();
+                beside[0] *= 1.0 + by;
+                let runs = TwoRuns {
+                    beside: &beside,
+                    alone: &alone,
+                    least: &least,
+                };
+                sweep.compare(&scene, &runs)
+            };
+            assert_eq!(changed(hidden), Ok(()), "{method}");
+            let reason = changed(found).unwrap_err();
+            assert!(
+                reason.starts_with("tower: peak_displacement_m: found "),
+                "{reason}"
+            );
+        }
+    }
+}

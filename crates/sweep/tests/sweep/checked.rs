@@ -1,0 +1,97 @@
+//! How rows are held to the laws of mechanics.
+
+use pounding_sweep::Checked;
+use serde_json::{Value, json};
+
+use crate::{folder, scene, sweep, table};
+
+/// Gaps of a scene by a method, with the words of speed, or without a word.
+fn words(method: &Value, more: &Value) -> Value {
+    let mut scene = scene();
+    scene["method"] = method.clone();
+    if method.get("exact").is_some() {
+        let left = &mut scene["structures"][0]["sdof"];
+        let fields = left.as_object_mut().expect("an object");
+        fields.remove("yield_displacement_m");
+    }
+    let mut words = json!({
+        "scene": scene,
+        "vary": [{"field": "contacts[0].gap_m", "uniform": {"from": 0.001, "to": 0.02}}],
+        "samples": {"count": 700, "seed": 4, "method": "sobol"},
+    });
+    for (name, value) in more.as_object().expect("an object") {
+        words[name] = value.clone();
+    }
+    words
+}
+
+/// Who says nothing of speed gets the rows of who says everything, side by side, and a drawn part of them alone as well.
+#[test]
+fn issue_a_sweep_is_fast_without_a_word() {
+    let folder = folder("checked");
+    let all = json!({
+        "verdict": false,
+        "outputs": {
+            "structures": ["peak_displacement_m"],
+            "pairs": ["collisions", "peak_force_n", "total_impulse_n_s"],
+        },
+    });
+    for method in [
+        json!({"central_difference": {"time_step_s": 0.002}}),
+        json!({"velocity_verlet": {"time_step_s": 0.002}}),
+        json!({"exact": {}}),
+    ] {
+        let plain = sweep(&folder, &words(&method, &json!({})));
+        let batch = plain.batch(0..700);
+        assert!(batch.beside > 690, "{method}: {}", batch.beside);
+        assert!(batch.failed.iter().all(Option::is_none), "{method}");
+        let count = |wanted: Checked| {
+            let all = batch.checked.iter();
+            all.filter(|checked| **checked == wanted).count()
+        };
+        assert!((1..20).contains(&count(Checked::Both)), "{method}");
+        assert_eq!(count(Checked::No), 0, "{method}");
+        let fast = sweep(&folder, &words(&method, &all));
+        let number_of = |row: &Vec<String>| row[..row.len() - 2].to_vec();
+        let [plain, fast] = [plain, fast].map(|sweep| table(&sweep, 0..700));
+        let names: Vec<_> = plain
+            .iter()
+            .map(|row| row[row.len() - 2].as_str())
+            .collect();
+        assert!(
+            names.contains(&"books") && names.contains(&"both"),
+            "{method}"
+        );
+        assert!(fast.iter().all(|row| row[row.len() - 2].is_empty()));
+        let numbers = |rows: &[Vec<String>]| rows.iter().map(number_of).collect::<Vec<_>>();
+        assert_eq!(numbers(&plain), numbers(&fast), "{method}");
+    }
+}
+
+/// What coarse steps break is refused with the reason, whether asked of all runs alone or not.
+#[test]
+fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
+    let folder = folder("checked_refused");
+    let coarse = json!({"central_difference": {"time_step_s": 0.005}});
+    let failed = |more: &Value| {
+        let mut words = words(&coarse, more);
+        let structure = |name: &str, period: f64| json!({"sdof": {"name": name, "mass_kg": 1e5, "period_s": period, "damping": {"ratio": 0.05}}});
+        let shaking = json!({"amplitude_m_per_s2": 4.0, "frequency_hz": 1.75, "duration_s": 3.0, "time_step_s": 0.01});
+        let scene = &mut words["scene"];
+        scene["record"] = json!({"generated": {"harmonic": shaking}});
+        scene["structures"] = json!([structure("left", 0.7), structure("right", 0.4)]);
+        // A step is longer than a fifth of the period of the contact's own motion.
+        scene["contacts"][0]["law"]["linear_spring"]["impact_stiffness_n_per_m"] = json!(5e9);
+        let batch = sweep(&folder, &words).batch(0..700);
+        (batch.failed, batch.beside)
+    };
+    let (alone, none) = failed(&json!({"outputs": {"pairs": ["first_start_s"]}}));
+    let (together, beside) = failed(&json!({}));
+    assert_eq!(none, 0);
+    let refused = alone.iter().flatten().count();
+    assert!(
+        beside > 0 && refused > 0,
+        "{beside} side by side, {refused} refused"
+    );
+    assert_eq!(alone, together);
+}
