@@ -132,10 +132,6 @@ pub(crate) fn advise(
 /// What a contact law and methods deliver to a free impact, as the JSON of `pounding certify --json`.
 #[pyfunction]
 #[pyo3(signature = (law, restitution, masses, speed, stiffness=None, literature=false, time_step=None, method=None))]
-#[expect(
-    clippy::too_many_arguments,
-    reason = "the options of the command, which Python names"
-)]
 pub(crate) fn certify(
     py: Python<'_>,
     law: &str,
