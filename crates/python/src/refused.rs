@@ -28,16 +28,19 @@ pub(crate) fn refused(py: Python<'_>, message: &str) -> PyErr {
 
 /// What is said of an error: of words that Python made there is no line and no column.
 pub(crate) fn said(error: &Error) -> String {
-    match error {
-        Error::Form {
-            path, place, fault, ..
-        } if !path.is_file() => match place {
-            Some(place) => format!("{place}: {fault}"),
-            None => fault.to_string(),
-        },
-        Error::Scene { source, .. } => source.to_string(),
-        other => other.to_string(),
+    if let Error::Form {
+        path, place, fault, ..
+    } = error
+        && !path.is_file()
+    {
+        return place
+            .as_ref()
+            .map_or_else(|| fault.to_string(), |place| format!("{place}: {fault}"));
     }
+    if let Error::Scene { source, .. } = error {
+        return source.to_string();
+    }
+    error.to_string()
 }
 
 /// An error as an exception.
