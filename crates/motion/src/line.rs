@@ -74,6 +74,8 @@ impl<'a> Line<'a> {
 
 /// Most lines of a text: two for each sample of the longest record. They take 480 MB.
 const MOST: usize = 20_000_000;
+/// The same of a text most lines of which are empty, which is no record: they take more memory than twelve times the text.
+const MOST_EMPTY: usize = 1_000_000;
 
 /// The lines of a text that end in LF, CR LF or CR, without a byte order mark.
 ///
@@ -83,10 +85,15 @@ pub(crate) fn lines(bytes: &[u8]) -> Result<Vec<Line<'_>>, ReadError> {
     let mut rest = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let count = |end: u8| memchr::memchr_iter(end, rest).count();
     let n_ends = count(b'\n').max(count(b'\r'));
-    if n_ends > MOST {
+    let allowed = if 2 * n_ends > rest.len() {
+        MOST_EMPTY
+    } else {
+        MOST
+    };
+    if n_ends > allowed {
         return Err(ReadError::TooManyLines {
             found: n_ends,
-            allowed: MOST,
+            allowed,
         });
     }
     let mut lines = Vec::with_capacity(n_ends + 1);

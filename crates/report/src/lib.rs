@@ -31,6 +31,7 @@
 //! - [`AssessmentReport`]: the folder of a row under many records.
 //! - `page/` and `figures/` in the source: the parts of `report.html`.
 
+mod animation;
 mod assessment;
 mod blow;
 mod direction;
@@ -48,6 +49,7 @@ mod summary;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub use animation::Animation;
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
 pub use direction::{direction_sentences, other_direction, other_direction_exact, run_sentence};
@@ -153,6 +155,7 @@ impl<'a> Report<'a> {
     /// | `history.csv` | motion and forces over time; accelerations are absolute, gaps what is open of them |
     /// | `impacts.csv` | a line per collision |
     /// | `effects.csv` | what pounding does to every storey, where that was asked for |
+    /// | `animation.svg` | the buildings around the hardest collision, in slow motion; where something touches |
     /// | `*.svg`, `*.png` | the figures of the report |
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let (prepared, outcome) = (self.prepared, &self.review.outcome);
@@ -164,7 +167,11 @@ impl<'a> Report<'a> {
             other: self.other(),
         };
         let illustrations = figures::illustrations(motion, outcome, &summary.pairs, known);
-        let page = page::html(self, &summary, &illustrations);
+        let animation = Animation::of_run(prepared, outcome);
+        let moving = animation
+            .as_ref()
+            .map_or_else(String::new, Animation::figure);
+        let page = page::html(self, &summary, &illustrations, &moving);
         let mut files = BTreeMap::from([
             (HISTORY.into(), history::csv(prepared, &motion).into_bytes()),
             (
@@ -177,8 +184,13 @@ impl<'a> Report<'a> {
         if let Some(effects) = &self.effects {
             files.insert(
                 EFFECTS.into(),
-                effects.to_csv(prepared.floors()).into_bytes(),
+                effects
+                    .to_csv(prepared.scene(), prepared.floors())
+                    .into_bytes(),
             );
+        }
+        if let Some(animation) = animation {
+            files.insert(animation::FILE.into(), animation.svg.into_bytes());
         }
         for illustration in illustrations {
             if let Ok((svg, png)) = illustration.drawn {
@@ -194,7 +206,7 @@ impl<'a> Report<'a> {
         let is_figure = |(stem, end): (&str, &str)| {
             figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
         };
-        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE].contains(&name)
+        [HISTORY, IMPACTS, EFFECTS, SUMMARY, PAGE, animation::FILE].contains(&name)
             || name.rsplit_once('.').is_some_and(is_figure)
     }
 }

@@ -4,11 +4,11 @@ use pounding_plot::{Align, Drawing, Fill, Pen, PlotError, Shade, Shape, render_b
 use pounding_scene::{Floors, Scene};
 use pounding_text::millimetres;
 
+use crate::figures::elevation;
+
 pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
                                   that touch in some run are orange and thick.";
 
-/// Height of a storey whose height nobody gives \[m\].
-const STOREY: f64 = 3.0;
 /// Largest height on paper \[mm\].
 const TALL: f64 = 60.0;
 /// Width of a building, and of what lies between two \[mm\].
@@ -43,7 +43,7 @@ pub(super) fn drawing(sketch: &Sketch<'_>) -> Drawing {
     let Sketch { scene, floors, .. } = sketch;
     let structures = &scene.structures;
     let elevations = (0..floors.all().len()).map(|floor| elevation(floors, floor));
-    let scale = TALL / elevations.fold(STOREY, f64::max);
+    let scale = TALL / elevations.fold(0.0, f64::max);
     let width = structures.len() as f64 * (WIDE + BETWEEN) + BETWEEN;
     let mut shapes = vec![Shape::line(
         (0.0, GROUND),
@@ -102,13 +102,6 @@ fn building(sketch: &Sketch<'_>, index: usize, left: f64, scale: f64) -> Vec<Sha
         shapes.push(Shape::line((left, height), (left + WIDE, height), pen));
     }
     shapes
-}
-
-/// Height of a floor above the ground \[m\].
-fn elevation(floors: &Floors, floor: usize) -> f64 {
-    let one = &floors.all()[floor];
-    let storeys = one.storey.unwrap_or(1);
-    one.elevation_m.unwrap_or(STOREY * storeys as f64)
 }
 
 fn shortened(name: &str) -> String {

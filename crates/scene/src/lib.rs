@@ -53,10 +53,13 @@ pub use accuracy::methods::{
 pub use accuracy::opening::Options;
 pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
 pub use assess::FloorPeaks;
+pub use assess::alone::Alone;
 pub use assess::assessment::{
     Assessment, BUILT_IN_STEPS_OF, FloorAssessment, GapAssessment, PairAssessment, RuleAssessment,
     RunOfEvent, StiffnessEffect, WORSE,
 };
+pub use assess::bumper::{Bumper, BumperPair, BumperRun, COMPRESSION, THICKNESS};
+pub use assess::bumper_effect::{BumperEffect, FloorBumperEffect, PairBumperEffect};
 pub use assess::design::{DesignSpectrum, DesignSpectrumError, Eurocode8Ground, acceleration_in_g};
 pub use assess::distribution::Distribution;
 pub use assess::effects::{Effect, Effects, FloorEffects, Known, NOTHING_TOUCHES, ROBUST};
@@ -73,9 +76,10 @@ pub use file::reading::{bytes, bytes_of, is_json, parse, position_in, read_file,
 pub use file::scene_error::SceneError;
 pub use file::schema::{scene_schema, schema_of};
 pub use file::{
-    BoucWen, Building, Columns, Contact, Damping, Detrend, FileUse, FilterBand, Generated, Ground,
-    Jumps, Method, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo, Scene, Sdof, SdofFile,
-    SdofFileError, SetNumber, Source, Start, Stochastic, Storey, Structure, Unit, set_number,
+    BoucWen, Building, Columns, Contact, Damping, Detrend, DrawnNeighbour, FileUse, FilterBand,
+    Generated, Ground, Jumps, Method, Neighbour, RecordUse, RunBudget, STANDARD_GRAVITY, ScaleTo,
+    Scene, Sdof, SdofFile, SdofFileError, SetNumber, Source, Start, Stochastic, Storey, Structure,
+    Unit, UnknownNeighbour, set_number,
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateError, CertificateRequest};

@@ -110,6 +110,7 @@ fn scene() -> impl Strategy<Value = (Scene, Vec<f64>)> {
             duration_s: Some(1.5),
             structures,
             contacts,
+            neighbour: None,
             arrivals_s: None,
             method,
             budget: RunBudget::default(),

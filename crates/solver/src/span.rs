@@ -222,20 +222,18 @@ impl Span<'_> {
             }),
             Path::Series(series) => {
                 let few = series.displacement.len() <= FEW && series.power == Power::One;
-                let rule = if few { EIGHT } else { SIXTEEN };
                 // Of a span shorter than instants tell apart, start and end are one instant, which is the end to `x`.
                 let first = if from > self.start_time {
                     self.x(series, from)
                 } else {
                     series.x(self.start_time)
                 };
-                quadrature::integrate(rule, first, self.x(series, to), |x| {
-                    let time = series.origin + series.power.time(x);
-                    let rate = series.power.rate(x);
-                    let state = series.at(x);
-                    let drift = series.drift((&state).into(), x);
-                    integrand(time, &state, drift).map(|value| rate * value)
-                })
+                let last = self.x(series, to);
+                if few {
+                    series.integrate(EIGHT, [first, last], integrand)
+                } else {
+                    series.integrate(SIXTEEN, [first, last], integrand)
+                }
             }
             Path::Flight(_) => {
                 let mut room = Expansion::default();

@@ -216,6 +216,7 @@ impl Sweep {
         let asked = Extras {
             interval: None,
             closings: self.closings,
+            ..Extras::default()
         };
         let outcome = if self.verdict {
             prepared.run_with(asked)

@@ -1,19 +1,22 @@
 //! `pounding assess`: is the gap enough under a folder of records, what does touching do, and how sure is that.
 
+mod bumper;
+mod runs;
 mod text;
 
 use std::path::PathBuf;
 
-use pounding::report::{AssessmentReport, ScalingAsked};
+use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::{
-    AssessedRun, DesignSpectrum, Error, Method, MotionSpectrum, ScaleTo, Scaling, Scene, Structure,
-    acceleration_in_g,
+    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, acceleration_in_g, in_scene,
 };
 use pounding::text::{digits, json_text};
 
 use super::suite;
 use crate::folder::ResultFolder;
 use crate::text::paragraph;
+use bumper::BumperAsked;
+use runs::{Asked, Found};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,6 +25,7 @@ Examples:
   pounding assess scene.toml --records records --scale pga=0.3g
   pounding assess scene.toml --records records --scale 'sa(0.8s)=0.5g'
   pounding assess scene.toml --records records --target ec8:a_g=0.25g,ground=C
+  pounding assess scene.toml --records records --bumper k=80MN/m
   pounding assess scene.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
 
 Every horizontal motion of the folder shakes the row in both directions, by the
@@ -54,6 +58,10 @@ pub(crate) struct Arguments {
     /// Range of the stiffness of impacts, as factors on that of the scene.
     #[arg(long, value_name = "FROM..TO", default_value = "0.1..10", value_parser = factors)]
     stiffness: [f64; 2],
+    /// What a bumper in every gap that closes changes, half as thick as the gap:
+    /// k=80MN/m at each floor, or proposed, the softest that the gap has room for.
+    #[arg(long, value_name = "BUMPER", default_value = "none", value_parser = bumper::asked)]
+    bumper: BumperAsked,
     /// Name for the report.
     #[arg(long, value_name = "NAME", requires = "out")]
     author: Option<String>,
@@ -159,26 +167,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let read = target.chain([path.clone()]).collect();
         out.keep(&[super::inputs_in(&args.records), read].concat())?;
     }
-    let scaling = args.scaling()?;
-    let scene = Scene {
-        method: Method::EXACT,
-        ..super::read(path).map_err(message)?
-    };
-    let moves = |one: &Structure| !matches!(one, Structure::Wall);
-    if scene.structures.len() < 2 || !scene.structures.iter().any(moves) {
-        return Err(format!(
-            "{}: structures: allowed are two or more, one of which moves: a gap lies between two",
-            path.display()
-        ));
-    }
-    let [from, to] = args.stiffness;
-    let ran = suite::lines_of(
-        &args.records,
-        &[false, true],
-        |motion| scaling.applied(&scene, motion),
-        |prepared, spectrum| Ok((prepared.assessed([from, 1.0, to])?, spectrum.clone())),
-    )?;
-    let report = args.report(scene, scaling, &ran.lines).map_err(message)?;
+    let asked = args.asked(super::read(path).map_err(message)?)?;
+    let ran = asked.run()?;
+    let report = args.report(&asked, &ran.lines)?;
     let report = report.ok_or("no run was finished")?;
     let Printed { details, csv, json } = args.printed;
     let mut text = if json {
@@ -199,22 +190,68 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 }
 
 impl Arguments {
+    /// What is asked of every motion.
+    fn asked(&self, scene: Scene) -> Result<Asked<'_>, String> {
+        let message = |error: Error| error.in_file(&self.scene).to_string();
+        let scene = Scene {
+            method: Method::EXACT,
+            ..scene
+        };
+        let rows = scene.beside_neighbours();
+        let rows = rows.map_err(|source| message(in_scene(&scene, source)))?;
+        let moves = |one: &Structure| !matches!(one, Structure::Wall);
+        let row = &rows[0].0.structures;
+        if row.len() < 2 || !row.iter().any(moves) {
+            return Err(format!(
+                "{}: structures: allowed are two or more, one of which moves: a gap lies between two; of a neighbour that is not known \
+                 give neighbour.unknown",
+                self.scene.display()
+            ));
+        }
+        Ok(Asked {
+            known: Scene {
+                neighbour: None,
+                ..scene.clone()
+            },
+            scene,
+            rows,
+            scaling: self.scaling()?,
+            stiffness: self.stiffness,
+            records: &self.records,
+        })
+    }
+
     /// The runs that were finished, summed up; `None` if there are none.
     fn report(
         &self,
-        scene: Scene,
-        scaling: Scaling,
-        lines: &[suite::Line<(AssessedRun, Option<MotionSpectrum>)>],
-    ) -> Result<Option<AssessmentReport>, Error> {
+        asked: &Asked<'_>,
+        lines: &[suite::Line<Found>],
+    ) -> Result<Option<AssessmentReport>, String> {
+        let message = |error: Error| error.in_file(&self.scene).to_string();
+        let bumpers = match self.bumper {
+            BumperAsked::None => Vec::new(),
+            BumperAsked::Proposed => asked.bumpers(lines, None).map_err(message)?,
+            BumperAsked::Stiffness(stiffness) => {
+                asked.bumpers(lines, Some(stiffness)).map_err(message)?
+            }
+        };
+        let with_bumpers = asked.with_bumpers(lines, &bumpers)?;
+        let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
+        let folder = FolderOfMotions::of_lines(lines);
         let scaling = ScalingAsked {
-            to: scaling,
+            to: asked.scaling.clone(),
             words: self.scaling_words(),
         };
-        let report = AssessmentReport::of_lines(scene, lines)?;
+        let motions = asked.motions(lines, &with_bumpers);
+        let report = AssessmentReport::of(asked.rows[0].0.clone(), motions).map_err(message)?;
         Ok(report.map(|report| {
             report
+                .asked_of(asked.scene.clone())
+                .with_folder(folder)
                 .with_stiffness(self.stiffness)
                 .with_scaling(scaling)
+                .with_animation(animation)
+                .with_bumpers(&bumpers, self.bumper.words())
                 .signed(self.author.clone(), self.date.clone())
         }))
     }

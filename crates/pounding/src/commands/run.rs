@@ -147,9 +147,6 @@ impl Arguments {
 /// Runs a scene; returns the summary.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     if let Some(folder) = &args.suite.records {
-        if args.effects {
-            return Err(EFFECTS_OF_ONE.into());
-        }
         return batch::run(args, folder);
     }
     let path = &args.scene;
@@ -204,8 +201,6 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     })
 }
 
-const EFFECTS_OF_ONE: &str = "--effects takes one record at a time, 24 runs of it, and --records a folder: run the folder without --effects, \
-                              name the record that matters in the scene (record.file), and run that with --effects";
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// The sentences of both directions before what is printed of a run; JSON has them inside.

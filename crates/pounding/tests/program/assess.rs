@@ -10,7 +10,7 @@ use crate::{Ended, folder, pounding};
 const RECORDS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/records");
 
 /// Two towers and a low stiff building; floors of the first two are level.
-const TOWERS: &str = r#"
+pub(crate) const TOWERS: &str = r#"
 name = "towers"
 record.file = "el-centro-1940-ns-chopra.csv"
 
@@ -33,7 +33,7 @@ law.hertz_damp = { impact_stiffness_n_per_m1_5 = 2.75e9, restitution = 0.65 }
 "#;
 
 /// A folder with the scene, and its records.
-fn workplace(test: &str, scene: &str) -> PathBuf {
+pub(crate) fn workplace(test: &str, scene: &str) -> PathBuf {
     let work = folder(test);
     fs::write(work.join("scene.toml"), scene).expect("it can be written");
     fs::create_dir(work.join("records")).expect("it can be made");
@@ -52,7 +52,7 @@ fn workplace(test: &str, scene: &str) -> PathBuf {
     work
 }
 
-fn assess(work: &Path, more: &[&str]) -> Ended {
+pub(crate) fn assess(work: &Path, more: &[&str]) -> Ended {
     let arguments = ["assess", "scene.toml", "--records", "records"];
     pounding(work, &[&arguments, more].concat())
 }
@@ -306,7 +306,7 @@ fn issue_the_report_repeats_the_scaling() {
 }
 
 /// The JSON of an assessment.
-fn found(work: &Path, more: &[&str]) -> Value {
+pub(crate) fn found(work: &Path, more: &[&str]) -> Value {
     let ended = assess(work, &[more, &["--json"]].concat());
     serde_json::from_str(&ended.stdout).expect("JSON")
 }

@@ -1,6 +1,7 @@
 //! The program `pounding` from outside: what it prints, and what it says to input that it refuses.
 
 mod assess;
+mod assess_neighbours;
 mod batches;
 mod budgets;
 mod buildings;

@@ -100,6 +100,7 @@ fn reference_a_folder_of_results() {
     let out = results("results", &meeting());
     let names: Vec<String> = files(&out).into_keys().collect();
     assert_snapshot!(names.join("\n"), @r"
+animation.svg
 displacements.png
 displacements.svg
 gaps.png

@@ -153,19 +153,12 @@ fn issue_gaps_look_at_the_floors_that_can_touch() {
     );
 }
 
-/// What `--effects` does with a folder of records was a matter of clap, and what did not touch filled tables of ones.
+/// What did not touch filled tables of ones.
 #[test]
-fn issue_effects_say_what_they_cannot_do_and_what_there_is_none_of() {
+fn issue_effects_say_what_there_is_none_of() {
     let folder = rows(
         "storeys_effects",
         &[["far.toml", "gap_m = 0.01", "gap_m = 1.0"]],
-    );
-    let ended = pounding(&folder, &["run", "row.toml", "--effects", "--records", "."]);
-    assert_eq!(ended.code, 1);
-    assert!(
-        ended.stderr.contains("run the folder without --effects"),
-        "{}",
-        ended.stderr
     );
     let far = fs::read_to_string(folder.join("far.toml")).expect("a file");
     fs::write(

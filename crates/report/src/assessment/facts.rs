@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::{AssessedMotion, AssessmentReport};
 use crate::SCHEMA_VERSION;
 
-fn statistics(of: &Distribution) -> Value {
+pub(super) fn statistics(of: &Distribution) -> Value {
     json!({
         "median": of.median(),
         "p84": of.p84(),
@@ -25,12 +25,14 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
     let floors = floors.filter_map(|(index, one)| Some(floor(report, index, one.as_ref()?)));
     let pairs = assessment.pairs.iter().enumerate();
     let pairs = pairs.map(|(index, one)| pair(report, index, one));
-    let motion = |one: &AssessedMotion| json!({"record": one.name, "event": one.event + 1, "reversed": one.reversed, "scale_factor": one.run.scale});
+    let motion = |one: &AssessedMotion| json!({"record": one.name, "event": one.event + 1, "reversed": one.reversed, "scale_factor": one.run.scale, "neighbour": one.neighbour});
     json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "answers": report.answers(),
         "proposals": report.proposals(),
+        "neighbour": report.prior_json(),
+        "bumper": report.bumper_json(),
         "warnings": report.warnings(),
         "runs": assessment.runs,
         "stiffness_factors": report.stiffness,
@@ -49,7 +51,7 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
         "floors": floors.collect::<Vec<_>>(),
         "pairs": pairs.collect::<Vec<_>>(),
         "motions": report.motions.iter().map(motion).collect::<Vec<_>>(),
-        "scene": report.scene,
+        "scene": report.asked,
     })
 }
 
@@ -122,10 +124,12 @@ fn pair(report: &AssessmentReport, index: usize, one: &PairAssessment) -> Value 
     })
 }
 
-const HEADER: [&str; 9] = [
+const HEADER: [&str; 11] = [
     "record",
     "reversed",
     "scale_factor",
+    "neighbour_period_s",
+    "neighbour_mass_ratio",
     "building",
     "floor",
     "neighbour",
@@ -145,6 +149,9 @@ pub(super) fn csv(report: &AssessmentReport) -> String {
                 motion.reversed.into(),
                 Cell::exact(motion.run.scale),
             ];
+            let drawn = motion.neighbour.as_ref();
+            row.push(drawn.map_or_else(Cell::default, |one| Cell::exact(one.period_s)));
+            row.push(drawn.map_or_else(Cell::default, |one| Cell::exact(one.mass_ratio)));
             row.extend(place);
             row.extend([quantity.into(), Cell::exact(value)]);
             row
@@ -161,6 +168,7 @@ fn lines(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
     let mut lines = of_gaps(report, motion);
     lines.extend(of_floors(report, motion));
     lines.extend(of_pairs(report, motion));
+    lines.extend(of_bumpers(report, motion));
     lines
 }
 
@@ -231,6 +239,37 @@ fn of_pairs(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
         ];
         let known = numbers.into_iter();
         lines.extend(known.filter_map(|(quantity, value)| Some((place.clone(), quantity, value?))));
+    }
+    lines
+}
+
+fn of_bumpers(report: &AssessmentReport, motion: &AssessedMotion) -> Vec<Line> {
+    let Some(run) = &motion.bumper else {
+        return Vec::new();
+    };
+    let mut lines = Vec::new();
+    for (index, floor) in run.floors.iter().enumerate() {
+        if !report.floors.all()[index].is_wall() {
+            let [structure, storey] = at(report, index);
+            let place = [structure, storey, Cell::default(), Cell::default()];
+            lines.extend([
+                (place.clone(), "drift_with_bumper_m", floor.drift),
+                (place.clone(), "shear_force_with_bumper_n", floor.shear),
+                (
+                    place,
+                    "acceleration_with_bumper_m_per_s2",
+                    floor.acceleration,
+                ),
+            ]);
+        }
+    }
+    for (pair, facing) in run.pairs.iter().zip(report.floors.facing()) {
+        let [left, left_floor] = at(report, facing.left);
+        let [right, right_floor] = at(report, facing.right);
+        let place = [left, left_floor, right, right_floor];
+        let force = pair.peak_force;
+        lines.extend(force.map(|force| (place.clone(), "peak_force_with_bumper_n", force)));
+        lines.push((place, "bumper_compression_m", pair.compression));
     }
     lines
 }

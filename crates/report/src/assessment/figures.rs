@@ -3,16 +3,18 @@
 use pounding_plot::{
     Axis, Curve, Drawing, Figure, Kind, Mark, Note, Panel, Shade, render_both, writable,
 };
-use pounding_scene::{BUILT_IN_STEPS_OF, GapAssessment};
+use pounding_scene::{BUILT_IN_STEPS_OF, Distribution, GapAssessment};
 use pounding_text::millimetres;
 
 use super::AssessmentReport;
+use super::prior::OfNeighbour;
+use super::profiles;
 use crate::figures::Illustration;
 use crate::figures::effects::{as_alone, borders};
 use crate::sketch::{self, Sketch};
 
 /// The names that figures can have, without the ends of their files.
-pub(super) const NAMES: [&str; 3] = ["row", "gap", "amplification"];
+pub(super) const NAMES: [&str; 5] = ["row", "gap", "profiles", "neighbour", "amplification"];
 
 /// Most gaps of one figure.
 const MOST_GAPS: usize = 6;
@@ -35,9 +37,25 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
         caption: format!("Part of the runs that need more than a gap, while every building stands alone. Dashed: the gaps of the scene.{}", beyond(report)),
         drawn: render_both(&share(report)),
     });
-    if let Some(figure) = amplification(report) {
+    if let Some(figure) = profiles::figure(report) {
         all.push(Illustration {
             name: NAMES[2],
+            caption: profiles::CAPTION.into(),
+            drawn: render_both(&figure),
+        });
+    }
+    if let Some(figure) = by_neighbour(report) {
+        all.push(Illustration {
+            name: NAMES[3],
+            caption: "Gap that each of the neighbours needs that the unknown one may be, over its first period. Discs: median of the runs; \
+                      lines: to what 84 % of them do not exceed; crosses: the largest. Dashed: the gap of the scene."
+                .into(),
+            drawn: render_both(&figure),
+        });
+    }
+    if let Some(figure) = amplification(report) {
+        all.push(Illustration {
+            name: NAMES[4],
             caption: "Peak drift, shear force and acceleration of the storeys beside their neighbours, as multiples of those of the same \
                       building alone (dashed: 1), over the runs in which the building touches. Discs: median, with the contact of the scene. \
                       Lines of drift and shear: to what 84 % do not exceed; of acceleration: from the median with the contact that gives \
@@ -88,14 +106,14 @@ fn share(report: &AssessmentReport) -> Figure {
         }
         Panel {
             title: writable(&format!("{left} – {right}")),
-            y: Axis::over("Runs (%)", 0.0, 100.0),
+            y: Axis::over("Runs that need more (%)", 0.0, 100.0),
             curves,
             notes,
             ..Panel::default()
         }
     };
     Figure {
-        height_in: 0.7 + 1.5 * gaps.len() as f64,
+        height_in: 0.7 + 1.1 * gaps.len() as f64,
         x: Axis::over("Gap (mm)", 0.0, end),
         panels: gaps.iter().map(panel).collect(),
         ..Figure::default()
@@ -114,6 +132,45 @@ fn needing(gap: &GapAssessment, end: f64) -> Vec<(f64, f64)> {
     }
     points.push((end, 0.0));
     points
+}
+
+/// What every neighbour needs that an unknown one may be; `None` if all are known.
+fn by_neighbour(report: &AssessmentReport) -> Option<Figure> {
+    let neighbours = report.neighbours();
+    let (first, last) = (neighbours.first()?, neighbours.last()?);
+    let own = report.assessment.gaps.last()?.own;
+    let mut curves = Vec::new();
+    if let Some(own) = own {
+        let ends = [first, last].map(|one| (one.drawn.period_s, 1e3 * own));
+        curves.push(Curve::new(Kind::Dashed, Shade::Ink, ends.into()));
+    }
+    let of = |width: fn(&Distribution) -> f64| -> Vec<(f64, f64)> {
+        let points = neighbours.iter();
+        let point = |one: &OfNeighbour| (one.drawn.period_s, 1e3 * width(&one.required));
+        points.map(point).collect()
+    };
+    let (median, most, all) = (
+        of(Distribution::median),
+        of(Distribution::p84),
+        of(Distribution::largest),
+    );
+    let widest = all.iter().map(|point| point.1).fold(0.0, f64::max);
+    let end = 1.05 * widest.max(1e3 * own.unwrap_or(BUILT_IN_STEPS_OF));
+    for (from, to) in median.iter().zip(most) {
+        curves.push(Curve::new(Kind::Line, Shade::Blue, vec![*from, to]));
+    }
+    curves.push(Curve::new(Kind::Points, Shade::Blue, median).marked(Mark::Disc));
+    curves.push(Curve::new(Kind::Points, Shade::Vermilion, all).marked(Mark::Cross));
+    Some(Figure {
+        height_in: 3.0,
+        x: Axis::auto("Period of the neighbour (s)"),
+        panels: vec![Panel {
+            y: Axis::over("Gap needed (mm)", 0.0, end),
+            curves,
+            ..Panel::default()
+        }],
+        ..Figure::default()
+    })
 }
 
 /// The storeys that are shown: building by building, from the roof down.

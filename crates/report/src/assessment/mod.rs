@@ -1,18 +1,23 @@
 //! An assessment as a folder: a page to forward, tables, figures.
 
+mod bumper;
 mod facts;
 mod figures;
 mod of_lines;
 mod page;
+mod prior;
+mod profiles;
 mod words;
 
 use std::collections::BTreeMap;
 
 use pounding_scene::{
-    AssessedRun, Assessment, DesignSpectrum, Error, Floors, MotionSpectrum, RunOfEvent, Scaling,
-    Scene, TargetFit, in_scene,
+    AssessedRun, Assessment, Bumper, BumperEffect, BumperRun, DesignSpectrum, DrawnNeighbour,
+    Error, Floors, MotionSpectrum, RunOfEvent, Scaling, Scene, TargetFit, in_scene,
 };
 use serde_json::Value;
+
+use crate::animation::{Animation, FILE};
 
 /// A run of an assessment and the motion that it is of.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +28,10 @@ pub struct AssessedMotion {
     pub event: usize,
     /// Whether it shakes the row the other way round.
     pub reversed: bool,
+    /// The neighbour that was drawn for it, if the scene does not know its own.
+    pub neighbour: Option<DrawnNeighbour>,
+    /// What bumpers make of it, if something touches without them.
+    pub bumper: Option<BumperRun>,
     /// Its spectrum, if it is scaled to one.
     pub spectrum: Option<MotionSpectrum>,
     /// What it does.
@@ -52,7 +61,10 @@ pub struct ScalingAsked {
 /// An assessment with all that a page about it says.
 #[derive(Debug)]
 pub struct AssessmentReport {
+    /// The row, of unknown neighbours with the first that was drawn.
     scene: Scene,
+    /// The scene of the user.
+    asked: Scene,
     floors: Floors,
     assessment: Assessment,
     motions: Vec<AssessedMotion>,
@@ -60,6 +72,9 @@ pub struct AssessmentReport {
     stiffness: [f64; 2],
     scaling: ScalingAsked,
     fit: Option<TargetFit>,
+    animation: Option<Animation>,
+    bumper: Option<BumperEffect>,
+    bumper_words: Option<String>,
     author: Option<String>,
     date: Option<String>,
 }
@@ -79,6 +94,7 @@ impl AssessmentReport {
         let runs: Vec<RunOfEvent<'_>> = motions.iter().map(|one| (one.event, &one.run)).collect();
         let assessment = Assessment::of(&scene, &runs)?;
         Ok(assessment.map(|assessment| Self {
+            asked: scene.clone(),
             scene,
             floors,
             assessment,
@@ -90,9 +106,40 @@ impl AssessmentReport {
                 words: None,
             },
             fit: None,
+            animation: None,
+            bumper: None,
+            bumper_words: None,
             author: None,
             date: None,
         }))
+    }
+
+    /// With the scene of the user, if its neighbour is not known.
+    #[must_use]
+    pub fn asked_of(self, asked: Scene) -> Self {
+        Self { asked, ..self }
+    }
+
+    /// With bumpers that the motions were run with, and how they were asked for if not by default.
+    #[must_use]
+    pub fn with_bumpers(self, bumpers: &[Bumper], words: Option<String>) -> Self {
+        let runs: Vec<(&AssessedRun, &BumperRun)> = self
+            .motions
+            .iter()
+            .filter_map(|one| Some((&one.run, one.bumper.as_ref()?)))
+            .collect();
+        let bumper = BumperEffect::of(&self.floors, bumpers, &runs);
+        Self {
+            bumper,
+            bumper_words: words,
+            ..self
+        }
+    }
+
+    /// With the hardest collision in motion.
+    #[must_use]
+    pub fn with_animation(self, animation: Option<Animation>) -> Self {
+        Self { animation, ..self }
     }
 
     /// With what became of the folder of records.
@@ -111,7 +158,7 @@ impl AssessmentReport {
     #[must_use]
     pub fn with_scaling(self, scaling: ScalingAsked) -> Self {
         let fit = match &scaling.to {
-            Scaling::Target(target) => TargetFit::of(&self.scene, target, &self.spectra()),
+            Scaling::Target(target) => TargetFit::of(&self.asked, target, &self.spectra()),
             Scaling::AsScene | Scaling::Unscaled | Scaling::To(_) => None,
         };
         Self {
@@ -181,7 +228,7 @@ impl AssessmentReport {
         &self.folder.remarks
     }
 
-    /// The files of a folder, by name: `report.html`, `assess.csv`, `assess.json` and the figures as SVG and PNG.
+    /// The files of a folder, by name: `report.html`, `assess.csv`, `assess.json`, `animation.svg` and the figures as SVG and PNG.
     pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
         let drawn = figures::all(self);
         let mut files = BTreeMap::from([
@@ -192,6 +239,9 @@ impl AssessmentReport {
                 pounding_text::json_text(&self.to_json()).into_bytes(),
             ),
         ]);
+        if let Some(animation) = &self.animation {
+            files.insert(FILE.into(), animation.svg.clone().into_bytes());
+        }
         for figure in drawn {
             if let Ok((svg, png)) = figure.drawn {
                 files.insert(format!("{}.svg", figure.name), svg.into_bytes());
@@ -216,6 +266,6 @@ impl AssessmentReport {
         let is_figure = |(stem, end): (&str, &str)| {
             figures::NAMES.contains(&stem) && matches!(end, "svg" | "png")
         };
-        [PAGE, TABLE, JSON].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
+        [PAGE, TABLE, JSON, FILE].contains(&name) || name.rsplit_once('.').is_some_and(is_figure)
     }
 }

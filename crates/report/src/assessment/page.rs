@@ -5,29 +5,52 @@ use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
 use pounding_text::{millimetres, two_decimals, two_digits};
 
 use super::AssessmentReport;
+use crate::animation::Animation;
 use crate::figures::Illustration;
 use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
-use crate::page::{BEFORE, boxed, document, illustrated};
+use crate::page::{BEFORE, beside, boxed, document, illustrated};
 
 pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> String {
     let title = escaped(&report.scene.name);
+    // Numbered as they are read.
+    let shown = std::cell::Cell::new(0);
     let figure = |name: &str| {
-        let found = figures.iter().position(|one| one.name == name);
-        found.map_or_else(String::new, |at| illustrated(at + 1, &figures[at]))
+        let found = figures.iter().find(|one| one.name == name);
+        found.map_or_else(String::new, |one| {
+            shown.set(shown.get() + 1);
+            illustrated(shown.get(), one)
+        })
     };
-    let sections = [
+    let first = [
         format!(
             "<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n",
             escaped(&lead(report))
         ),
         verdict(report),
-        list(&report.shaking()),
-        figure("row"),
-        boxed(BEFORE, &report.warnings()),
+        beside(&[
+            report
+                .animation
+                .as_ref()
+                .map_or_else(|| figure("row"), Animation::figure),
+            list(&report.shaking()),
+        ]),
         format!("<h2>Required gap</h2>\n{}", gaps(report)),
         figure("gap"),
+        boxed(BEFORE, &report.warnings()),
+        figure("profiles"),
+    ];
+    let row = if report.animation.is_some() {
+        figure("row")
+    } else {
+        String::new()
+    };
+    let appendix = [
+        "<h2 class=\"appendix\">Appendix: what touching does</h2>\n".into(),
+        row,
         touching(report),
+        bumpers(report),
         figure("amplification"),
+        figure("neighbour"),
         format!("<h2>Rules of codes</h2>\n{}", rules(report)),
         format!(
             "<h2>Motions</h2>\n{}{}",
@@ -37,17 +60,23 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
         format!("<h2>Every storey</h2>\n{}", storeys(report, &all(report))),
         again(report),
     ];
-    document(&title, &sections.concat())
+    let signed = signed(report).unwrap_or_default();
+    document(
+        &report.scene.name,
+        &signed,
+        &[first.concat(), appendix.concat()].concat(),
+    )
+}
+
+/// Author and date, as far as they are given.
+fn signed(report: &AssessmentReport) -> Option<String> {
+    let signed = [&report.author, &report.date].into_iter().flatten();
+    let signed: Vec<&str> = signed.map(String::as_str).collect();
+    (!signed.is_empty()).then(|| signed.join(", "))
 }
 
 fn lead(report: &AssessmentReport) -> String {
-    let signed = [&report.author, &report.date].into_iter().flatten();
-    let signed: Vec<&str> = signed.map(String::as_str).collect();
-    let signed = if signed.is_empty() {
-        String::new()
-    } else {
-        format!(" {}.", signed.join(", "))
-    };
+    let signed = signed(report).map_or_else(String::new, |signed| format!(" {signed}."));
     format!(
         "{} structures in a row under {}, each in both directions, computed by pounding {} with the exact method.{signed}",
         report.scene.structures.len(),
@@ -120,7 +149,7 @@ fn gaps(report: &AssessmentReport) -> String {
 fn touching(report: &AssessmentReport) -> String {
     let hit = report.hit();
     if hit.is_empty() {
-        return "<h2>What touching does</h2>\n<p>Nothing touches.</p>\n".into();
+        return "<p>Nothing touches.</p>\n".into();
     }
     let [from, to] = report.stiffness.map(pounding_text::digits);
     let range = |of: &Option<[Distribution; 2]>, unit: f64| match of {
@@ -165,9 +194,62 @@ fn touching(report: &AssessmentReport) -> String {
         )
     };
     format!(
-        "<h2>What touching does</h2>\n{storeys}<p>Forces and impulses from the median of the runs with the contact that gives least to the largest of all runs and \
+        "{storeys}<p>Forces and impulses from the median of the runs with the contact that gives least to the largest of all runs and \
          contacts, {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations.</p>\n{}",
         table(&header, &rows)
+    )
+}
+
+/// What bumpers change, pair by pair; nothing without bumpers.
+fn bumpers(report: &AssessmentReport) -> String {
+    let Some(effect) = report.bumpers() else {
+        return String::new();
+    };
+    let force = |of: &Option<Distribution>| {
+        Cell::known(of.as_ref().map(|of| two_digits(1e-3 * of.median())))
+    };
+    let pairs = effect.pairs.iter().enumerate();
+    let pairs =
+        pairs.filter_map(|(index, one)| Some((report.floors.facing()[index], one.as_ref()?)));
+    let rows: Vec<_> = pairs
+        .map(|(facing, one)| {
+            let [left, right] = [facing.left, facing.right].map(|floor| report.floor_name(floor));
+            vec![
+                Cell::new(format!("{left} – {right}")),
+                force(&one.force_without),
+                force(&one.force_with),
+                width(one.compression),
+            ]
+        })
+        .collect();
+    let floors = effect.floors.iter().enumerate();
+    let floors = floors.filter_map(|(index, one)| Some((report.floor_name(index), one.as_ref()?)));
+    let storeys: Vec<_> = floors
+        .map(|(name, one)| {
+            let both = |of: &Distribution| {
+                Cell::new(format!(
+                    "{} / {}",
+                    two_decimals(of.median()),
+                    two_decimals(of.p84())
+                ))
+            };
+            vec![Cell::new(name), both(&one.drift), both(&one.acceleration)]
+        })
+        .collect();
+    format!(
+        "<h2>Bumpers in the gaps</h2>\n<p>{}</p>\n{}<p class=\"soft\">With bumpers over without, median / 84 % of the {} runs that touch.</p>\n{}",
+        escaped(&report.bumper_says().join(" ")),
+        table(
+            &[
+                "Pair",
+                "Force without [kN], median",
+                "With [kN], median",
+                "Compressed by ≤ [mm]"
+            ],
+            &rows
+        ),
+        effect.runs,
+        table(&["Storey", "Drift", "Acceleration"], &storeys)
     )
 }
 
@@ -272,9 +354,11 @@ fn motions(report: &AssessmentReport) -> String {
 }
 
 fn again(report: &AssessmentReport) -> String {
-    let scaling = report.scaling.words.as_ref();
-    let scaling = scaling.map_or(String::new(), |scaling| format!(" {scaling}"));
-    let scene = serde_json::to_string_pretty(&report.scene).unwrap_or_default();
+    let words = [&report.scaling.words, &report.bumper_words];
+    let words: Vec<&str> = words.into_iter().flatten().map(String::as_str).collect();
+    let words = words.iter().map(|words| [" ", words].concat());
+    let scaling = words.collect::<Vec<_>>().concat();
+    let scene = serde_json::to_string_pretty(&report.asked).unwrap_or_default();
     let said = facts(&[
         (
             "Records".into(),

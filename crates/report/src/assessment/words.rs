@@ -59,8 +59,12 @@ impl AssessmentReport {
             1 => ", without one vertical component".into(),
             n => format!(", without {n} vertical components"),
         };
+        let neighbours = match self.neighbours().len() {
+            0 => String::new(),
+            n => format!(" beside each of {n} neighbours"),
+        };
         let mut said = vec![format!(
-            "{}, both directions each: {} runs{vertical}",
+            "{}, both directions each{neighbours}: {} runs{vertical}",
             self.motions_of_events(),
             self.assessment.runs
         )];
@@ -124,7 +128,8 @@ impl AssessmentReport {
     pub fn answers(&self) -> Vec<String> {
         let mut gaps: Vec<&GapAssessment> = self.assessment.gaps.iter().collect();
         gaps.sort_by_key(|gap| std::cmp::Reverse(gap.touching));
-        gaps.into_iter().map(|gap| self.answer(gap)).collect()
+        let answers = gaps.into_iter().map(|gap| self.answer(gap));
+        answers.chain(self.prior()).collect()
     }
 
     fn answer(&self, gap: &GapAssessment) -> String {
@@ -183,11 +188,13 @@ impl AssessmentReport {
         } else {
             format!("like these {n}")
         };
-        vec![format!(
+        let mut said = vec![format!(
             "Proposed: {} (the largest needed, rounded up). A further event {like} needs more with a chance of at most 1 in {} for each gap.",
             widths.join(", "),
             n + 1
-        )]
+        )];
+        said.extend(self.bumper_says());
+        said
     }
 
     /// The storeys that get worse by touching: those first whose drift or shear force grows, then those whose acceleration does alone, of
@@ -350,12 +357,12 @@ impl AssessmentReport {
     fn by_stiffness(&self) -> Option<String> {
         let effect = self.assessment.by_stiffness.as_ref()?;
         let all = [&effect.drift, &effect.impulse, &effect.acceleration];
-        let changes = all.map(|ratio| 100.0 * (ratio.p84() - 1.0));
-        let [drift, impulse, acceleration] = changes.map(|change| format!("{change:.0}"));
-        (changes.iter().any(|change| *change >= 1.0)).then(|| {
+        let ratios = all.map(Distribution::p84);
+        let [drift, impulse, acceleration] = ratios.map(by);
+        (ratios.iter().any(|ratio| *ratio >= 1.01)).then(|| {
             format!(
-                "That stiffness changes a drift by {drift} %, the largest impulse of a pair by {impulse} %, a floor's acceleration by \
-                 {acceleration} %, or less in 84 % of all."
+                "That stiffness changes a drift {drift}, the largest impulse of a pair {impulse}, a floor's acceleration {acceleration}, or \
+                 less in 84 % of all."
             )
         })
     }
@@ -378,5 +385,14 @@ impl AssessmentReport {
             ))
         };
         kinds.into_iter().filter_map(said).collect()
+    }
+}
+
+/// A ratio of the largest over the least in words: by a per cent, from twice on a factor.
+fn by(ratio: f64) -> String {
+    if ratio > 2.0 {
+        format!("to {} times", two_digits(ratio))
+    } else {
+        format!("by {:.0} %", 100.0 * (ratio - 1.0))
     }
 }

@@ -5,14 +5,14 @@ pub(crate) mod effects;
 mod gaps;
 mod ground;
 mod hysteresis;
-mod profiles;
+pub(crate) mod profiles;
 mod shown;
 mod thin;
 
 use super::history::Motion;
 use crate::PairSummary;
 use pounding_plot::{Curve, Figure, PlotError, minus, render_both, writable};
-use pounding_scene::{Effects, Floor, RunResult, Simulation};
+use pounding_scene::{Effects, Floor, Floors, RunResult, Simulation};
 use pounding_solver::Collision;
 use pounding_text::digits;
 use rayon::prelude::*;
@@ -112,6 +112,16 @@ pub(super) fn illustrations(
         .collect()
 }
 
+/// Height of a storey whose height nobody gives \[m\].
+const STOREY: f64 = 3.0;
+
+/// Height of a floor above the ground \[m\], for pictures: as if storeys without a height were 3 m high.
+pub(crate) fn elevation(floors: &Floors, floor: usize) -> f64 {
+    let one = &floors.all()[floor];
+    let storeys = one.storey.unwrap_or(1);
+    one.elevation_m.unwrap_or(STOREY * storeys as f64)
+}
+
 /// Longest name in a picture, in characters.
 const LONGEST: usize = 22;
 
@@ -120,7 +130,7 @@ fn name(floor: &Floor) -> String {
     fitting(&floor.name)
 }
 
-fn fitting(name: &str) -> String {
+pub(crate) fn fitting(name: &str) -> String {
     let name = writable(name);
     if name.chars().count() <= LONGEST {
         return name;
@@ -162,7 +172,7 @@ fn heights(curves: &[Curve]) -> impl Iterator<Item = f64> {
 }
 
 /// A unit for an axis that reaches this magnitude, and its factor: of `N`, `kN` and `MN`, or of the same with seconds.
-fn unit(largest: f64, of: &str) -> (String, f64) {
+pub(crate) fn unit(largest: f64, of: &str) -> (String, f64) {
     let (prefix, factor) = if largest.abs() >= 2e6 {
         ("M", 1e-6)
     } else if largest.abs() >= 2e3 {

@@ -5,7 +5,7 @@ use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
 use pounding_scene::{RunResult, Simulation};
 
 /// More buildings than this do not fit side by side.
-const MOST: usize = 4;
+pub(crate) const MOST: usize = 4;
 /// More storeys than this have no names of their own on an axis.
 const NAMED: usize = 12;
 
@@ -101,7 +101,7 @@ fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
 }
 
 /// Storeys from the ground up; each has its name where there is room.
-fn storeys(n: usize) -> Axis {
+pub(crate) fn storeys(n: usize) -> Axis {
     let names = (1..=n).rev().map(|storey| storey.to_string());
     Axis {
         label: "Storey".into(),
@@ -161,7 +161,7 @@ impl Response {
 }
 
 /// A value of every floor of a building over the number of its storey; names of an axis count from the top.
-fn over(floors: &[usize], value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
+pub(crate) fn over(floors: &[usize], value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
     let storeys = floors.iter().enumerate();
     let n = floors.len();
     let place = |storey: usize| {

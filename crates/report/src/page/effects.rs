@@ -19,7 +19,7 @@ pub(super) fn effects(summary: &Summary, floors: &Floors, figure: &str) -> Strin
         "Storey",
         "Direction",
         "Collisions",
-        "Impulse [kN·s]",
+        "Sum of impulses [kN·s]",
         "Drift [mm]",
         "× alone",
         "Shear force [kN]",

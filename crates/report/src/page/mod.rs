@@ -6,6 +6,8 @@ mod scene;
 mod tables;
 mod verdict;
 
+use std::fmt::Write as _;
+
 use markup::{digits, escaped, list, short};
 
 use super::Report;
@@ -23,6 +25,7 @@ pub(super) fn html(
     report: &Report<'_>,
     summary: &Summary,
     illustrations: &[Illustration],
+    animation: &str,
 ) -> String {
     let review = report.review();
     let title = escaped(&summary.scene.name);
@@ -36,7 +39,9 @@ pub(super) fn html(
         verdict::verdict(summary, review),
         boxed(BEFORE, &summary.warnings),
         unusual(summary),
+        animation.into(),
         figure("profiles"),
+        "<h2 class=\"appendix\">Appendix: motion</h2>\n".into(),
         figure("displacements"),
         format!(
             "<h2>Pairs</h2>\n{}",
@@ -63,16 +68,40 @@ pub(super) fn html(
         format!("<h2>Energy</h2>\n{}", tables::ledger(summary)),
         again(summary),
     ];
-    document(&title, &sections.concat())
+    document(&summary.scene.name, "", &sections.concat())
 }
 
-/// A page of its own, from markup.
-pub(crate) fn document(title: &str, body: &str) -> String {
+/// A page of its own, from its title and markup; on paper the title and who signed it stand below every sheet.
+pub(crate) fn document(title: &str, signed: &str, body: &str) -> String {
+    let below = match signed {
+        "" => title.into(),
+        signed => format!("{title} \u{b7} {signed}"),
+    };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title} – pounding</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{} – pounding</title>\n\
+         <style>\n{STYLE}@page {{ @bottom-left {{ content: \"{}\"; }} }}\n</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
+        escaped(title),
+        quoted(&below)
     )
+}
+
+/// Text between quotation marks of a style sheet, in which nothing can be taken for markup.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::new();
+    for letter in text.chars() {
+        if letter.is_alphanumeric() || " .,:;()-+–·".contains(letter) {
+            quoted.push(letter);
+        } else {
+            let _ = write!(quoted, "\\{:x} ", u32::from(letter));
+        }
+    }
+    quoted
+}
+
+/// A picture with what is said beside it on paper, and below it on screens.
+pub(crate) fn beside(parts: &[String]) -> String {
+    format!("<div class=\"beside\">\n{}</div>\n", parts.concat())
 }
 
 /// What to know before the numbers are used, under a heading; nothing where there is nothing.

@@ -3,9 +3,9 @@
 
 use serde::Serialize;
 
+use super::alone::Alone;
 use super::peaks::{FloorPeaks, peaks};
-use super::separation::{Separation, separations_of};
-use crate::simulation::Extras;
+use super::separation::Separation;
 use crate::{Error, Excess, Implausible, PairQuantity, RunResult, Scene, Simulation};
 
 /// Factors on the impact stiffness: soft, as the scene has it, and stiff.
@@ -49,6 +49,8 @@ pub struct AssessedPair {
     pub collisions: usize,
     /// Least and largest peak force over the contact stiffness \[N\]; `None` if they do not touch, or if the law is impulsive.
     pub peak_force: Option<[f64; 2]>,
+    /// Peak force with the contact stiffness of the scene \[N\]; `None` likewise.
+    pub own_force: Option<f64>,
     /// Least and largest impulse of a collision over the contact stiffness, the largest of each run \[N·s\]; `None` if they do not
     /// touch.
     pub largest_impulse: Option<[f64; 2]>,
@@ -72,18 +74,25 @@ impl AssessedRun {
 impl Simulation {
     /// What this motion in this direction does to the row, by the exact method; the record is used as it is.
     ///
+    /// `alone` is what the motion does to its buildings [alone](Self::alone), in either direction; `None` if that is not known.
     /// The range over the contact stiffness takes two further runs where a compliant pair touches.
     ///
     /// # Errors
     /// [`Error::Run`] if a run ends early, [`Error::Broken`] if one breaks a law of mechanics.
-    pub fn assessed(&self, factors: StiffnessFactors) -> Result<AssessedRun, Error> {
+    pub fn assessed(
+        &self,
+        alone: Option<&Alone>,
+        factors: StiffnessFactors,
+    ) -> Result<AssessedRun, Error> {
         let exact = self.exact()?;
-        let apart = exact.apart()?;
-        let asked = Extras {
-            closings: true,
-            ..Extras::default()
+        let known = alone.and_then(|alone| Some((alone, alone.separations(self.is_reversed())?)));
+        let (before, separations) = if let Some((alone, separations)) = known {
+            (alone.floors.clone(), separations.to_vec())
+        } else {
+            let alone = self.alone()?;
+            let own = alone.separations(self.is_reversed());
+            (alone.floors.clone(), own.unwrap_or_default().to_vec())
         };
-        let alone = apart.run_with(asked)?;
         let beside = exact.run(None)?;
         let excesses = exact.excesses(&beside);
         let mut variants = Vec::new();
@@ -101,7 +110,6 @@ impl Simulation {
         }
         variants.push(beside);
         let pairs = 0..self.pairs().len();
-        let before = peaks(&apart, &alone);
         let after: Vec<_> = variants.iter().map(|one| peaks(&exact, one)).collect();
         let floor = |index: usize| AssessedFloor {
             alone: before[index],
@@ -119,7 +127,7 @@ impl Simulation {
             .filter(|one| one.place.starts_with("structures") || one.place.starts_with("contacts"));
         Ok(AssessedRun {
             scale: self.scale(),
-            separations: separations_of(&apart, &alone),
+            separations,
             floors: (0..before.len()).map(floor).collect(),
             pairs: pairs
                 .map(|pair| assessed_pair(&exact, &variants, pair))
@@ -127,6 +135,20 @@ impl Simulation {
             excesses,
             unusual: of_row.map(Implausible::brief).collect(),
         })
+    }
+
+    /// The same motion under another row of structures, as it shakes this one, and for as long as that row asks for.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] when a value of the row cannot be modelled.
+    pub fn under_row(&self, row: &Scene) -> Result<Self, Error> {
+        let row = Scene {
+            record: self.scene().record.clone(),
+            duration_s: None,
+            ..row.clone()
+        };
+        let duration_s = Some(row.duration_under(self.record().duration()));
+        self.variant(&Scene { duration_s, ..row }, self.record().clone())
     }
 
     /// The same with every contact so many times as stiff, and as much restitution.
@@ -152,6 +174,7 @@ fn assessed_pair(simulation: &Simulation, runs: &[RunResult], pair: usize) -> As
     AssessedPair {
         collisions: own.collisions_of(pair).count(),
         peak_force: over(PairQuantity::PeakForceN),
+        own_force: own.values(simulation).of(PairQuantity::PeakForceN, pair),
         largest_impulse: over(PairQuantity::LargestImpulseNS),
         approach_speed: speeds.reduce(f64::max),
     }

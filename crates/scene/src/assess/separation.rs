@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+
+use pounding_solver::Closing;
 use strum::EnumCount;
 
 use crate::simulation::Extras;
@@ -211,20 +213,21 @@ impl Simulation {
             ..Extras::default()
         };
         let alone = apart.run_with(asked)?;
-        Ok(separations_of(&apart, &alone))
+        let closings = alone.closings.as_ref();
+        Ok(separations_of(&apart, &alone, |left| closings?.of(left)))
     }
 }
 
-/// The same from a run of the row apart, with its closings.
-pub(super) fn separations_of(apart: &Simulation, alone: &RunResult) -> Vec<Separation> {
+/// The same from a run of the row apart, and how far each floor comes towards its right neighbour.
+pub(super) fn separations_of(
+    apart: &Simulation,
+    alone: &RunResult,
+    closing: impl Fn(usize) -> Option<Closing>,
+) -> Vec<Separation> {
     let floors = apart.floors();
     let mut widest: BTreeMap<usize, Separation> = BTreeMap::new();
     for (left, one, other) in floors.neighbours() {
-        let Some(closing) = alone
-            .closings
-            .as_ref()
-            .and_then(|closings| closings.of(one))
-        else {
+        let Some(closing) = closing(one) else {
             continue;
         };
         // Neighbours that are apart from the start on, and further, need no gap.

@@ -228,6 +228,36 @@ fn undamped(mass: f64, stiffness: f64) -> SolverStorey<Elastic> {
 }
 
 impl Building {
+    /// An elastic building of equal storeys with these heights \[m\], of a mass \[kg\] and a first natural period \[s\], both > 0; `None`
+    /// if those are out of range.
+    pub(super) fn uniform(
+        mass: f64,
+        period: f64,
+        damping: Damping,
+        heights: &[Option<f64>],
+    ) -> Option<Self> {
+        let storey = |height_m: &Option<f64>| StoreyFile {
+            mass_kg: mass / heights.len() as f64,
+            stiffness_n_per_m: None,
+            yield_force_n: None,
+            yield_displacement_m: None,
+            yield_drift_ratio: None,
+            hardening_ratio: None,
+            bouc_wen: None,
+            height_m: *height_m,
+            initial_displacement_m: 0.0,
+            initial_velocity_m_per_s: 0.0,
+            repeat: 1,
+        };
+        let words = BuildingFile {
+            name: "Unknown neighbour".into(),
+            damping,
+            period_s: Some(period),
+            storeys: heights.iter().map(storey).collect(),
+        };
+        words.try_into().ok()
+    }
+
     /// Natural modes of the elastic building, the slowest first; none of values that its check refuses.
     pub fn modes(&self) -> Vec<Mode> {
         modes(&self.elastic()).unwrap_or_default()

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use crate::{Method, Scene, SceneError, Structure};
 
 /// Refuses a value that is not `valid`; its place is put into words only then: a sweep checks millions of scenes.
-fn require(
+pub(super) fn require(
     valid: bool,
     place: impl Display,
     found: f64,
@@ -31,8 +31,8 @@ fn require(
 const USUAL: RangeInclusive<f64> = 1e-100..=1e100;
 const IN_USUAL: &str = "0, or numbers from 1e-100 to 1e100 in magnitude";
 
-const POSITIVE: &str = "a finite number > 0";
-const NOT_NEGATIVE: &str = "a finite number >= 0";
+pub(super) const POSITIVE: &str = "a finite number > 0";
+pub(super) const NOT_NEGATIVE: &str = "a finite number >= 0";
 const FINITE: &str = "a finite number";
 
 impl Scene {
@@ -48,6 +48,9 @@ impl Scene {
         }
         for (index, structure) in self.structures.iter().enumerate() {
             structure::check(index, structure)?;
+        }
+        if self.neighbour.is_some() {
+            return Err(SceneError::UnknownNeighbour);
         }
         check_budget(self)?;
         self.check_method()?;

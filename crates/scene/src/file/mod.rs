@@ -11,6 +11,7 @@ pub(crate) mod fault;
 mod generated;
 mod method;
 pub(crate) mod motion_error;
+mod neighbour;
 mod numbers;
 pub(crate) mod position;
 pub(crate) mod processed;
@@ -31,6 +32,7 @@ pub use columns::{BoucWen, Columns};
 pub use damping::Damping;
 pub use generated::{Generated, Ground, Stochastic};
 pub use method::{Jumps, Method, Start};
+pub use neighbour::{DrawnNeighbour, Neighbour, UnknownNeighbour};
 pub use numbers::{SetNumber, set_number};
 pub use processing::{Detrend, FilterBand, ScaleTo};
 pub use record::{FileUse, RecordUse, STANDARD_GRAVITY, Source, Unit};
@@ -56,6 +58,9 @@ pub struct Scene {
     /// One contact between each structure and its right neighbour; absent when the structures stand apart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contacts: Option<Vec<Contact>>,
+    /// What stands on the right of the last structure, if nobody knows it; only `assess` takes it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub neighbour: Option<Neighbour>,
     /// When the ground motion arrives at each structure and wall \[s\], ≥ 0, from left to right; absent where all are shaken at
     /// once. A wave of apparent velocity v arrives at a base a distance x further along its way x/v later.
     #[serde(default, skip_serializing_if = "Option::is_none")]

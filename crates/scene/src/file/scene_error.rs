@@ -51,6 +51,27 @@ pub enum SceneError {
         /// Number of structures.
         n_structures: usize,
     },
+    /// A neighbour that is not known, where a row has to be.
+    #[error(
+        "neighbour.unknown: found a neighbour that is not known, which `pounding assess` alone takes; describe it as the last of \
+         `structures` instead"
+    )]
+    UnknownNeighbour,
+    /// An unknown neighbour beside a wall.
+    #[error(
+        "neighbour.unknown: found a wall as the last of `structures`, allowed is a structure that moves: the mass of the neighbour is \
+         a multiple of its; or masses and periods so far from the usual that no building has them"
+    )]
+    NeighbourOfWall,
+    /// A contact of an unknown neighbour that does not fit those of the row.
+    #[error(
+        "neighbour.unknown.contact: found {found}, allowed is one if the scene has `contacts` or has one structure, and none if it has \
+         none: gaps are given for all neighbours or for no one"
+    )]
+    NeighbourContact {
+        /// Whether there is one.
+        found: &'static str,
+    },
     /// A time step with which the method is unstable even without contact.
     #[error(
         "method.{method}.time_step_s: found {}, allowed less than {} (structures[{structure}], \"{name}\", grows \

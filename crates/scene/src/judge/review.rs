@@ -89,6 +89,7 @@ impl Simulation {
         let asked = Extras {
             interval,
             closings: true,
+            ..Extras::default()
         };
         let Audited {
             outcome,

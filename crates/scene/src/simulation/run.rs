@@ -75,6 +75,8 @@ pub struct Extras {
     pub interval: Option<f64>,
     /// How far neighbours come towards each other.
     pub closings: bool,
+    /// How far they do so under the mirror of the shaking; see [`Closings::both_ways`].
+    pub reversed_closings: bool,
 }
 
 impl Extras {
@@ -82,6 +84,7 @@ impl Extras {
     pub const COMPARED: Self = Self {
         interval: None,
         closings: true,
+        reversed_closings: false,
     };
 }
 
@@ -147,7 +150,7 @@ impl Simulation {
     pub fn audited(&self, interval: Option<f64>) -> Result<Audited, Error> {
         let asked = Extras {
             interval,
-            closings: false,
+            ..Extras::default()
         };
         self.audited_with(asked)
     }
@@ -197,7 +200,7 @@ impl Simulation {
     ) -> Result<RunResult, Error> {
         let asked = Extras {
             interval,
-            closings: false,
+            ..Extras::default()
         };
         let mut recorders = self.all_recorders(asked, ());
         let work = run(&mut recorders).map_err(|source| self.ended(source))?;
@@ -216,7 +219,14 @@ impl Simulation {
             FloorAccelerations::new(n, self.excitation()).travelled(self.travel().as_ref()),
             LastDisplacements::new(n),
             (
-                asked.closings.then(|| self.closings()),
+                asked.closings.then(|| {
+                    let closings = self.closings();
+                    if asked.reversed_closings {
+                        closings.both_ways()
+                    } else {
+                        closings
+                    }
+                }),
                 asked.interval.map(histories),
             ),
         )

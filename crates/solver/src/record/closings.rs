@@ -1,12 +1,12 @@
 mod cubic;
+mod gap;
 mod piece;
-
-use std::collections::VecDeque;
 
 use crate::span::Expansion;
 use crate::{Impact, Motion, Path, Recorder, Span, State, Travel};
 
 use cubic::{Cubic, Node};
+use gap::Gap;
 use piece::Piece;
 
 /// How far two neighbours came towards each other.
@@ -33,14 +33,8 @@ pub struct Closings {
     travel: Option<Travel>,
     /// Between each structure and its right neighbour.
     gaps: Vec<Gap>,
-}
-
-/// What lies between two neighbours.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Gap {
-    /// Motion of the left and of the right neighbour that the other has not come to, from one common instant on.
-    ahead: [VecDeque<Piece>; 2],
-    largest: Option<Closing>,
+    /// The same under the mirror of the shaking; empty unless asked for.
+    reversed: Vec<Gap>,
 }
 
 impl Closings {
@@ -53,7 +47,16 @@ impl Closings {
             walls,
             travel: None,
             gaps,
+            reversed: Vec::new(),
         }
+    }
+
+    /// The same also under the mirror of the shaking, of a row whose motions are mirrored by it: one in which nothing touches, whose
+    /// columns know no direction, and which begins at rest.
+    #[must_use]
+    pub fn both_ways(self) -> Self {
+        let reversed = self.gaps.iter().map(|_| Gap::reversed()).collect();
+        Self { reversed, ..self }
     }
 
     /// The same on ground to which the excitation [travels](crate::Row::travel).
@@ -70,6 +73,11 @@ impl Closings {
         self.gaps[left].largest
     }
 
+    /// The same under the mirror of the shaking; nothing unless [asked for](Self::both_ways).
+    pub fn of_reversed(&self, left: usize) -> Option<Closing> {
+        self.reversed.get(left)?.largest
+    }
+
     /// A piece of the motion of a structure, for the gaps on both sides.
     fn follow(&mut self, structure: usize, travel: Option<&Travel>, piece: &Piece) {
         let left = structure.checked_sub(1);
@@ -79,11 +87,13 @@ impl Closings {
             let Some((neighbour, gap)) = neighbour.zip(gap) else {
                 continue;
             };
-            let gap = &mut self.gaps[gap];
-            if self.walls[neighbour] {
-                gap.follow_beside_wall(side, piece, |cubic| cubic.of_ground(neighbour, travel));
-            } else {
-                gap.follow(side, piece.clone());
+            let both = [self.gaps.get_mut(gap), self.reversed.get_mut(gap)];
+            for gap in both.into_iter().flatten() {
+                if self.walls[neighbour] {
+                    gap.follow_beside_wall(side, piece, |cubic| cubic.of_ground(neighbour, travel));
+                } else {
+                    gap.follow(side, piece.clone());
+                }
             }
         }
     }
@@ -157,73 +167,10 @@ impl Recorder for Closings {
     fn impact(&mut self, _: &Impact) {}
 }
 
-impl Gap {
-    /// A piece of the motion of the left neighbour (side 0) or of the right one, beside a wall that moves so.
-    fn follow_beside_wall(&mut self, side: usize, piece: &Piece, wall: impl Fn(Cubic) -> Cubic) {
-        let closing = |cubic: Cubic| {
-            let apart = cubic.less(wall(cubic));
-            if side == 0 { apart } else { apart.mirrored() }
-        };
-        if !self.knows(&closing(piece.cubic), piece.leaves_out()) {
-            for cubic in piece.fine() {
-                self.take(&closing(cubic));
-            }
-        }
-    }
-
-    /// The same beside a neighbour that moves.
-    fn follow(&mut self, side: usize, piece: Piece) {
-        self.ahead[side].push_back(piece);
-        while let [Some(left), Some(right)] = self.ahead.each_ref().map(VecDeque::front) {
-            let end = left.cubic.end.time.min(right.cubic.end.time);
-            let closing = left.cubic.until(end).less(right.cubic.until(end));
-            let leaves_out = left.leaves_out() + right.leaves_out();
-            if !self.knows(&closing, leaves_out) {
-                if leaves_out > 0.0 {
-                    self.ahead.iter_mut().for_each(look_closer);
-                    continue;
-                }
-                self.take(&closing);
-            }
-            for ahead in &mut self.ahead {
-                let piece = ahead.pop_front();
-                let rest = piece.filter(|piece| piece.cubic.end.time > end);
-                if let Some(piece) = rest {
-                    ahead.push_front(piece.from(end));
-                }
-            }
-        }
-    }
-
-    /// Whether a closing that is so far from a cubic at most goes no further than is known. It does not go above the control points, so
-    /// that most pieces are left at once.
-    fn knows(&self, closing: &Cubic, leaves_out: f64) -> bool {
-        let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
-        let mut controls = closing.controls().into_iter();
-        controls.all(|height| height + leaves_out <= known)
-    }
-
-    /// Takes the largest value of a closing that is a cubic.
-    fn take(&mut self, closing: &Cubic) {
-        let highest = closing.highest();
-        let known = self.largest.map_or(f64::NEG_INFINITY, |one| one.distance);
-        if highest.distance > known {
-            self.largest = Some(highest);
-        }
-    }
-}
-
-/// Puts the cubics between the looks of the first piece in its place.
-fn look_closer(ahead: &mut VecDeque<Piece>) {
-    if let Some(piece) = ahead.pop_front() {
-        for cubic in piece.fine().rev() {
-            ahead.push_front(cubic.into());
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use std::collections::VecDeque;
+
     use super::*;
     use crate::Weighed;
     use crate::span::{Power, Series};
@@ -369,6 +316,32 @@ mod tests {
             assert!((found - wanted).abs() < 1e-15, "{found} {wanted}");
         }
         assert_eq!(Closings::new(vec![true, true], 1.0).of(0), None);
+    }
+
+    /// The mirror of a shaking closes a gap as far as the shaking opens it, to the last bit.
+    #[test]
+    fn limit_both_ways_are_those_of_either() {
+        let all = |sign: f64, closings: Closings| {
+            let mut closings = closings;
+            for (structure, path) in [(0, left as fn(f64) -> (f64, f64)), (1, right)] {
+                for times in [[0.0, 0.7], [0.7, 1.1], [1.1, 1.8]] {
+                    let mut span = step(structure, times, path);
+                    for end in [&mut span.start, &mut span.end] {
+                        end.displacement *= sign;
+                        end.velocity *= sign;
+                    }
+                    closings.span(&span);
+                }
+            }
+            closings
+        };
+        for walls in [[false, false], [true, false], [false, true]] {
+            let new = || Closings::new(walls.to_vec(), 1.0);
+            let both = all(1.0, new().both_ways());
+            assert_eq!(both.of(0), all(1.0, new()).of(0));
+            assert_eq!(both.of_reversed(0), all(-1.0, new()).of(0));
+            assert_eq!(all(1.0, new()).of_reversed(0), None);
+        }
     }
 
     /// Apart from the start on, and further.

@@ -1,6 +1,7 @@
 //! A motion that is known between the ends of its span: power series of the exact method.
 
 use super::{Motion, State};
+use crate::quadrature::{self, Rule, Sides};
 
 /// A motion as power series in x, with t = origin + x^power.
 ///
@@ -82,6 +83,30 @@ pub(crate) fn rise(coefficients: &[f64], x: f64) -> f64 {
     x * value(coefficients.get(1..).unwrap_or_default(), x)
 }
 
+/// [Values](value) at the nodes of a rule side by side: each has the bits of its own, and none waits for another.
+#[inline]
+fn values<const HALF: usize>(coefficients: &[f64], nodes: &Sides<HALF>) -> Sides<HALF> {
+    let mut sums = [[0.0; HALF]; 2];
+    for coefficient in coefficients.iter().rev() {
+        let sums = sums.as_flattened_mut().iter_mut();
+        for (sum, x) in sums.zip(nodes.as_flattened()) {
+            *sum = *sum * x + coefficient;
+        }
+    }
+    sums
+}
+
+/// [Rises](rise) side by side.
+#[inline]
+fn rises<const HALF: usize>(coefficients: &[f64], nodes: &Sides<HALF>) -> Sides<HALF> {
+    let mut rises = values(coefficients.get(1..).unwrap_or_default(), nodes);
+    let all = rises.as_flattened_mut().iter_mut();
+    for (rise, x) in all.zip(nodes.as_flattened()) {
+        *rise *= x;
+    }
+    rises
+}
+
 impl Series<'_> {
     /// x at an instant \[s\].
     pub(crate) fn x(&self, time: f64) -> f64 {
@@ -100,7 +125,76 @@ impl Series<'_> {
         }
     }
 
-    /// State at x. Inlined, so that whoever integrates pays for what the integrand asks only.
+    /// Integrals over time of N functions of instant, state and drift of the storey below, between two x.
+    #[inline]
+    pub(super) fn integrate<const N: usize, const HALF: usize>(
+        &self,
+        rule: &Rule<HALF>,
+        [first, last]: [f64; 2],
+        integrand: impl Fn(f64, &State, Motion) -> [f64; N],
+    ) -> [f64; N] {
+        quadrature::integrate_at_once(rule, first, last, |nodes| {
+            let state = self.states(nodes);
+            std::array::from_fn(|side| {
+                std::array::from_fn(|node| {
+                    let x = nodes[side][node];
+                    let (state, drift) = state(side, node);
+                    let time = self.origin + self.power.time(x);
+                    let rate = self.power.rate(x);
+                    integrand(time, &state, drift).map(|value| rate * value)
+                })
+            })
+        })
+    }
+
+    /// [States](Self::at) at the nodes of a rule, each with the [drift](Self::drift) of the storey below, by side and number.
+    #[inline]
+    fn states<const HALF: usize>(
+        &self,
+        nodes: &Sides<HALF>,
+    ) -> impl Fn(usize, usize) -> (State, Motion) {
+        let rise = rises(self.displacement, nodes);
+        let velocity = values(self.velocity, nodes);
+        let acceleration = values(self.acceleration, nodes);
+        let bent = rises(self.bent, nodes);
+        let force_from_left = values(self.force_from_left, nodes);
+        let force_from_right = values(self.force_from_right, nodes);
+        let below = self.below.map(|[displacement, velocity]| {
+            let motion = [values(displacement, nodes), values(velocity, nodes)];
+            (rises(displacement, nodes), motion)
+        });
+        let first = *self.displacement.first().unwrap_or(&0.0);
+        let (force, tangent) = self.restoring_force;
+        let bends = !self.bent.is_empty();
+        move |side, node| {
+            let of = |all: &Sides<HALF>| all[side][node];
+            let drift = match &below {
+                None => of(&rise),
+                Some((below, _)) => of(&rise) - of(below),
+            };
+            let line = force + tangent * drift;
+            let state = State {
+                displacement: first + of(&rise),
+                velocity: of(&velocity),
+                acceleration: of(&acceleration),
+                restoring_force: if bends { line + of(&bent) } else { line },
+                force_from_left: of(&force_from_left),
+                force_from_right: -of(&force_from_right),
+            };
+            let floor = Motion::from(&state);
+            let drift = below
+                .as_ref()
+                .map_or(floor, |(_, [displacement, velocity])| {
+                    floor.since(Motion {
+                        displacement: of(displacement),
+                        velocity: of(velocity),
+                    })
+                });
+            (state, drift)
+        }
+    }
+
+    /// State at x.
     #[inline]
     pub(super) fn at(&self, x: f64) -> State {
         let rise = rise(self.displacement, x);

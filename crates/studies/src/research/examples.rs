@@ -37,8 +37,8 @@ impl Examples {
         self.scenes.len()
     }
 
-    /// What a run with its effects leaves, but histories and what speaks of versions: `NAME/impacts.csv`, `NAME/effects.csv` and
-    /// the figures, by path; `done` is called after each scene.
+    /// What a run with its effects leaves, but histories and what speaks of versions: `NAME/impacts.csv`, `NAME/effects.csv`,
+    /// `NAME/animation.svg` and the figures, by path; `done` is called after each scene.
     ///
     /// # Errors
     /// The first [`StudyError`] in the order of names.
@@ -63,7 +63,9 @@ fn of_scene(path: &Path, scene: &Scene) -> Result<BTreeMap<PathBuf, Vec<u8>>, St
     let effects = Effects::of(&prepared)?;
     let report = Report::of(&prepared, true)?.with_effects(Some(effects));
     let is_figure = |name: &str| Path::new(name).extension().is_some_and(|end| end == "png");
-    let shown = |name: &str| is_figure(name) || ["impacts.csv", "effects.csv"].contains(&name);
+    let shown = |name: &str| {
+        is_figure(name) || ["impacts.csv", "effects.csv", "animation.svg"].contains(&name)
+    };
     let name = path.file_stem().unwrap_or_default();
     let files = report.files().into_iter().filter(|(file, _)| shown(file));
     Ok(files

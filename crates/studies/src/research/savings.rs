@@ -101,6 +101,7 @@ impl Burdened {
                     n - 1
                 ]
             }),
+            neighbour: None,
             arrivals_s: None,
             method,
             budget: RunBudget::default(),
@@ -122,6 +123,7 @@ impl Burdened {
                 let asked = Extras {
                     interval: Some(INTERVAL),
                     closings: false,
+                    ..Extras::default()
                 };
                 self.prepared.run_unjudged(asked).map(|_| ())
             }

@@ -34,7 +34,7 @@ pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
     } else {
         parts.push(paragraph(
             "More",
-            "--details prints every run and storey, --out FOLDER writes a report",
+            "--details prints every run and storey, --out FOLDER writes a report, --bumper proposed says what bumpers in the gaps change",
         ));
     }
     parts.join("\n")

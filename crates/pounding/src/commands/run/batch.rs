@@ -1,13 +1,15 @@
 //! `pounding run --records`: the scene under every record of a folder, a line each.
 
 mod data;
+mod effects;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use pounding::report::{CollisionSummary, PairSummary, StructureSummary};
 use pounding::scene::{
-    Error, Errors, Implausible, PairOutcome, QuantityGroup, Review, Scene, Simulation,
+    Effects, Error, Errors, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
+    Simulation,
 };
 use pounding::text::digits;
 
@@ -36,10 +38,15 @@ struct Found {
     all: PairOutcome,
     structures: Vec<StructureSummary>,
     pairs: Vec<PairSummary>,
+    /// What pounding does to every storey, in both directions, where that was asked for.
+    effects: Option<Effects>,
+    floors: Floors,
+    /// Names of the structures.
+    names: Vec<String>,
 }
 
 impl Found {
-    fn new(prepared: &Simulation, review: &Review) -> Self {
+    fn new(prepared: &Simulation, review: &Review, effects: Option<Effects>) -> Self {
         let (error, why) = match &review.errors {
             Errors::Measured(errors, _) => (Some(errors.largest(QuantityGroup::All).0), ""),
             Errors::Exact => (None, "exact"),
@@ -55,6 +62,14 @@ impl Found {
             all: PairOutcome::of(review.outcome.collisions.all()),
             structures: StructureSummary::of_run(prepared, review),
             pairs: PairSummary::of_run(prepared, review),
+            effects,
+            floors: prepared.floors().clone(),
+            names: prepared
+                .scene()
+                .structures
+                .iter()
+                .map(|one| one.name().into())
+                .collect(),
         }
     }
 
@@ -103,7 +118,10 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
     }
     let ran = suite::lines(&scene, folder, directions, |prepared| {
         let review = prepared.review(!args.model.no_error)?;
-        Ok(Found::new(prepared, &review))
+        // They are of both directions.
+        let once = prepared.scene().record.reversed == directions[0];
+        let effects = (args.effects && once).then(|| Effects::of(prepared));
+        Ok(Found::new(prepared, &review, effects.transpose()?))
     })?;
     let lines = &ran.lines;
     let mut answer = match args.printed() {
@@ -142,6 +160,7 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
         runs(scene, lines),
         paragraph("Result", &result(lines)),
     ];
+    parts.extend(effects::text(lines));
     let refused = suite::left_out(lines);
     if !refused.is_empty() {
         parts.push(paragraph("Left out", &refused.join("\n")));

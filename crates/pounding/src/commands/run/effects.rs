@@ -9,7 +9,7 @@ pub(super) fn text(prepared: &Simulation, effects: &Effects) -> String {
     let header = [
         ["Storey,", "direction"],
         ["Colli-", "sions"],
-        ["Impulse", "[kN·s]"],
+        ["Sum of imp.", "[kN·s]"],
         ["Drift", "× alone"],
         ["Shear", "× alone"],
         ["Accel.", "× alone"],

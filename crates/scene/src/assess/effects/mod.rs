@@ -149,7 +149,10 @@ impl Effects {
 
     /// Both directions, with their names.
     pub fn directions(&self) -> [(&'static str, &[FloorEffects]); 2] {
-        [("as given", &self.as_given), ("reversed", &self.reversed)]
+        [
+            ("as in the scene", &self.as_given),
+            ("reversed", &self.reversed),
+        ]
     }
 
     /// Whether they say anything of a floor: of a wall but where something hits it.

@@ -187,6 +187,7 @@ impl Part {
             let asked = Extras {
                 interval,
                 closings: false,
+                ..Extras::default()
             };
             scene.run_unjudged(asked)
         };

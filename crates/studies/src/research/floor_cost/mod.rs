@@ -136,6 +136,7 @@ impl TimedRow {
             contacts: condition
                 .touching
                 .then(|| vec![contact; size.buildings - 1]),
+            neighbour: None,
             arrivals_s: None,
             method,
             budget: RunBudget::default(),

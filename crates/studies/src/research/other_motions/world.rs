@@ -161,6 +161,7 @@ impl Alone<'_> {
         let scene = Scene {
             structures: vec![structure.clone()],
             contacts: None,
+            neighbour: None,
             arrivals_s: None,
             ..prepared.scene().clone()
         };

@@ -28,6 +28,7 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         name: format!("seed {seed}, scene {index}"),
         record: motions::one(&mut random),
         duration_s: Some(random.within(5.0, 20.0)),
+        neighbour: None,
         arrivals_s: arrivals(&mut random, n),
         structures,
         contacts: Some(contacts),

@@ -5,7 +5,7 @@ use pounding::scene::Scene;
 use pounding::text::{Cell, csv_text, json_text};
 use serde_json::json;
 
-use super::Line;
+use super::{Found, Line};
 use crate::commands::suite;
 
 /// Numbers of a structure with their names, SI units: those of its summary, nothing where there is none.
@@ -58,47 +58,104 @@ fn of_pair(one: &PairSummary) -> [(&'static str, Option<f64>); 11] {
     ]
 }
 
-/// A row per number of every structure and pair of every run: what, of which, and its value; SI units.
+/// Columns of the table.
+const HEADER: [&str; 9] = [
+    "record",
+    "reversed",
+    "building",
+    "floor",
+    "neighbour",
+    "neighbour_floor",
+    "quantity",
+    "value",
+    "refused",
+];
+
+/// Building and floor of both sides; empty of a run.
+type Place = [Cell; 4];
+
+/// A row per number of every structure and pair of every run: of which, what, and its value; SI units.
 pub(super) fn csv(lines: &[Line]) -> String {
-    let header = ["record", "reversed", "of", "quantity", "value", "refused"];
-    let rows = lines.iter().flat_map(|line| {
-        let row = |of: &str, quantity: &str, value: Option<f64>| {
-            [
-                line.motion.as_str().into(),
-                line.reversed.into(),
-                of.into(),
-                quantity.into(),
-                Cell::exact(value),
-                Cell::default(),
-            ]
-        };
-        let found = match &line.found {
-            Ok(found) => found,
-            Err(reason) => {
-                let mut row = row("", "", None);
-                row[5] = reason.as_str().into();
-                return vec![row];
-            }
-        };
-        let mut rows = vec![
-            row("record", "pga_m_per_s2", Some(found.pga)),
-            row("record", "scale_factor", Some(found.scale)),
-            row("run", "largest_error", found.error),
-            row("run", "warnings", Some(found.warnings.len() as f64)),
-        ];
-        for structure in &found.structures {
-            let numbers = of_structure(structure).into_iter();
-            rows.extend(
-                numbers.map(|(quantity, value)| row(&structure.name, quantity, Some(value))),
-            );
+    let rows = lines.iter().flat_map(|line| match &line.found {
+        Ok(found) => of_run(line, found),
+        Err(reason) => {
+            let mut row = row(line, line.reversed, (Place::default(), "", None));
+            row[8] = reason.as_str().into();
+            vec![row]
         }
-        for pair in &found.pairs {
-            let name = format!("{} – {}", pair.left, pair.right);
-            rows.extend(of_pair(pair).map(|(quantity, value)| row(&name, quantity, value)));
-        }
-        rows
     });
-    csv_text(&header, rows)
+    csv_text(&HEADER, rows)
+}
+
+fn row(
+    line: &Line,
+    reversed: bool,
+    (place, quantity, value): (Place, &str, Option<f64>),
+) -> [Cell; 9] {
+    let [building, floor, neighbour, neighbour_floor] = place;
+    [
+        line.motion.as_str().into(),
+        reversed.into(),
+        building,
+        floor,
+        neighbour,
+        neighbour_floor,
+        quantity.into(),
+        Cell::exact(value),
+        Cell::default(),
+    ]
+}
+
+fn of_run(line: &Line, found: &Found) -> Vec<[Cell; 9]> {
+    let own =
+        |place: Place, quantity: &str, value| row(line, line.reversed, (place, quantity, value));
+    let at = |floor: usize| -> [Cell; 2] {
+        let structure = found.floors.all()[floor].structure;
+        let building = found.names[structure].as_str();
+        [building.into(), found.floors.storey_of(floor).into()]
+    };
+    let alone = |floor: usize| {
+        let [building, storey] = at(floor);
+        [building, storey, Cell::default(), Cell::default()]
+    };
+    let mut rows = vec![
+        own(Place::default(), "pga_m_per_s2", Some(found.pga)),
+        own(Place::default(), "scale_factor", Some(found.scale)),
+        own(Place::default(), "largest_error", found.error),
+        own(
+            Place::default(),
+            "warnings",
+            Some(found.warnings.len() as f64),
+        ),
+    ];
+    for (floor, structure) in found.structures.iter().enumerate() {
+        let numbers = of_structure(structure).into_iter();
+        rows.extend(numbers.map(|(quantity, value)| own(alone(floor), quantity, Some(value))));
+    }
+    for (facing, pair) in found.floors.facing().iter().zip(&found.pairs) {
+        let ([left, left_floor], [right, right_floor]) = (at(facing.left), at(facing.right));
+        let place = [left, left_floor, right, right_floor];
+        rows.extend(of_pair(pair).map(|(quantity, value)| own(place.clone(), quantity, value)));
+    }
+    if let Some(effects) = &found.effects {
+        let both = [
+            (line.reversed, &effects.as_given),
+            (!line.reversed, &effects.reversed),
+        ];
+        for (reversed, all) in both {
+            for (floor, effects) in all.iter().enumerate() {
+                let facts = effects.facts().into_iter();
+                rows.extend(facts.map(|(quantity, value, _)| {
+                    row(
+                        line,
+                        reversed,
+                        (alone(floor), &format!("effect_{quantity}"), Some(value)),
+                    )
+                }));
+            }
+        }
+    }
+    rows
 }
 
 /// The same with everything that a summary has of structures and pairs.
@@ -115,6 +172,7 @@ pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
             "warnings": found.warnings,
             "structures": found.structures,
             "pairs": found.pairs,
+            "effects": found.effects,
         }),
         Err(reason) => {
             json!({"record": line.motion, "reversed": line.reversed, "refused": reason})

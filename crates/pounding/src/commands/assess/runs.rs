@@ -1,0 +1,207 @@
+//! The runs of an assessment: every motion in both directions, beside every neighbour, and once more with bumpers.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use pounding::report::{Animation, AssessedMotion};
+use pounding::scene::{
+    Alone, AssessedRun, Bumper, BumperRun, DrawnNeighbour, Error, Motion, MotionSpectrum,
+    RecordUse, Scaling, Scene, Simulation,
+};
+
+use super::super::suite;
+
+/// What is asked of every motion.
+pub(super) struct Asked<'a> {
+    /// The scene of the file.
+    pub(super) scene: Scene,
+    /// The structures that are known.
+    pub(super) known: Scene,
+    /// The row beside each neighbour that it may have; one row if all are known.
+    pub(super) rows: Vec<(Scene, Option<DrawnNeighbour>)>,
+    pub(super) scaling: Scaling,
+    /// Range of the stiffness of contact, as factors on that of the scene.
+    pub(super) stiffness: [f64; 2],
+    pub(super) records: &'a Path,
+}
+
+/// What a motion in one direction does, row by row.
+pub(super) struct Found {
+    runs: Vec<AssessedRun>,
+    spectrum: Option<MotionSpectrum>,
+    /// How its record was used.
+    record: RecordUse,
+}
+
+/// What both directions of a motion share.
+struct Shared {
+    spectrum: Option<MotionSpectrum>,
+    record: RecordUse,
+    /// The buildings alone, row by row; nothing if that run failed, which the direction then finds itself.
+    alone: Vec<OnceLock<Option<Alone>>>,
+}
+
+impl Asked<'_> {
+    /// Assesses every row under every motion.
+    pub(super) fn run(&self) -> Result<suite::Ran<Found>, String> {
+        let [from, to] = self.stiffness;
+        let shared = |motion: &Motion| {
+            let (scene, spectrum) = self.scaling.applied(&self.known, motion)?;
+            let shared = Shared {
+                spectrum,
+                record: scene.record.clone(),
+                alone: self.rows.iter().map(|_| OnceLock::new()).collect(),
+            };
+            Ok((scene, shared))
+        };
+        let both = [false, true];
+        suite::lines_of(self.records, &both, shared, |prepared, shared| {
+            let assessed = |(row, alone): (usize, &OnceLock<Option<Alone>>)| {
+                let row = self.row(prepared, row)?;
+                let alone = alone.get_or_init(|| row.alone().ok());
+                row.assessed(alone.as_ref(), [from, 1.0, to])
+            };
+            let runs: Result<_, Error> = shared.alone.iter().enumerate().map(assessed).collect();
+            Ok(Found {
+                runs: runs?,
+                spectrum: shared.spectrum.clone(),
+                record: shared.record.clone(),
+            })
+        })
+    }
+
+    fn row(&self, prepared: &Simulation, row: usize) -> Result<Simulation, Error> {
+        match &self.rows[row] {
+            (_, None) => Ok(prepared.clone()),
+            (row, Some(_)) => prepared.under_row(row),
+        }
+    }
+
+    /// Bumpers for the gaps that close: as stiff as given, or as the hardest of all rows asks for.
+    pub(super) fn bumpers(
+        &self,
+        lines: &[suite::Line<Found>],
+        stiffness: Option<f64>,
+    ) -> Result<Vec<Bumper>, Error> {
+        let mut stiffest: BTreeMap<usize, Bumper> = BTreeMap::new();
+        for (index, (row, _)) in self.rows.iter().enumerate() {
+            let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+            let runs: Vec<&AssessedRun> = found.map(|found| &found.runs[index]).collect();
+            for bumper in Bumper::proposed(row, &runs, stiffness)? {
+                let so_far = stiffest.entry(bumper.contact).or_insert(bumper);
+                so_far.stiffness = so_far.stiffness.max(bumper.stiffness);
+            }
+        }
+        Ok(stiffest.into_values().collect())
+    }
+
+    /// What bumpers change in the runs in which something touches, by motion, direction and row; runs that fail are left out.
+    pub(super) fn with_bumpers(
+        &self,
+        lines: &[suite::Line<Found>],
+        bumpers: &[Bumper],
+    ) -> Result<BumperRuns, String> {
+        if bumpers.is_empty() {
+            return Ok(BumperRuns::new());
+        }
+        let touching = |motion: &Motion| {
+            let name = motion.name();
+            let own = lines.iter().filter(|line| line.motion == name);
+            let found = own.filter_map(|line| Some((line.reversed, line.found.as_ref().ok()?)));
+            let found: Vec<(bool, &Found)> = found.collect();
+            let record = found.first().map(|(_, found)| found.record.clone());
+            let scene = Scene {
+                record: record.unwrap_or_else(|| self.known.record.clone()),
+                ..self.known.clone()
+            };
+            let touch = |(reversed, found): &(bool, &Found)| {
+                let runs = found.runs.iter();
+                (*reversed, runs.map(|run| run.collisions() > 0).collect())
+            };
+            let touching: BTreeMap<bool, Vec<bool>> = found.iter().map(touch).collect();
+            Ok((scene, touching))
+        };
+        let both = [false, true];
+        let ran = suite::lines_of(self.records, &both, touching, |prepared, touching| {
+            let own = touching.get(&prepared.scene().record.reversed);
+            let rows = own.into_iter().flatten().enumerate();
+            Ok(rows
+                .map(|(row, touches)| {
+                    let touches = touches.then(|| self.row(prepared, row).ok()).flatten()?;
+                    touches.with_bumpers(bumpers).ok()
+                })
+                .collect::<Vec<Option<BumperRun>>>())
+        })?;
+        let mut runs = BumperRuns::new();
+        for line in ran.lines {
+            for (row, run) in line.found.into_iter().flatten().enumerate() {
+                if let Some(run) = run {
+                    runs.insert((line.motion.clone(), line.reversed, row), run);
+                }
+            }
+        }
+        Ok(runs)
+    }
+
+    /// The hardest collision of all runs in motion; `None` if nothing touches, or if it cannot be shown.
+    pub(super) fn animation(&self, lines: &[suite::Line<Found>]) -> Option<Animation> {
+        let hardest = lines.iter().flat_map(|line| {
+            let found = line.found.as_ref().ok();
+            let runs = found
+                .into_iter()
+                .flat_map(|found| found.runs.iter().enumerate());
+            runs.flat_map(move |(row, run)| {
+                let pairs = run.pairs.iter().filter(|pair| pair.collisions > 0);
+                pairs.map(move |pair| (line, row, pair))
+            })
+        });
+        let (line, row, _) = hardest.max_by(|(.., one), (.., other)| {
+            let of = |value: Option<f64>| value.unwrap_or(0.0);
+            let by_force = of(one.own_force).total_cmp(&of(other.own_force));
+            by_force.then(of(one.approach_speed).total_cmp(&of(other.approach_speed)))
+        })?;
+        let motions = Motion::in_folder(self.records).ok()?;
+        let motion = motions
+            .into_iter()
+            .find(|motion| motion.name() == line.motion)?;
+        let scene = Scene {
+            record: line.found.as_ref().ok()?.record.clone(),
+            ..self.known.clone()
+        };
+        let shaken = motion.shake(&scene, line.reversed).ok()?;
+        Animation::of(&self.row(&shaken, row).ok()?).ok()?
+    }
+
+    /// Every run of every line that was finished.
+    pub(super) fn motions(
+        &self,
+        lines: &[suite::Line<Found>],
+        bumpers: &BumperRuns,
+    ) -> Vec<AssessedMotion> {
+        let of_line = |line: &suite::Line<Found>| {
+            let found = line.found.as_ref().ok();
+            let runs = found.into_iter().flat_map(|found| {
+                let spectrum = &found.spectrum;
+                let runs = found.runs.iter().enumerate();
+                runs.map(move |(row, run)| (row, run.clone(), spectrum.clone()))
+            });
+            let motion = |(row, run, spectrum): (usize, AssessedRun, _)| AssessedMotion {
+                name: line.motion.clone(),
+                event: line.event,
+                reversed: line.reversed,
+                neighbour: self.rows[row].1,
+                bumper: bumpers
+                    .get(&(line.motion.clone(), line.reversed, row))
+                    .cloned(),
+                spectrum,
+                run,
+            };
+            runs.map(motion).collect::<Vec<_>>()
+        };
+        lines.iter().flat_map(of_line).collect()
+    }
+}
+
+/// Runs with bumpers, by motion, whether reversed, and row.
+pub(super) type BumperRuns = BTreeMap<(String, bool, usize), BumperRun>;

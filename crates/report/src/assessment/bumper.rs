@@ -1,0 +1,129 @@
+//! What an assessment says of bumpers in the gaps.
+
+use pounding_scene::{Bumper, BumperEffect, COMPRESSION, Distribution};
+use pounding_text::{millimetres, short, two_digits};
+use serde_json::{Value, json};
+
+use super::AssessmentReport;
+use super::facts::statistics;
+
+/// A change in words, of a ratio: "−60 %", "+3 %", and from twice on "× 2.4".
+pub(super) fn change(ratio: f64) -> String {
+    let per_cent = (100.0 * (ratio - 1.0)).round();
+    if ratio >= 2.0 {
+        format!("× {}", two_digits(ratio))
+    } else if per_cent > 0.0 {
+        format!("+{per_cent:.0} %")
+    } else if per_cent < 0.0 {
+        format!("\u{2212}{:.0} %", per_cent.abs())
+    } else {
+        "0 %".into()
+    }
+}
+
+fn both(of: &Distribution) -> String {
+    format!("{} (84 %: {})", change(of.median()), change(of.p84()))
+}
+
+impl AssessmentReport {
+    /// What bumpers change; `None` if nothing touches or none were asked for.
+    pub fn bumpers(&self) -> Option<&BumperEffect> {
+        self.bumper.as_ref()
+    }
+
+    fn bumper_name(&self, bumper: &Bumper) -> String {
+        let [left, right] =
+            [bumper.contact, bumper.contact + 1].map(|index| self.scene.structures[index].name());
+        format!("{left} and {right}")
+    }
+
+    /// What bumpers at the given gaps change, in sentences; nothing without bumpers.
+    pub fn bumper_says(&self) -> Vec<String> {
+        let Some(effect) = &self.bumper else {
+            return Vec::new();
+        };
+        let one = |bumper: &Bumper| {
+            format!(
+                "{} mm and {} MN/m between {}",
+                millimetres(bumper.thickness),
+                short(1e-6 * bumper.stiffness),
+                self.bumper_name(bumper)
+            )
+        };
+        let bumpers: Vec<String> = effect.bumpers.iter().map(one).collect();
+        let why = match &self.bumper_words {
+            Some(words) if words.contains("k=") => String::new(),
+            _ => format!(
+                ", half of the gap, the softest that stop the approach that 84 % of the runs do not exceed at {:.0} % of it",
+                100.0 * COMPRESSION
+            ),
+        };
+        let force = effect.force.as_ref();
+        let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));
+        let thin = match effect.too_thin {
+            0 => "None is compressed by more than its thickness.".into(),
+            n => format!(
+                "In {n} of {} runs one is compressed by more than its thickness: what is behind it then hits, which is left out.",
+                effect.runs
+            ),
+        };
+        let room = match &effect.force {
+            Some(force) if force.median() >= 1.0 => {
+                " They are stiffer than the contact itself: the gap has no room for softer ones."
+            }
+            _ => "",
+        };
+        vec![format!(
+            "Bumpers at the given gap ({}{why}) change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}{room}",
+            bumpers.join("; "),
+            both(&effect.drift),
+            both(&effect.acceleration)
+        )]
+    }
+
+    /// The same for machines; null without bumpers.
+    pub(super) fn bumper_json(&self) -> Value {
+        let Some(effect) = &self.bumper else {
+            return Value::Null;
+        };
+        let some = |of: &Option<Distribution>| of.as_ref().map(statistics);
+        let bumper = |one: &Bumper| {
+            let [left, right] =
+                [one.contact, one.contact + 1].map(|index| self.scene.structures[index].name());
+            json!({
+                "left": left,
+                "right": right,
+                "stiffness_n_per_m": one.stiffness,
+                "thickness_m": one.thickness,
+            })
+        };
+        let floors = effect.floors.iter().enumerate().filter_map(|(index, one)| {
+            let one = one.as_ref()?;
+            Some(json!({
+                "floor": self.floor_name(index),
+                "drift_with_over_without": statistics(&one.drift),
+                "acceleration_with_over_without": statistics(&one.acceleration),
+            }))
+        });
+        let pairs = effect.pairs.iter().enumerate().filter_map(|(index, one)| {
+            let (one, facing) = (one.as_ref()?, self.floors.facing()[index]);
+            Some(json!({
+                "left": self.floor_name(facing.left),
+                "right": self.floor_name(facing.right),
+                "peak_force_without_n": some(&one.force_without),
+                "peak_force_with_n": some(&one.force_with),
+                "largest_compression_m": one.compression,
+            }))
+        });
+        json!({
+            "bumpers": effect.bumpers.iter().map(bumper).collect::<Vec<_>>(),
+            "runs": effect.runs,
+            "too_thin_runs": effect.too_thin,
+            "force_with_over_without": some(&effect.force),
+            "drift_with_over_without": statistics(&effect.drift),
+            "acceleration_with_over_without": statistics(&effect.acceleration),
+            "floors": floors.collect::<Vec<_>>(),
+            "pairs": pairs.collect::<Vec<_>>(),
+        })
+    }
+}

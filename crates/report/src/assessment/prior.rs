@@ -1,0 +1,144 @@
+//! What an assessment says of a neighbour that is not known.
+
+use pounding_scene::{Distribution, DrawnNeighbour, GapAssessment, UnknownNeighbour};
+use pounding_text::{digits, millimetres, two_decimals};
+use serde_json::{Value, json};
+
+use super::AssessmentReport;
+use super::facts::statistics;
+
+/// Probabilities of which the width is told \[–\].
+const PROBABILITIES: [f64; 4] = [0.5, 0.84, 0.95, 1.0];
+
+/// A neighbour that was drawn, over all motions and directions.
+pub(super) struct OfNeighbour {
+    pub(super) drawn: DrawnNeighbour,
+    /// Width that its gap needs \[m\].
+    pub(super) required: Distribution,
+    /// Number of runs in which it is touched.
+    touching: usize,
+}
+
+impl AssessmentReport {
+    /// What is known of the neighbour, if it is not known.
+    fn unknown(&self) -> Option<&UnknownNeighbour> {
+        let neighbour = self.asked.neighbour.as_ref();
+        neighbour.map(|neighbour| &neighbour.unknown)
+    }
+
+    /// The gap beside the unknown neighbour, the last of the row.
+    fn gap_beside_unknown(&self) -> Option<&GapAssessment> {
+        self.unknown()?;
+        self.assessment.gaps.last()
+    }
+
+    /// Every neighbour that was drawn, by period; empty if all are known.
+    pub(super) fn neighbours(&self) -> Vec<OfNeighbour> {
+        let Some(gap) = self.gap_beside_unknown() else {
+            return Vec::new();
+        };
+        let mut drawn: Vec<DrawnNeighbour> = Vec::new();
+        for one in self.motions.iter().filter_map(|motion| motion.neighbour) {
+            if !drawn.contains(&one) {
+                drawn.push(one);
+            }
+        }
+        let of = |drawn: DrawnNeighbour| {
+            let own = self
+                .motions
+                .iter()
+                .filter(|motion| motion.neighbour == Some(drawn));
+            let own = own.map(|motion| &motion.run);
+            let needed = own.clone().filter_map(|run| {
+                let mut gaps = run.separations.iter();
+                gaps.find(|one| one.left == gap.left)
+                    .map(|one| one.required)
+            });
+            let facing = self.floors.facing().iter().enumerate();
+            let pairs: Vec<usize> = facing
+                .filter(|(_, pair)| pair.contact == gap.left)
+                .map(|(index, _)| index)
+                .collect();
+            let touches = |run: &&pounding_scene::AssessedRun| {
+                pairs.iter().any(|pair| run.pairs[*pair].collisions > 0)
+            };
+            Some(OfNeighbour {
+                drawn,
+                required: Distribution::of(needed)?,
+                touching: own.filter(touches).count(),
+            })
+        };
+        drawn.into_iter().filter_map(of).collect()
+    }
+
+    /// The width beside an unknown neighbour with its probability, in sentences; nothing if all are known.
+    pub fn prior(&self) -> Vec<String> {
+        let (Some(unknown), Some(gap)) = (self.unknown(), self.gap_beside_unknown()) else {
+            return Vec::new();
+        };
+        let neighbours = self.neighbours();
+        let beside = self.scene.structures[gap.left].name();
+        let range = |[from, to]: [f64; 2]| format!("{} to {}", digits(from), digits(to));
+        let widths = PROBABILITIES.map(|part| {
+            let width = millimetres(gap.built(gap.required.quantile(part)));
+            if part < 1.0 {
+                format!("{:.0} %: {width} mm", 100.0 * part)
+            } else {
+                format!("in all: {width} mm")
+            }
+        });
+        let mut said = vec![format!(
+            "The neighbour of {beside} is not known. Drawn: {} with periods of {} s and {} times its mass, all as likely by their logarithms, \
+             each under every motion. Enough with a probability of {}.",
+            neighbours.len(),
+            range(unknown.period_s),
+            range(unknown.mass_ratio),
+            widths.join(", ")
+        )];
+        let worst = neighbours
+            .iter()
+            .max_by(|one, other| one.required.largest().total_cmp(&other.required.largest()));
+        if let Some(OfNeighbour {
+            drawn, required, ..
+        }) = worst
+        {
+            let enough = gap.own.map_or_else(String::new, |own| {
+                let free = neighbours.iter().filter(|one| one.touching == 0).count();
+                let free = match free {
+                    0 => "none".into(),
+                    n => n.to_string(),
+                };
+                let own = millimetres(own);
+                format!("{own} mm is enough in every run beside {free} of them. ")
+            });
+            said.push(format!(
+                "{enough}Most is needed beside one with a period of {} s: {} mm in the median.",
+                two_decimals(drawn.period_s),
+                millimetres(required.median())
+            ));
+        }
+        said
+    }
+
+    /// The same for machines; null if all are known.
+    pub(super) fn prior_json(&self) -> Value {
+        let (Some(unknown), Some(gap)) = (self.unknown(), self.gap_beside_unknown()) else {
+            return Value::Null;
+        };
+        let width =
+            |part: &f64| json!({"probability": part, "required_m": gap.required.quantile(*part)});
+        let one = |one: &OfNeighbour| {
+            json!({
+                "period_s": one.drawn.period_s,
+                "mass_ratio": one.drawn.mass_ratio,
+                "required_m": statistics(&one.required),
+                "touching_runs": gap.own.map(|_| one.touching),
+            })
+        };
+        json!({
+            "unknown": unknown,
+            "widths": PROBABILITIES.iter().map(width).collect::<Vec<_>>(),
+            "drawn": self.neighbours().iter().map(one).collect::<Vec<_>>(),
+        })
+    }
+}

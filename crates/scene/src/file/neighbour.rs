@@ -1,0 +1,186 @@
+//! A neighbour that is not known, of which a file gives ranges.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::check::{NOT_NEGATIVE, POSITIVE, require};
+use super::{Building, Contact};
+use crate::{Damping, Scene, SceneError, Structure};
+
+/// What stands on the right of the last structure, if nobody knows it.
+///
+/// Only an assessment takes it: of every neighbour that it may be.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Neighbour {
+    /// What is known of it.
+    pub unknown: UnknownNeighbour,
+}
+
+/// Ranges of a neighbour: an elastic building of equal storeys.
+///
+/// Every period and mass ratio between the ends is as likely as every other by its logarithm, and neither depends on the other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UnknownNeighbour {
+    /// First natural period \[s\], from and to, > 0.
+    pub period_s: [f64; 2],
+    /// Its mass over that of the last structure \[–\], from and to, > 0.
+    pub mass_ratio: [f64; 2],
+    /// Number of its storeys, 1 to 200; as many as the last structure if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 200))]
+    pub storeys: Option<usize>,
+    /// Damping ratio \[–\], 0 to less than 1; 0.05 if left out.
+    #[serde(default = "five_per_cent")]
+    pub damping_ratio: f64,
+    /// What lies between it and the last structure; must be there if the scene has `contacts`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<Contact>,
+    /// How many neighbours are drawn, 1 to 1000; 12 if left out.
+    #[serde(default = "twelve")]
+    #[schemars(range(min = 1, max = 1000))]
+    pub samples: usize,
+}
+
+fn five_per_cent() -> f64 {
+    0.05
+}
+
+fn twelve() -> usize {
+    12
+}
+
+/// Where in a scene it stands.
+const PLACE: &str = "neighbour.unknown";
+
+/// Most storeys and most neighbours.
+const MOST_STOREYS: usize = 200;
+const MOST_SAMPLES: usize = 1000;
+
+/// Steps of the mass ratio from neighbour to neighbour, as a part of its range: the golden ratio less one, whose multiples are
+/// spread evenly at every number of steps.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// One of the neighbours that an unknown one may be.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DrawnNeighbour {
+    /// First natural period \[s\].
+    pub period_s: f64,
+    /// Its mass over that of the structure beside it \[–\].
+    pub mass_ratio: f64,
+}
+
+impl UnknownNeighbour {
+    /// Neighbours spread evenly over both ranges: one in the middle of each of so many equal parts of the logarithm of the period,
+    /// the mass ratios on a lattice.
+    pub fn drawn(&self) -> Vec<DrawnNeighbour> {
+        let between = |[from, to]: [f64; 2], share: f64| from * libm::pow(to / from, share);
+        let n = self.samples as f64;
+        let one = |index: usize| {
+            let place = index as f64 + 0.5;
+            DrawnNeighbour {
+                period_s: between(self.period_s, place / n),
+                mass_ratio: between(self.mass_ratio, (place * GOLDEN).fract()),
+            }
+        };
+        (0..self.samples).map(one).collect()
+    }
+
+    fn check(&self) -> Result<(), SceneError> {
+        let ranges = [("period_s", self.period_s), ("mass_ratio", self.mass_ratio)];
+        for (name, [from, to]) in ranges {
+            let place = |end: usize| format!("{PLACE}.{name}[{end}]");
+            require(from > 0.0 && from.is_finite(), place(0), from, POSITIVE)?;
+            let allowed = "a finite number that is no less than the first";
+            require(to >= from && to.is_finite(), place(1), to, allowed)?;
+        }
+        let damping = self.damping_ratio;
+        let allowed = "a number >= 0 and < 1";
+        let valid = (0.0..1.0).contains(&damping);
+        require(
+            valid,
+            format_args!("{PLACE}.damping_ratio"),
+            damping,
+            allowed,
+        )?;
+        let counts = [
+            (
+                "storeys",
+                self.storeys.unwrap_or(1),
+                MOST_STOREYS,
+                "1 to 200",
+            ),
+            ("samples", self.samples, MOST_SAMPLES, "1 to 1000"),
+        ];
+        for (name, found, most, allowed) in counts {
+            let valid = (1..=most).contains(&found);
+            require(valid, format_args!("{PLACE}.{name}"), found as f64, allowed)?;
+        }
+        Ok(())
+    }
+
+    /// One of them, with as many storeys and the heights of the structure beside it where both have some.
+    fn building(&self, drawn: DrawnNeighbour, beside: &Structure) -> Option<Building> {
+        let (mass, heights) = match beside {
+            Structure::Sdof(sdof) => (sdof.mass_kg, vec![sdof.height_m]),
+            Structure::Building(building) => {
+                let storeys = building.storeys.iter();
+                (
+                    storeys.clone().map(|storey| storey.mass_kg).sum(),
+                    storeys.map(|storey| storey.height_m).collect(),
+                )
+            }
+            Structure::Wall => return None,
+        };
+        let top = heights.last().copied().flatten();
+        let heights: Vec<Option<f64>> = (0..self.storeys.unwrap_or(heights.len()))
+            .map(|storey| heights.get(storey).copied().unwrap_or(top))
+            .collect();
+        let damping = Damping::Ratio(self.damping_ratio);
+        Building::uniform(drawn.mass_ratio * mass, drawn.period_s, damping, &heights)
+    }
+}
+
+impl Scene {
+    /// The scene beside every neighbour that its unknown one may be; the scene alone if all are known.
+    ///
+    /// # Errors
+    /// [`SceneError`] of the field that does not fit.
+    pub fn beside_neighbours(&self) -> Result<Vec<(Self, Option<DrawnNeighbour>)>, SceneError> {
+        let Some(Neighbour { unknown }) = &self.neighbour else {
+            return Ok(vec![(self.clone(), None)]);
+        };
+        unknown.check()?;
+        let known = Self {
+            neighbour: None,
+            ..self.clone()
+        };
+        let last = self.structures.last().ok_or(SceneError::NoStructures)?;
+        let contacts = match (&self.contacts, &unknown.contact, self.structures.len()) {
+            (None, None, _) => None,
+            (Some(all), Some(one), _) => Some([&all[..], std::slice::from_ref(one)].concat()),
+            (None, Some(one), 1) => Some(vec![one.clone()]),
+            (None, Some(_), _) => return Err(SceneError::NeighbourContact { found: "one" }),
+            (Some(_), None, _) => return Err(SceneError::NeighbourContact { found: "none" }),
+        };
+        if let Some(contact) = &unknown.contact {
+            let gap = contact.gap_m;
+            let place = format_args!("{PLACE}.contact.gap_m");
+            require(gap >= 0.0, place, gap, NOT_NEGATIVE)?;
+        }
+        let beside = |drawn: DrawnNeighbour| {
+            let building = unknown.building(drawn, last);
+            let building = building.ok_or(SceneError::NeighbourOfWall)?;
+            let mut scene = known.clone();
+            scene.structures.push(Structure::Building(building));
+            scene.contacts.clone_from(&contacts);
+            // It is shaken when the structure beside it is.
+            if let Some(arrivals) = &mut scene.arrivals_s {
+                arrivals.extend(arrivals.last().copied());
+            }
+            Ok((scene, Some(drawn)))
+        };
+        unknown.drawn().into_iter().map(beside).collect()
+    }
+}
