@@ -7,20 +7,22 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// The folders of these crates, seen from this one, and the file that says which versions of others they use.
-const SOURCES: [&str; 7] = [
+/// The folders of these crates, seen from this one.
+const SOURCES: [&str; 6] = [
     "../contact/src",
     "../motion/src",
     "../scene/src",
     "../solver/src",
     "../text/src",
     "src",
-    "../../Cargo.lock",
 ];
+/// The file that says which versions of others they use; a source distribution of Python has its own alone.
+const LOCKS: [&str; 2] = ["../../Cargo.lock", "../python/Cargo.lock"];
 
 fn main() -> Result<()> {
     let mut hash = Sha256::new();
-    for source in SOURCES {
+    let lock = LOCKS.into_iter().find(|lock| Path::new(lock).exists());
+    for source in SOURCES.into_iter().chain(lock) {
         println!("cargo::rerun-if-changed={source}");
         let mut files = files(Path::new(source))?;
         files.sort();

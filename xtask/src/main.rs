@@ -9,6 +9,8 @@
 //! | Task | Does | Writes |
 //! |---|---|---|
 //! | `check` | format, lints, rooms, tests, documentation, results | – |
+//! | `check --python` | the Python package: wheel, tests, types, notebooks | – |
+//! | `dist` | wheel, sources and a stripped program, tried in a clean environment | `target/dist/` |
 //! | `reproduce` | every table and figure of the paper, and the examples | `results/` |
 //! | `beyond` | the paper's claims under other ground motions | `results/beyond/`; with `--records` `target/beyond/` |
 //! | `studies` | surveys of thousands of exact runs | a folder of `results/` each |
@@ -33,6 +35,7 @@
 mod beyond;
 mod check;
 mod fuzz;
+mod python;
 mod reproduce;
 mod results;
 mod rooms;
@@ -92,7 +95,14 @@ enum Task {
     /// circle.
     Rooms,
     /// Format, lints, rooms, tests, documentation and `reproduce --check`: what must pass before a change lands.
-    Check,
+    Check {
+        /// Instead build the Python package and run its tests, types and notebooks; needs Python 3.10 or newer and its package index.
+        #[arg(long)]
+        python: bool,
+    },
+    /// Pack the wheel of Python, its sources and a stripped program into target/dist, and try them in a clean environment; needs
+    /// Python, no part of `check`.
+    Dist,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
     /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
     /// storeys.csv, bench/lanes.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
@@ -132,7 +142,9 @@ fn main() -> ExitCode {
         Task::Studies { names } => studies::run(&root(), &names),
         Task::Verify(asked) => verify::run(&root(), &asked),
         Task::Rooms => rooms::check(&root()),
-        Task::Check => check::run(&root()),
+        Task::Check { python: true } => python::check(&root()),
+        Task::Check { python: false } => check::run(&root()),
+        Task::Dist => python::dist(&root()),
         Task::Bench { arguments } => bench(&root(), &arguments),
         Task::Hyperqueue => schedulers::hyperqueue(&root()),
         Task::Slurm => schedulers::slurm(&root()),

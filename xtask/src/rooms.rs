@@ -20,7 +20,7 @@ const CRATES: [&[&str]; 8] = [
     &["crates/solver"],
     &["crates/reference", "crates/scene"],
     &["crates/report", "crates/sweep"],
-    &["crates/pounding", "crates/studies"],
+    &["crates/pounding", "crates/python", "crates/studies"],
     &["bench"],
     &["xtask"],
 ];

@@ -5,7 +5,6 @@ mod folder;
 mod new_file;
 mod progress;
 mod record;
-mod refusal;
 mod summary;
 mod text;
 
@@ -28,7 +27,7 @@ fn main() -> ExitCode {
     // Of the whole line, as every command that has the option means the same by it.
     let is_json = std::env::args_os().any(|word| word == "--json");
     say(&if is_json {
-        refusal::json_of(&refused)
+        pounding::text::refusal_json(&refused)
     } else {
         format!("error: {refused}")
     });

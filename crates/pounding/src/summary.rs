@@ -13,7 +13,6 @@ use pounding::text::digits;
 
 use crate::record;
 use crate::text::{paragraph, percent, short};
-pub(crate) use brief::Blow;
 
 /// What matters of a run: a screen of it.
 pub(crate) fn brief(prepared: &Simulation, review: &Review) -> String {

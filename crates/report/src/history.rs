@@ -87,6 +87,62 @@ impl<'a> Motion<'a> {
     }
 }
 
+/// What a history holds of every floor that moves, or of every pair of floors that face each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HistoryQuantity {
+    /// Displacement of a floor relative to the ground, positive to the right \[m\].
+    Displacement,
+    /// Velocity of a floor relative to the ground \[m/s\].
+    Velocity,
+    /// Acceleration of a floor, that of the ground included \[m/s²\].
+    AbsoluteAcceleration,
+    /// Shear force of the storey below a floor \[N\].
+    ShearForce,
+    /// Displacement of a floor relative to the one below \[m\].
+    Drift,
+    /// What of the gap of a pair is open \[m\]; negative where its floors overlap.
+    Opening,
+    /// Pounding force of a pair \[N\], ≥ 0; 0 of laws that act by impulses.
+    PoundingForce,
+}
+
+/// A history of a run that kept its states: of every floor, walls included, or every pair, its values at t = 0, one
+/// [interval](crate::Report::interval), two intervals and so on.
+///
+/// # Panics
+/// If the run kept no histories.
+pub fn history_of(
+    prepared: &Simulation,
+    outcome: &RunResult,
+    quantity: HistoryQuantity,
+) -> Vec<Vec<f64>> {
+    let travel = prepared.travel();
+    let motion = Motion::of(prepared, travel.as_ref(), outcome);
+    let floors = 0..prepared.floors().all().len();
+    let pairs = 0..prepared.floors().facing().len();
+    let rows = || 0..motion.len();
+    let of_floors = |value: &dyn Fn(usize, usize) -> f64| {
+        let one = |floor| rows().map(|row| value(floor, row)).collect();
+        floors.clone().map(one).collect()
+    };
+    let of_pairs = |value: &dyn Fn(usize, usize) -> f64| {
+        let one = |pair| rows().map(|row| value(pair, row)).collect();
+        pairs.clone().map(one).collect()
+    };
+    let state = |floor: usize, row: usize| motion.states(floor)[row];
+    match quantity {
+        HistoryQuantity::Displacement => of_floors(&|floor, row| state(floor, row).displacement),
+        HistoryQuantity::Velocity => of_floors(&|floor, row| state(floor, row).velocity),
+        HistoryQuantity::AbsoluteAcceleration => of_floors(&|floor, row| {
+            state(floor, row).acceleration + motion.ground(floor, motion.time(row))
+        }),
+        HistoryQuantity::ShearForce => of_floors(&|floor, row| state(floor, row).restoring_force),
+        HistoryQuantity::Drift => floors.map(|floor| motion.drifts(floor).collect()).collect(),
+        HistoryQuantity::Opening => of_pairs(&|pair, row| motion.opening(pair, row)),
+        HistoryQuantity::PoundingForce => of_pairs(&|pair, row| motion.force(pair, row)),
+    }
+}
+
 /// The file.
 pub(super) fn csv(prepared: &Simulation, motion: &Motion<'_>) -> String {
     let floors = prepared.floors();

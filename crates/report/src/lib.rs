@@ -33,23 +33,33 @@
 
 mod animation;
 mod assessment;
+mod blow;
+mod direction;
 mod figures;
 mod history;
 mod impacts;
 mod names;
+mod opensees;
 mod page;
 mod sampling;
+mod sketch;
 mod spectra;
 mod summary;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 pub use animation::Animation;
 pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
+pub use blow::Blow;
+pub use direction::{direction_sentences, other_direction, other_direction_exact, run_sentence};
 use figures::Known;
 use history::Motion;
+pub use history::{HistoryQuantity, history_of};
+pub use opensees::{OpenSees, OpenSeesError};
 use pounding_scene::{Effects, Error, Review, RunResult, Simulation};
 use sampling::Sampling;
+pub use sketch::Sketch;
 pub use spectra::{SpectraLabels, spectra_figure};
 pub use summary::{
     CollisionSummary, LedgerSummary, MethodSummary, PairErrorSummary, PairSummary, ReadingSummary,
@@ -60,7 +70,7 @@ pub use summary::{
 #[derive(Debug)]
 pub struct Report<'a> {
     prepared: &'a Simulation,
-    review: Review,
+    review: Arc<Review>,
     sampling: Sampling,
     effects: Option<Effects>,
     directions: Option<Directions>,
@@ -81,14 +91,25 @@ impl<'a> Report<'a> {
     /// # Errors
     /// Those of [`Simulation::review`].
     pub fn of(prepared: &'a Simulation, measure: bool) -> Result<Self, Error> {
-        let sampling = Sampling::of(prepared);
-        Ok(Self {
+        let interval = Self::interval(prepared);
+        let review = prepared.review_recorded(measure, Some(interval))?;
+        Ok(Self::of_review(prepared, Arc::new(review)))
+    }
+
+    /// Of a run at hand, which kept histories with a state every [`interval`](Self::interval).
+    pub fn of_review(prepared: &'a Simulation, review: Arc<Review>) -> Self {
+        Self {
             prepared,
-            review: prepared.review_recorded(measure, Some(sampling.interval))?,
-            sampling,
+            review,
+            sampling: Sampling::of(prepared),
             effects: None,
             directions: None,
-        })
+        }
+    }
+
+    /// Time between two states of the histories of a report \[s\].
+    pub fn interval(prepared: &Simulation) -> f64 {
+        Sampling::of(prepared).interval
     }
 
     /// The same with what pounding does to every storey.

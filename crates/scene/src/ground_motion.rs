@@ -85,6 +85,42 @@ impl GroundMotion {
     }
 }
 
+impl GroundMotion {
+    /// A record at hand, used as a scene says, whatever its source.
+    ///
+    /// # Errors
+    /// [`SceneError`] of a field of `record`.
+    pub fn of_record(record: &RecordUse, at_hand: Record) -> Result<Self, SceneError> {
+        check::record::check(record)?;
+        let (record, scale) = used(record, at_hand)?;
+        Ok(Self {
+            record,
+            scale,
+            origin: None,
+        })
+    }
+
+    /// Reads the file of a record from its bytes, which came from `path`, and uses it as a scene says.
+    ///
+    /// # Errors
+    /// [`Error::Record`] for bytes that cannot be read, and what cannot be done to it in `scene`.
+    pub fn of_bytes(
+        record: &RecordUse,
+        (path, bytes): (&Path, &[u8]),
+        scene: &str,
+    ) -> Result<Self, Error> {
+        let declared = match &record.source {
+            Source::File(file) => file.declared(),
+            Source::Generated(_) => Declared::default(),
+        };
+        let origin = Origin::of(path.to_path_buf(), bytes, &declared)?;
+        Self::of_file(record, origin).map_err(|source| Error::Scene {
+            scene: scene.into(),
+            source,
+        })
+    }
+}
+
 /// A ground motion that scenes share: a sweep runs many under one.
 #[derive(Debug, Clone)]
 pub struct SharedMotion {
@@ -95,6 +131,16 @@ pub struct SharedMotion {
 }
 
 impl SharedMotion {
+    /// Returns the ground acceleration, processed, scaled, reversed.
+    pub fn record(&self) -> &Record {
+        &self.record
+    }
+
+    /// Returns what its source was multiplied by, all scales together \[–\]; without the sign of a reversal.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// The same, multiplied once more by `factor`, which comes from `record.scale`.
     ///
     /// # Errors
@@ -126,17 +172,14 @@ impl Origin {
             Ok(bytes) => bytes,
             Err(source) => return Err(Error::NoRecord { path, source }),
         };
-        let declared = Declared {
-            unit: file.unit.map(crate::file::Unit::to_motion),
-            time_step: file.time_step_s,
-            component: file.component.clone(),
-            per_count: file.per_count,
-            acceleration: file.acceleration,
-        };
-        match read_declared(&bytes, &declared) {
+        Self::of(path, &bytes, &file.declared())
+    }
+
+    fn of(path: PathBuf, bytes: &[u8], declared: &Declared) -> Result<Self, Error> {
+        match read_declared(bytes, declared) {
             Ok(file) => Ok(Self {
                 path,
-                sha256: sha256(&bytes),
+                sha256: sha256(bytes),
                 file,
             }),
             Err(source) => Err(Error::Record { path, source }),
@@ -145,6 +188,17 @@ impl Origin {
 }
 
 impl FileUse {
+    /// What is said of the file that it may not say itself.
+    fn declared(&self) -> Declared {
+        Declared {
+            unit: self.unit.map(crate::file::Unit::to_motion),
+            time_step: self.time_step_s,
+            component: self.component.clone(),
+            per_count: self.per_count,
+            acceleration: self.acceleration,
+        }
+    }
+
     /// Tries a file as it is, and declares of it only what it is refused for not saying.
     ///
     /// # Errors

@@ -83,6 +83,7 @@ pub use file::{
 };
 pub use ground_motion::{GroundMotion, Origin, SharedMotion, hexadecimal, sha256};
 pub use judge::certificate::{Certificate, CertificateError, CertificateRequest};
+pub use judge::certified::{CertificateFact, DeliveredBy, Said, certificate_json, usual_stiffness};
 pub use judge::free_collision::{CollisionError, Delivered, FreeCollision};
 pub use judge::implausible::{Implausible, USUAL_FACTORS};
 pub use judge::limits::{ContactLimit, FreeLimit, Limits, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
@@ -102,4 +103,5 @@ pub use spectrum::{
     response_spectrum_watched, scaled_to_sa,
 };
 pub use suite::events::events;
+pub use suite::lines;
 pub use suite::{Motion, Orientation, files_in};

@@ -80,6 +80,32 @@ pub enum QuantityGroup {
     All,
 }
 
+impl QuantityGroup {
+    /// Every group.
+    pub const EVERY: [Self; 7] = [
+        Self::Momentum,
+        Self::Displacement,
+        Self::Acceleration,
+        Self::Force,
+        Self::Impulse,
+        Self::Time,
+        Self::All,
+    ];
+
+    /// Its name, as users write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Momentum => "momentum",
+            Self::Displacement => "displacement",
+            Self::Acceleration => "acceleration",
+            Self::Force => "force",
+            Self::Impulse => "impulse",
+            Self::Time => "time",
+            Self::All => "all",
+        }
+    }
+}
+
 impl From<FloorQuantity> for Quantity {
     fn from(quantity: FloorQuantity) -> Self {
         Self::Floor(quantity)

@@ -1,6 +1,7 @@
 //! A folder of records, each of which shakes the same row.
 
 pub(crate) mod events;
+pub mod lines;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;

@@ -54,6 +54,7 @@ mod rows;
 mod sampling;
 mod shard;
 mod spread;
+mod table;
 mod trial;
 
 use std::path::{Path, PathBuf};
@@ -77,6 +78,7 @@ pub use place::PlaceError;
 use plan::Plan;
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
+pub use table::SweepColumn;
 use trial::Row;
 
 use pounding_scene::{Error, Method, PairQuantity, Scene};

@@ -168,6 +168,13 @@ impl Axis {
         })
     }
 
+    /// A setting as a table says it.
+    pub(super) fn text(&self, setting: Setting) -> String {
+        let value = self.value(setting);
+        let text = value.as_str().map(String::from);
+        text.unwrap_or_else(|| value.to_string())
+    }
+
     /// A setting as a scene says it.
     pub(super) fn value(&self, setting: Setting) -> Value {
         match (setting, &self.spread) {

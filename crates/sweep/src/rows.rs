@@ -146,11 +146,7 @@ impl Rows {
         match setting {
             Setting::Number(number) => self.number(number),
             Setting::Listed(_) => {
-                let value = axis.value(setting);
-                let text = value
-                    .as_str()
-                    .map_or_else(|| value.to_string(), String::from);
-                self.field(&text);
+                self.field(&axis.text(setting));
             }
         }
     }

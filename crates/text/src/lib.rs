@@ -29,9 +29,11 @@
 //! - [`visible`]: what goes to a terminal, without what would steer it.
 
 mod cell;
+mod refusal;
 mod visible;
 
 pub use cell::{Cell, csv_text, json_text, no_formula, to_csv};
+pub use refusal::{Refusal, refusal_json};
 pub use visible::visible;
 
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the

@@ -4,14 +4,12 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use clap::builder::PossibleValue;
 
 use pounding::scene::{
     Advice, Error, Goal, LONGEST_STEP, MEASURE, MOST_STEPS, Method, QuantityGroup, Scene,
-    Simulation, StepSizes, Trial, advise, is_json,
+    Simulation, Trial, advise, is_json,
 };
 use pounding::text::{digits, json_text};
-use serde_json::json;
 
 use super::part_of_one;
 use crate::progress::Progress;
@@ -100,40 +98,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     };
     let advice = advise(&prepared, goal, &|of| progress.step(of)).map_err(message)?;
     Ok(if args.json {
-        json_of(&prepared, &advice, args.quantity)
+        json_text(&advice.to_json(prepared.scene()))
     } else {
         let text = pounding::scene::bytes(path);
         let json = text.is_ok_and(|text| is_json(&text, path));
         of(&prepared, &advice, json)
     })
-}
-
-/// Every run of every method, the shortest step last; errors are null where a run failed or the numbers of collisions differ.
-fn json_of(prepared: &Simulation, advice: &Advice, of_what: OfWhat) -> String {
-    let quantity = of_what.to_possible_value();
-    let quantity = quantity.as_ref().map(PossibleValue::get_name);
-    let trial = |trial: &Trial| {
-        json!({
-            "name": trial.name,
-            "method": trial.method,
-            "error": trial.error.is_finite().then_some(trial.error),
-            "worst": trial.worst,
-            "cost": trial.cost,
-        })
-    };
-    let rungs = |rungs: &StepSizes| {
-        json!({
-            "chosen": rungs.chosen().map(trial),
-            "trials": rungs.trials.iter().map(trial).collect::<Vec<_>>(),
-        })
-    };
-    json_text(&json!({
-        "scene": prepared.scene(),
-        "goal": {"error": advice.goal.error, "quantity": quantity},
-        "use": trial(advice.best()),
-        "exact": trial(&advice.exact),
-        "methods": advice.methods.iter().map(rungs).collect::<Vec<_>>(),
-    }))
 }
 
 /// The recommended method, the line for the scene, and what every method would cost.

@@ -8,8 +8,7 @@ use std::path::PathBuf;
 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::{
-    DesignSpectrum, DesignSpectrumError, Error, Method, ScaleTo, Scaling, Scene, Structure,
-    acceleration_in_g, in_scene,
+    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, acceleration_in_g, in_scene,
 };
 use pounding::text::{digits, json_text};
 
@@ -130,20 +129,6 @@ fn factors(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
-/// The spectrum of the command line: a code's, or that of a file.
-fn target(text: &str) -> Result<DesignSpectrum, String> {
-    let is_code = ["ec8:", "asce7:"].iter().any(|code| text.starts_with(code));
-    if is_code || !std::path::Path::new(text).is_file() {
-        return text
-            .parse()
-            .map_err(|error: DesignSpectrumError| error.to_string());
-    }
-    let unreadable = |error: &dyn std::fmt::Display| format!("{text}: cannot be read: {error}");
-    let read = pounding::scene::bytes(text.as_ref()).map_err(|error| unreadable(&error))?;
-    let read = String::from_utf8(read).map_err(|error| unreadable(&error))?;
-    DesignSpectrum::table(&read).map_err(|error| format!("{text}: {error}"))
-}
-
 impl Arguments {
     /// The scaling as it was asked for, to be asked for again.
     fn scaling_words(&self) -> Option<String> {
@@ -164,7 +149,7 @@ impl Arguments {
 
     fn scaling(&self) -> Result<Scaling, String> {
         match (&self.target, &self.scale) {
-            (Some(text), _) => Ok(Scaling::Target(target(text)?)),
+            (Some(text), _) => Ok(Scaling::Target(DesignSpectrum::named(text)?)),
             (None, Some(scale)) => Ok(scale.clone()),
             (None, None) => Ok(Scaling::AsScene),
         }
@@ -252,17 +237,7 @@ impl Arguments {
         };
         let with_bumpers = asked.with_bumpers(lines, &bumpers)?;
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
-        let folder = FolderOfMotions {
-            vertical: suite::count(lines, |line| line.vertical),
-            failed: suite::count(lines, |line| {
-                let mut same = lines.iter().filter(|other| other.motion == line.motion);
-                !line.vertical && same.all(|other| other.found.is_err())
-            }),
-            remarks: suite::left_out(lines)
-                .into_iter()
-                .chain(suite::untold(lines))
-                .collect(),
-        };
+        let folder = FolderOfMotions::of_lines(lines);
         let scaling = ScalingAsked {
             to: asked.scaling.clone(),
             words: self.scaling_words(),

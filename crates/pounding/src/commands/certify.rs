@@ -3,13 +3,14 @@
 mod printed;
 
 use clap::ValueEnum;
-use pounding::contact::{Calibration, Clamp, LawName};
+use pounding::contact::{Calibration, LawName};
 use pounding::scene::{
-    Certificate, CertificateError, CertificateRequest, FreeCollision, StepMethod,
+    Certificate, CertificateError, CertificateRequest, FreeCollision, StepMethod, certificate_json,
+    usual_stiffness,
 };
+use pounding::text::json_text;
 
 use super::positive;
-use printed::{Fact, Line, Said};
 
 const USAGE: &str = "pounding certify <LAW> --restitution <E> --masses <LEFT> <RIGHT>
                         --speed <V0> [OPTIONS]";
@@ -112,21 +113,12 @@ fn method(name: &str) -> Result<StepMethod, String> {
     named.ok_or_else(|| format!("allowed are {}", names.join(", ")))
 }
 
-/// Impact stiffness of the pounding literature for Hertz springs \[N/m^1.5\].
-const HERTZ: f64 = 2.75e9;
-/// The same for linear springs \[N/m\].
-const LINEAR: f64 = 9.35e7;
-
 /// The certificate that was asked for.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let law = args.law;
-    let usual = match law.stiffness_unit() {
-        Some("N/m") => LINEAR,
-        _ => HERTZ,
-    };
     let wanted = CertificateRequest {
         law,
-        stiffness: args.stiffness.unwrap_or(usual),
+        stiffness: args.stiffness.unwrap_or_else(|| usual_stiffness(law)),
         restitution: args.restitution,
         calibration: args.calibration.into(),
     };
@@ -136,92 +128,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     };
     let message = |error: CertificateError| error.to_string();
     let certificate = Certificate::new(&wanted, &collision).map_err(message)?;
-    let methods = match (args.time_step, args.method) {
-        (None, _) => Vec::new(),
-        (Some(step), Some(method)) => vec![line(&certificate, &collision, (method, step))],
-        (Some(step), None) => StepMethod::differing(certificate.law.impulsive().is_some())
-            .map(|method| line(&certificate, &collision, (method, step)))
-            .collect(),
-    };
-    let facts = facts(&wanted, &collision, &certificate);
+    let methods = args.time_step.map_or_else(Vec::new, |step| {
+        certificate.lines(&collision, step, args.method)
+    });
+    let facts = certificate.facts(&wanted, &collision);
     Ok(match args.format() {
         Format::Text => printed::text(wanted.calibration, &facts, &methods),
         Format::Csv => printed::csv(&facts, &methods),
-        Format::Json => printed::json(&facts, &methods),
+        Format::Json => json_text(&certificate_json(&facts, &methods)),
     })
-}
-
-/// The lines of the certificate.
-fn facts(
-    wanted: &CertificateRequest,
-    collision: &FreeCollision,
-    certificate: &Certificate,
-) -> Vec<Fact> {
-    let named = |key, words, text: &str| Fact {
-        key,
-        words,
-        unit: "",
-        said: Said::Words(text.into()),
-    };
-    let number = |(key, words, unit, number)| Fact {
-        key,
-        words,
-        unit,
-        said: Said::Number(number),
-    };
-    let mut facts = vec![named("law", "law", wanted.law.description().name)];
-    let [left, right] = collision.masses.map(Some);
-    let (e, delivered) = (Some(wanted.restitution), certificate.by_relation);
-    let (v, impulse) = (Some(collision.speed), Some(certificate.impulse));
-    let by_exact = Some(certificate.by_exact);
-    let [peak, deepest, duration] = match certificate.impact {
-        Some(impact) => [impact.peak_force, impact.max_deformation, impact.duration].map(Some),
-        None => [None; 3],
-    };
-    let numbers = [
-        ("mass_left_kg", "left mass", "kg", left),
-        ("mass_right_kg", "right mass", "kg", right),
-        ("approach_speed_m_per_s", "approach speed", "m/s", v),
-        ("restitution_asked", "e asked", "", e),
-        (
-            "restitution_by_formula",
-            "e by the literature's formula",
-            "",
-            certificate.by_formula,
-        ),
-        ("restitution_delivered", "e delivered", "", delivered),
-        (
-            "restitution_by_exact_method",
-            "e by the exact method",
-            "",
-            by_exact,
-        ),
-        ("impulse_n_s", "impulse", "N·s", impulse),
-        ("peak_force_n", "peak force", "N", peak),
-        ("max_deformation_m", "largest deformation", "m", deepest),
-        ("contact_duration_s", "duration of contact", "s", duration),
-    ];
-    facts.extend(numbers.map(number));
-    let parameters = serde_json::to_string(&certificate.law).expect("a law is plain data");
-    let clamp = match certificate.law.clamp() {
-        Clamp::Never => "never",
-        Clamp::DrivenApart => "only where something else drives the pair apart; clamped",
-        Clamp::EveryCollision => "at the end of every collision; clamped",
-    };
-    facts.push(named("would_pull", "would pull", clamp));
-    facts.push(named("parameters", "parameters", &parameters));
-    facts
-}
-
-fn line(
-    certificate: &Certificate,
-    collision: &FreeCollision,
-    (method, step): (StepMethod, f64),
-) -> Line {
-    let delivered = certificate.by(collision, &method.at(step));
-    Line {
-        method,
-        step,
-        delivered: delivered.map_err(|error| error.to_string()),
-    }
 }

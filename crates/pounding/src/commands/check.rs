@@ -4,6 +4,7 @@ mod json;
 
 use std::path::PathBuf;
 
+use pounding::report::other_direction_exact;
 use pounding::scene::{
     Columns, ContactLimit, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
 };
@@ -12,7 +13,7 @@ use pounding::text::digits;
 
 use crate::progress::Waiting;
 use crate::record;
-use crate::summary::{direction, method_lines, warnings};
+use crate::summary::{method_lines, warnings};
 use crate::text::{NONE, paragraph, short, table};
 
 const EXAMPLES: &str = "\
@@ -55,7 +56,7 @@ struct Expected {
 
 impl Expected {
     fn of(prepared: &Simulation, outcome: RunResult) -> Self {
-        let reversed = direction::other_exact(prepared).ok();
+        let reversed = other_direction_exact(prepared).ok();
         let runs: Vec<&RunResult> = std::iter::once(&outcome).chain(&reversed).collect();
         Self {
             limits: prepared.limits(&outcome),

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use pounding::report::Report;
+use pounding::report::{Report, direction_sentences, other_direction};
 
 use crate::folder::ResultFolder;
 use crate::progress::Waiting;
@@ -50,8 +50,8 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let prepared = super::prepare(&path, false).map_err(message)?;
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
-    let other = summary::direction::other(&prepared);
-    let both = summary::direction::sentences(&prepared, &report.review().outcome, &other);
+    let other = other_direction(&prepared);
+    let both = direction_sentences(&prepared, &report.review().outcome, &other);
     let report = report.with_directions(both.clone(), other.ok());
     out.write(&report.files())?;
     Ok(format!(

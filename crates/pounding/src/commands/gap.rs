@@ -2,9 +2,7 @@
 
 use std::path::PathBuf;
 
-use pounding::scene::{
-    Contact, Distribution, Error, Method, Rule, Scene, Separation, Simulation, Structure,
-};
+use pounding::scene::{Distribution, Error, Rule, Scene, Separation, Simulation, Structure};
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
 
@@ -44,9 +42,6 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// A gap that no start of a scene closes \[m\].
-const WIDE: f64 = 1e6;
-
 /// The widths under one motion in one direction.
 type Line = suite::Line<Vec<Separation>>;
 
@@ -62,17 +57,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
             scene.structures.len()
         ));
     }
-    // What does not matter must not be refused, nor searched for; of contacts it is their levels that do.
-    let wide = |one: &Contact| Contact {
-        gap_m: WIDE,
-        ..one.clone()
-    };
-    let contacts = scene.contacts.as_ref();
-    let apart = Scene {
-        contacts: contacts.map(|all| all.iter().map(wide).collect()),
-        method: Method::EXACT,
-        ..scene.clone()
-    };
+    let apart = scene.apart();
     let ran = suite::lines(
         &apart,
         &args.records,
@@ -262,24 +247,15 @@ fn width(rule: Rule, one: &Separation) -> f64 {
     rule.width(one).unwrap_or(f64::NAN)
 }
 
-/// Numbers of a gap with their names, SI units.
-fn numbers(one: &Separation) -> impl Iterator<Item = (&'static str, f64)> {
-    let own = [
-        ("required_m", one.required),
-        ("time_s", one.time),
-        ("peak_left_m", one.peaks[0]),
-        ("peak_right_m", one.peaks[1]),
-    ];
-    let rules = Rule::COMMON.map(|rule| (rule.key(), width(rule, one)));
-    own.into_iter().chain(rules)
-}
-
 /// One row per motion, direction and gap, in SI units.
 fn csv_of(scene: &Scene, lines: &[Line]) -> String {
     let found = lines
         .iter()
         .find_map(|line| line.found.as_ref().ok()?.first());
-    let names_of_numbers = found.into_iter().flat_map(numbers).map(|(name, _)| name);
+    let names_of_numbers = found
+        .into_iter()
+        .flat_map(Separation::numbers)
+        .map(|(name, _)| name);
     let header = ["record", "reversed", "left", "right", "level"].into_iter();
     let header = header.chain(names_of_numbers).chain(["refused"]);
     let header: Vec<&str> = header.collect();
@@ -292,7 +268,7 @@ fn csv_of(scene: &Scene, lines: &[Line]) -> String {
             right.into(),
             one.at_level.into(),
         ];
-        row.extend(numbers(one).map(|(_, number)| Cell::exact(number)));
+        row.extend(one.numbers().map(|(_, number)| Cell::exact(number)));
         row.push(Cell::default());
         row
     };
@@ -312,7 +288,7 @@ fn json_of(scene: &Scene, lines: &[Line]) -> String {
     let separation = |one: &Separation| {
         let [left, right] = names(scene, one.left);
         let mut gap = json!({"left": left, "right": right, "level": one.at_level});
-        for (name, number) in numbers(one) {
+        for (name, number) in one.numbers() {
             gap[name] = json!(number);
         }
         gap

@@ -5,7 +5,7 @@ mod effects;
 
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Report, Summary};
+use pounding::report::{Report, Summary, direction_sentences, other_direction};
 use pounding::scene::{Effects, Error, Review, RunResult, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
@@ -170,11 +170,10 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         format!("{}{hint}", refused(error))
     })?;
     let unread = args.shown.json && args.results.out.is_none();
-    let other =
-        (!unread && !args.shown.one_direction).then(|| summary::direction::other(&prepared));
+    let other = (!unread && !args.shown.one_direction).then(|| other_direction(&prepared));
     let sentences = |outcome: &RunResult| {
         let other = other.as_ref()?;
-        Some(summary::direction::sentences(&prepared, outcome, other))
+        Some(direction_sentences(&prepared, outcome, other))
     };
     let Some(out) = out else {
         let review = prepared.review(measure).map_err(refused)?;

@@ -1,35 +1,18 @@
-//! A scene under every record of a folder: what became of each motion, and what is said of those that are left out.
+//! A scene under every record of a folder, until Ctrl-C.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use pounding::scene::{Error, Motion, Orientation, Scene, Simulation, events};
-use rayon::prelude::*;
+use pounding::scene::lines::{self, Watched};
+use pounding::scene::{Error, Motion, Scene, Simulation};
+
+pub(super) use pounding::scene::lines::{
+    Line, direction, left_out, nothing_found, said_of_untold, untold,
+};
 
 use crate::progress::Progress;
 
-/// What became of a scene under one motion in one direction.
-pub(super) struct Line<T> {
-    pub(super) motion: String,
-    /// Number of the event that the motion is of.
-    pub(super) event: usize,
-    /// Whether it lies upright.
-    pub(super) vertical: bool,
-    pub(super) reversed: bool,
-    /// Whether nothing tells how the motion lies.
-    pub(super) untold: bool,
-    pub(super) found: Result<T, String>,
-}
-
-impl<T> Line<T> {
-    /// Name for tables.
-    pub(super) fn name(&self) -> String {
-        let reversed = if self.reversed { " rev." } else { "" };
-        format!("{}{reversed}", self.motion)
-    }
-}
-
-/// The lines that are finished, of so many cases.
+/// The lines of a folder that are finished, and how many there are to be.
 pub(super) struct Ran<T> {
     pub(super) lines: Vec<Line<T>>,
     n_cases: usize,
@@ -53,42 +36,6 @@ impl<T> Ran<T> {
     }
 }
 
-/// A motion in one direction, and the scene that it is to shake.
-struct Case<'m, K> {
-    motion: &'m Motion,
-    event: usize,
-    scene: &'m Result<(Scene, K), String>,
-    reversed: bool,
-}
-
-impl<K> Case<'_, K> {
-    /// What becomes of it; nothing where Ctrl-C ended its run.
-    fn line<T>(&self, run: impl Fn(&Simulation, &K) -> Result<T, Error>) -> Option<Line<T>> {
-        let found = match self.scene {
-            Err(reason) => Err(reason.clone()),
-            Ok((scene, known)) => {
-                let prepared = self
-                    .motion
-                    .shake_until(scene, self.reversed, Some(&STOPPED));
-                let found = prepared.and_then(|prepared| run(&prepared, known));
-                if found.as_ref().is_err_and(Error::is_stopped) {
-                    return None;
-                }
-                found.map_err(|error| error.reason())
-            }
-        };
-        let orientation = &self.motion.orientation;
-        Some(Line {
-            motion: self.motion.name(),
-            event: self.event,
-            vertical: matches!(orientation, Orientation::Vertical(_)),
-            reversed: self.reversed,
-            untold: *orientation == Orientation::Untold,
-            found,
-        })
-    }
-}
-
 /// Whether Ctrl-C was pressed, or the system asked the program to end (SIGTERM, SIGHUP).
 pub(super) static STOPPED: AtomicBool = AtomicBool::new(false);
 
@@ -102,16 +49,6 @@ pub(super) fn stop_when_asked() {
     });
     // Without a handler Ctrl-C ends the program at once, as it does elsewhere.
     let _ = asked;
-}
-
-/// What comes of every case, in order, up to where somebody says stop; nothing of a case that this ended.
-fn until_stopped<C: Sync, L: Send>(
-    cases: &[C],
-    stopped: &AtomicBool,
-    line: impl Fn(&C) -> Option<L> + Sync,
-) -> Vec<L> {
-    let unless = |case| (!stopped.load(Ordering::Relaxed)).then(|| line(case))?;
-    cases.par_iter().filter_map(unless).collect()
 }
 
 /// Runs a scene under every motion of a folder, in these directions (whether reversed); a line each, in order.
@@ -139,165 +76,15 @@ pub(super) fn lines_of<T: Send, K: Send + Sync>(
     run: impl Fn(&Simulation, &K) -> Result<T, Error> + Sync,
 ) -> Result<Ran<T>, String> {
     stop_when_asked();
-    let motions = motions(folder)?;
     let progress = Progress::new();
-    // Once for both directions: to scale a record takes its spectrum.
-    let scenes: Vec<Result<(Scene, K), String>> = motions
-        .par_iter()
-        .map(|motion| scene(motion).map_err(|error| error.reason()))
-        .collect();
-    let under = motions.iter().zip(events(&motions)).zip(&scenes);
-    let cases: Vec<Case<'_, K>> = under
-        .flat_map(|((motion, event), scene)| {
-            directions.iter().map(move |reversed| Case {
-                motion,
-                event,
-                scene,
-                reversed: *reversed,
-            })
-        })
-        .collect();
-    let line = |case: &Case<'_, K>| {
-        let line = case.line(&run);
-        progress.step(cases.len());
-        line
+    let step = |of| progress.step(of);
+    let watched = Watched {
+        stop: &STOPPED,
+        step: &step,
     };
-    let lines = until_stopped(&cases, &STOPPED, line);
-    match nothing_found(lines.iter().map(|line| &line.found)) {
-        Some(first) => Err(format!(
-            "none of the records in {} shakes the row; the first: {first}",
-            folder.display()
-        )),
-        None => Ok(Ran {
-            lines,
-            n_cases: cases.len(),
-        }),
-    }
-}
-
-/// The first reason, where there are nothing but reasons.
-pub(super) fn nothing_found<'a, T: 'a>(
-    mut found: impl Iterator<Item = &'a Result<T, String>>,
-) -> Option<&'a str> {
-    let first = found.next()?.as_ref().err()?;
-    found.all(Result::is_err).then_some(first)
-}
-
-/// Number of motions of which this holds in a direction.
-pub(super) fn count<T>(lines: &[Line<T>], holds: impl Fn(&Line<T>) -> bool) -> usize {
-    let held = lines.iter().filter(|line| holds(line));
-    let mut names: Vec<&str> = held.map(|line| line.motion.as_str()).collect();
-    names.dedup();
-    names.len()
-}
-
-/// What is said of motions that are left out, a line each: the direction only where the other one is not left out for the
-/// same reason.
-pub(super) fn left_out<T>(lines: &[Line<T>]) -> Vec<String> {
-    let said = |line: &Line<T>| {
-        let reason = line.found.as_ref().err()?;
-        let mut same = lines.iter().filter(|other| other.motion == line.motion);
-        let both = same.all(|other| other.found.as_ref().err() == Some(reason));
-        let direction = match (both, line.reversed) {
-            (true, _) => "",
-            (false, true) => ", reversed",
-            (false, false) => ", as recorded",
-        };
-        Some(format!("{}{direction}: {reason}", line.motion))
-    };
-    let mut said: Vec<String> = lines.iter().filter_map(said).collect();
-    said.dedup();
-    said
-}
-
-/// What is said of motions that shake the row though nothing tells how they lie; `None` if there are none.
-pub(super) fn untold<T>(lines: &[Line<T>]) -> Option<String> {
-    let untold = lines
-        .iter()
-        .filter(|line| line.untold && line.found.is_ok());
-    let mut names: Vec<&str> = untold.map(|line| line.motion.as_str()).collect();
-    names.dedup();
-    said_of_untold(&names)
-}
-
-/// What is said of motions of these names, whose direction nothing tells; `None` if there are none.
-pub(super) fn said_of_untold(names: &[impl AsRef<str>]) -> Option<String> {
-    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
-    let said =
-        "they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
-    (!names.is_empty()).then(|| format!("not told, {said}: {}", names.join(", ")))
-}
-
-/// How a line's motion lies, for a program: `null` where nothing tells.
-pub(super) fn direction<T>(line: &Line<T>) -> Option<&'static str> {
-    (!line.untold).then_some("horizontal")
-}
-
-/// The motions of a folder, at least one.
-fn motions(folder: &Path) -> Result<Vec<Motion>, String> {
-    let motions = Motion::in_folder(folder).map_err(|error| error.to_string())?;
-    if motions.is_empty() {
-        return Err(format!(
-            "{}: found no file, allowed is a folder with one record or more",
-            folder.display()
-        ));
-    }
-    Ok(motions)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::sync::atomic::{AtomicBool, Ordering};
-
-    use super::{Line, left_out, nothing_found, until_stopped};
-
-    fn line(motion: &str, reversed: bool, found: Result<(), &str>) -> Line<()> {
-        Line {
-            motion: motion.into(),
-            event: 0,
-            vertical: false,
-            reversed,
-            untold: false,
-            found: found.map_err(String::from),
-        }
-    }
-
-    /// Ctrl-C lost what was done.
-    #[test]
-    fn issue_what_is_finished_when_stopped_is_kept() {
-        let (stopped, cases) = (AtomicBool::new(false), (0..10_000).collect::<Vec<_>>());
-        let line = |case: &i32| {
-            stopped.fetch_or(*case >= 5, Ordering::Relaxed);
-            Some(*case)
-        };
-        let kept = until_stopped(&cases, &stopped, line);
-        assert!((1..10_000).contains(&kept.len()), "{}", kept.len());
-        assert!(kept.is_sorted(), "in the order of the cases");
-        stopped.store(false, Ordering::Relaxed);
-        assert_eq!(until_stopped(&cases, &stopped, |case| Some(*case)), cases);
-    }
-
-    /// A motion that failed only when reversed was said nowhere.
-    #[test]
-    fn issue_what_fails_in_one_direction_is_said() {
-        let lines = [
-            line("a", false, Ok(())),
-            line("a", true, Err("diverges")),
-            line("b", false, Err("no record")),
-            line("b", true, Err("no record")),
-            line("c", false, Err("one")),
-            line("c", true, Err("another")),
-        ];
-        let wanted = [
-            "a, reversed: diverges",
-            "b: no record",
-            "c, as recorded: one",
-            "c, reversed: another",
-        ];
-        assert_eq!(left_out(&lines), wanted);
-        assert_eq!(left_out(&[line("d", true, Err("x"))]), ["d: x"]);
-        assert_eq!(nothing_found(lines.iter().map(|line| &line.found)), None);
-        let refused = lines[2..].iter().map(|line| &line.found);
-        assert_eq!(nothing_found(refused), Some("no record"));
-    }
+    let ran = lines::lines_of(folder, directions, watched, scene, run)?;
+    Ok(Ran {
+        lines: ran.lines,
+        n_cases: ran.n_cases,
+    })
 }

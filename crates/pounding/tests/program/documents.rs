@@ -126,7 +126,7 @@ fn faults(page: &Path) -> (Vec<String>, usize) {
         }
         for Shown { command, output } in commands(&block) {
             // Those build, or leave the workplace; how far one comes in a given time depends on the machine.
-            let elsewhere = ["cargo ", "git ", "cd ", "timeout "];
+            let elsewhere = ["cargo ", "git ", "cd ", "pip ", "timeout "];
             if block.kind != "console" || elsewhere.iter().any(|one| command.starts_with(one)) {
                 continue;
             }

@@ -9,9 +9,9 @@ use pounding_text::millimetres;
 use super::AssessmentReport;
 use super::prior::OfNeighbour;
 use super::profiles;
-use super::sketch;
 use crate::figures::Illustration;
 use crate::figures::effects::{as_alone, borders};
+use crate::sketch::{self, Sketch};
 
 /// The names that figures can have, without the ends of their files.
 pub(super) const NAMES: [&str; 5] = ["row", "gap", "profiles", "neighbour", "amplification"];
@@ -22,7 +22,11 @@ const MOST_GAPS: usize = 6;
 const MOST: usize = 30;
 
 pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
-    let sketch: Drawing = sketch::drawing(report);
+    let sketch: Drawing = sketch::drawing(&Sketch {
+        scene: report.scene(),
+        floors: report.floors(),
+        touched: &touched(report),
+    });
     let mut all = vec![Illustration {
         name: NAMES[0],
         caption: sketch::CAPTION.into(),
@@ -61,6 +65,13 @@ pub(super) fn all(report: &AssessmentReport) -> Vec<Illustration> {
         });
     }
     all
+}
+
+/// The floors that touch in some run.
+fn touched(report: &AssessmentReport) -> Vec<usize> {
+    let hit = report.hit().into_iter();
+    let both = hit.map(|(pair, _)| report.floors().facing()[pair]);
+    both.flat_map(|pair| [pair.left, pair.right]).collect()
 }
 
 /// What the figure of gaps leaves out.

@@ -3,10 +3,10 @@
 mod bumper;
 mod facts;
 mod figures;
+mod of_lines;
 mod page;
 mod prior;
 mod profiles;
-mod sketch;
 mod words;
 
 use std::collections::BTreeMap;

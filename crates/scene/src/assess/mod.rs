@@ -11,6 +11,7 @@ mod peaks;
 pub(crate) mod run;
 pub(crate) mod scaling;
 pub(crate) mod separation;
+mod target;
 pub(crate) mod target_fit;
 
 pub use peaks::FloorPeaks;

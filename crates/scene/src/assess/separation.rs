@@ -8,7 +8,7 @@ use strum::EnumCount;
 
 use crate::simulation::Extras;
 use crate::simulation::floors::EQUAL_HEIGHTS;
-use crate::{Error, Floor, Floors, RunResult, Simulation};
+use crate::{Contact, Error, Floor, Floors, Method, RunResult, Scene, Simulation};
 
 /// The width of one gap under one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +29,41 @@ pub struct Separation {
     pub level: bool,
     /// Height of that level, and of the lower of both buildings \[m\], where the scene gives them.
     pub heights: Option<[f64; 2]>,
+}
+
+impl Separation {
+    /// Its numbers with their names, SI units: what is needed, when, both peaks, and what the [common rules](Rule::COMMON) ask for.
+    pub fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let own = [
+            ("required_m", self.required),
+            ("time_s", self.time),
+            ("peak_left_m", self.peaks[0]),
+            ("peak_right_m", self.peaks[1]),
+        ];
+        let rules = Rule::COMMON.map(|rule| (rule.key(), rule.width(self).unwrap_or(f64::NAN)));
+        own.into_iter().chain(rules)
+    }
+}
+
+/// A gap that no start of a scene closes \[m\].
+const WIDE: f64 = 1e6;
+
+impl Scene {
+    /// The same row with gaps that nothing closes, by the exact method: to ask which gaps it needs. What does not matter then is neither
+    /// refused nor searched for; of contacts it is their levels that do.
+    #[must_use]
+    pub fn apart(&self) -> Self {
+        let wide = |one: &Contact| Contact {
+            gap_m: WIDE,
+            ..one.clone()
+        };
+        let contacts = self.contacts.as_ref();
+        Self {
+            contacts: contacts.map(|all| all.iter().map(wide).collect()),
+            method: Method::EXACT,
+            ..self.clone()
+        }
+    }
 }
 
 /// A rule for the width of a gap.

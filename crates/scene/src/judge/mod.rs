@@ -1,6 +1,7 @@
 //! What a user should know before believing a run.
 
 pub(crate) mod certificate;
+pub(crate) mod certified;
 pub(crate) mod free_collision;
 pub(crate) mod implausible;
 pub(crate) mod lean;

@@ -1,7 +1,7 @@
 //! Contact laws as uniaxial materials of OpenSees.
 
-use pounding::contact::ContactLaw;
-use pounding::scene::Contact;
+use pounding_contact::ContactLaw;
+use pounding_scene::Contact;
 
 /// A uniaxial material of OpenSees.
 pub(super) struct Material {

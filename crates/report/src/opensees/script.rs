@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use pounding::scene::{PairOutcome, RunResult, Scene, Sdof, Simulation, Structure};
+use pounding_scene::{PairOutcome, RunResult, Scene, Sdof, Simulation, Structure};
 use serde_json::json;
 
-use super::Material;
+use super::material::Material;
 
 /// What a script holds.
 pub(super) struct Contents<'a> {

@@ -1,10 +1,9 @@
 //! The row as a sketch: heights to scale, floors that touch in orange.
 
-use pounding_plot::{Align, Drawing, Fill, Pen, Shade, Shape, writable};
-
+use pounding_plot::{Align, Drawing, Fill, Pen, PlotError, Shade, Shape, render_both, writable};
+use pounding_scene::{Floors, Scene};
 use pounding_text::millimetres;
 
-use super::AssessmentReport;
 use crate::figures::elevation;
 
 pub(super) const CAPTION: &str = "The row: heights to scale, storeys without a height 3 m high, widths and gaps not to scale. Floors \
@@ -19,10 +18,30 @@ const BETWEEN: f64 = 14.0;
 const GROUND: f64 = 8.0;
 const ABOVE: f64 = 6.0;
 
-pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
-    let floors = report.floors();
-    let structures = &report.scene().structures;
-    let touched = touched(report);
+/// A row, and which of its floors touch.
+#[derive(Debug, Clone, Copy)]
+pub struct Sketch<'a> {
+    /// What it is a row of.
+    pub scene: &'a Scene,
+    /// Its floors.
+    pub floors: &'a Floors,
+    /// Indices of the floors that touch.
+    pub touched: &'a [usize],
+}
+
+impl Sketch<'_> {
+    /// The sketch as SVG.
+    ///
+    /// # Errors
+    /// What cannot be drawn: see [`PlotError`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        Ok(render_both(&drawing(self))?.0)
+    }
+}
+
+pub(super) fn drawing(sketch: &Sketch<'_>) -> Drawing {
+    let Sketch { scene, floors, .. } = sketch;
+    let structures = &scene.structures;
     let elevations = (0..floors.all().len()).map(|floor| elevation(floors, floor));
     let scale = TALL / elevations.fold(0.0, f64::max);
     let width = structures.len() as f64 * (WIDE + BETWEEN) + BETWEEN;
@@ -33,7 +52,7 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
     )];
     for (index, structure) in structures.iter().enumerate() {
         let left = BETWEEN + index as f64 * (WIDE + BETWEEN);
-        shapes.extend(building(report, index, &touched, left, scale));
+        shapes.extend(building(sketch, index, left, scale));
         let below = (left + WIDE / 2.0, GROUND - 4.0);
         shapes.push(Shape::text(
             below,
@@ -42,12 +61,10 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
             Align::Middle,
         ));
     }
-    for gap in &report.assessment().gaps {
-        let at = BETWEEN + (gap.left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
-        if let Some(own) = gap.own {
-            let text = format!("{} mm", millimetres(own));
-            shapes.push(Shape::text((at, GROUND + 2.0), text, 8.0, Align::Middle));
-        }
+    for (left, contact) in scene.contacts.iter().flatten().enumerate() {
+        let at = BETWEEN + (left as f64 + 1.0) * (WIDE + BETWEEN) - BETWEEN / 2.0;
+        let text = format!("{} mm", millimetres(contact.gap_m));
+        shapes.push(Shape::text((at, GROUND + 2.0), text, 8.0, Align::Middle));
     }
     Drawing {
         width,
@@ -57,14 +74,10 @@ pub(super) fn drawing(report: &AssessmentReport) -> Drawing {
 }
 
 /// A structure from its left side on, with its floors; a wall is half as high as the paper.
-fn building(
-    report: &AssessmentReport,
-    index: usize,
-    touched: &[usize],
-    left: f64,
-    scale: f64,
-) -> Vec<Shape> {
-    let floors = report.floors();
+fn building(sketch: &Sketch<'_>, index: usize, left: f64, scale: f64) -> Vec<Shape> {
+    let Sketch {
+        floors, touched, ..
+    } = sketch;
     let own = floors.of_structure(index);
     let is_wall = own.iter().all(|floor| floors.all()[*floor].is_wall());
     let tops = own.iter().map(|floor| scale * elevation(floors, *floor));
@@ -89,13 +102,6 @@ fn building(
         shapes.push(Shape::line((left, height), (left + WIDE, height), pen));
     }
     shapes
-}
-
-/// The floors that touch in some run.
-fn touched(report: &AssessmentReport) -> Vec<usize> {
-    let hit = report.hit().into_iter();
-    let both = hit.map(|(pair, _)| report.floors().facing()[pair]);
-    both.flat_map(|pair| [pair.left, pair.right]).collect()
 }
 
 fn shortened(name: &str) -> String {

@@ -1,20 +1,20 @@
-//! A refusal for a program that asked for JSON.
+//! A refusal for a program: the parts of a message.
 
 use serde::Serialize;
 
 /// The parts of a message of the form "place: found this, allowed is that; help". One that a message does not have is `null`.
-#[derive(Debug, PartialEq, Eq, Serialize)]
-struct Refusal<'a> {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Refusal<'a> {
     /// The whole message.
-    message: &'a str,
+    pub message: &'a str,
     /// File, line and field.
-    place: Option<&'a str>,
+    pub place: Option<&'a str>,
     /// What stands there.
-    found: Option<&'a str>,
+    pub found: Option<&'a str>,
     /// What may stand there.
-    allowed: Option<&'a str>,
+    pub allowed: Option<&'a str>,
     /// What to do.
-    help: Option<&'a str>,
+    pub help: Option<&'a str>,
 }
 
 /// All messages of the program say what is wrong in these words.
@@ -48,7 +48,10 @@ impl<'a> From<&'a str> for Refusal<'a> {
 }
 
 /// The message as a line of JSON, `{"error": {…}}`.
-pub(crate) fn json_of(message: &str) -> String {
+///
+/// # Panics
+/// Never: texts are JSON.
+pub fn refusal_json(message: &str) -> String {
     #[derive(Serialize)]
     struct Line<'a> {
         error: Refusal<'a>,

@@ -1,0 +1,128 @@
+"""A row under many records."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Iterable, Iterator
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _pounding
+from ._record import Record
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Assessment"]
+
+
+@contextlib.contextmanager
+def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Path]:
+    """The folder of records; of records at hand one that is there as long as it is asked."""
+    if isinstance(records, (str, os.PathLike)):
+        yield Path(os.fspath(records))
+    else:
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            all_of_them = list(records)
+            width = len(str(len(all_of_them)))
+            for number, record in enumerate(all_of_them, 1):
+                stem = Path(record.name).name
+                before = f"{number:0{width}}-" if len(all_of_them) > 1 else ""
+                if record._native.kind == "file" and not _is_used(record):
+                    (folder / f"{before}{stem}").write_bytes(record._native.raw)
+                else:
+                    _write(record, folder / f"{before}{stem}.csv")
+            yield folder
+
+
+def _is_used(record: Record) -> bool:
+    """Whether a file is used in another way than it stands."""
+    return bool(set(record.words) - {"file"})
+
+
+def _write(record: Record, path: Path) -> None:
+    """Samples to the last bit; the reader finds the time step from the times."""
+    rows = ["time_s,acceleration_m_per_s2"]
+    rows += [f"{time!r},{one!r}" for time, one in zip(record.time.tolist(), record.acceleration.tolist())]
+    path.write_text("\n".join(rows) + "\n", encoding="utf-8")
+
+
+def shown(progress: Callable[[int, int], object] | bool) -> Callable[[int, int], object] | None:
+    """What is told of progress: a line on standard error, which a notebook shows too, where nobody gives another."""
+    if not progress:
+        return None
+    if progress is True:
+        return _line
+    return progress
+
+
+def _line(done: int, of: int) -> None:
+    end = "\n" if done == of else ""
+    print(f"\r{done} of {of} runs", end=end, file=sys.stderr, flush=True)
+
+
+class Assessment:
+    """What was found of a row under many records."""
+
+    __slots__ = ("_facts", "_native")
+
+    def __init__(self, native: _pounding.Assessment) -> None:
+        self._native = native
+        self._facts: dict[str, Any] | None = None
+
+    @property
+    def facts(self) -> dict[str, Any]:
+        """Everything, as ``pounding assess --json`` prints it; units stand in the names."""
+        if self._facts is None:
+            self._facts = json.loads(self._native.facts())
+        return dict(self._facts)
+
+    @property
+    def answers(self) -> list[str]:
+        """Whether the gaps are enough, in sentences."""
+        return self._native.answers()
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to know before believing it."""
+        return self._native.warnings()
+
+    @property
+    def table(self) -> pandas.DataFrame:
+        """A row for each number of each run, as ``pounding assess --csv`` prints them; SI units in ``quantity``."""
+        import pandas
+
+        rows = list(csv.DictReader(io.StringIO(self._native.csv())))
+        found = pandas.DataFrame(rows)
+        found["value"] = [float(value) if value else float("nan") for value in found["value"]]
+        found["scale_factor"] = [float(value) for value in found["scale_factor"]]
+        found["reversed"] = found["reversed"] == "true"
+        return found
+
+    def report(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes ``report.html``, ``assess.csv``, ``assess.json`` and figures; returns the page."""
+        from ._run import written
+
+        return written(self._native.files(), folder, overwrite)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Assessment) and self.facts == other.facts
+
+    def __hash__(self) -> int:
+        return hash(self._native.facts())
+
+    def __repr__(self) -> str:
+        return "\n".join(self.answers)
+
+    def _repr_html_(self) -> str:
+        answers = "".join(f"<p>{escape(answer)}</p>" for answer in self.answers)
+        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self.warnings)
+        return f"{answers}<ul>{notices}</ul>"

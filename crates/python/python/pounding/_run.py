@@ -1,0 +1,213 @@
+"""Runs of scenes."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Mapping
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _pounding
+from ._errors import PoundingWarning, Refused
+from ._tables import Floats, frame, view
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
+
+    from ._record import Record
+    from ._scene import Scene
+
+__all__ = ["Run"]
+
+
+class Run:
+    """What a run of a scene leaves behind. It does not change.
+
+    Arrays have a row for each instant of :attr:`time` and a column for each floor, in the order of :attr:`peaks`, or for each pair of
+    floors, in the order of :attr:`pairs`.
+    """
+
+    __slots__ = ("_native", "_options", "_record", "_summary", "scene")
+
+    def __init__(
+        self, native: _pounding.Run, scene: Scene, record: Record | None, options: dict[str, bool]
+    ) -> None:
+        self._native = native
+        self._record = record
+        self._options = options
+        self._summary: dict[str, Any] | None = None
+        #: The scene that ran.
+        self.scene = scene
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """Every number of the run, as ``pounding run --json`` prints them; units stand in the names."""
+        if self._summary is None:
+            self._summary = json.loads(self._native.summary())
+        return dict(self._summary)
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to know before believing the numbers, the most harmful first."""
+        return self._native.notices()
+
+    def _warn(self) -> None:
+        for notice in self.warnings:
+            warnings.warn(notice, PoundingWarning, stacklevel=3)
+
+    def table(self, name: str) -> _pounding.Table:
+        """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, such as ``polars.DataFrame(…)``."""
+        return self._native.table(name)
+
+    @property
+    def peaks(self) -> pandas.DataFrame:
+        """A row for each floor and wall, SI units in the names of the columns."""
+        return frame(self.table("peaks"))
+
+    @property
+    def pairs(self) -> pandas.DataFrame:
+        """A row for each pair of floors that face each other, SI units in the names of the columns."""
+        return frame(self.table("pairs"))
+
+    @property
+    def impacts(self) -> pandas.DataFrame:
+        """A row for each collision, in the order in which they begin, SI units in the names of the columns."""
+        return frame(self.table("impacts"))
+
+    def history(self, name: str) -> Floats:
+        """``displacement``, ``velocity``, ``acceleration``, ``shear_force``, ``drift``, ``opening`` or ``pounding_force``."""
+        rows: Floats = view(self._native.history(name))
+        return rows.T
+
+    @property
+    def time(self) -> Floats:
+        """Instants of the histories [s]."""
+        return np.arange(len(self.displacement), dtype=np.float64) * self._native.interval
+
+    @property
+    def displacement(self) -> Floats:
+        """Displacement of every floor relative to the ground, positive to the right [m]."""
+        return self.history("displacement")
+
+    @property
+    def velocity(self) -> Floats:
+        """Velocity of every floor relative to the ground [m/s]."""
+        return self.history("velocity")
+
+    @property
+    def acceleration(self) -> Floats:
+        """Acceleration of every floor, that of the ground included [m/s²]; impulses, which have none, left out."""
+        return self.history("acceleration")
+
+    @property
+    def shear_force(self) -> Floats:
+        """Shear force of the storey below every floor [N]."""
+        return self.history("shear_force")
+
+    @property
+    def drift(self) -> Floats:
+        """Displacement of every floor relative to the one below [m]."""
+        return self.history("drift")
+
+    @property
+    def opening(self) -> Floats:
+        """What of the gap of every pair is open [m]; negative where floors overlap."""
+        return self.history("opening")
+
+    @property
+    def pounding_force(self) -> Floats:
+        """Pounding force of every pair [N], ≥ 0; 0 of laws that act by impulses."""
+        return self.history("pounding_force")
+
+    @property
+    def sentence(self) -> str:
+        """How often floors touch, and how hard."""
+        return self._native.sentence()
+
+    def directions(self) -> list[str]:
+        """The same for both directions of shaking, the worse one first: the other direction runs now."""
+        return self._native.directions()
+
+    def plot(self) -> Figure:
+        """Displacements and openings over time, by matplotlib."""
+        from matplotlib.figure import Figure
+
+        names = [str(name) for name in self._native.table("peaks").column("name")]
+        pairs = self._native.table("pairs")
+        figure = Figure(figsize=(8, 5), layout="constrained")
+        above, below = figure.subplots(2, 1, sharex=True)
+        for name, column in zip(names, self.displacement.T):
+            above.plot(self.time, 1e3 * column, linewidth=0.8, label=name)
+        above.set_ylabel("displacement [mm]")
+        above.legend(fontsize="small")
+        opening = self.opening
+        if opening.size:
+            left, right = pairs.column("left"), pairs.column("right")
+            for one, other, column in zip(left, right, opening.T):
+                below.plot(self.time, 1e3 * column, linewidth=0.8, label=f"{one} – {other}")
+            below.legend(fontsize="small")
+        below.axhline(0.0, color="black", linewidth=0.5)
+        below.set_ylabel("opening of the gap [mm]")
+        below.set_xlabel("time [s]")
+        return figure
+
+    def report(
+        self, folder: str | os.PathLike[str], *, both: bool = True, overwrite: bool = False
+    ) -> Path:
+        """Writes a report: ``report.html``, ``summary.json``, ``history.csv``, ``impacts.csv`` and figures.
+
+        Parameters
+        ----------
+        folder
+            Where to; made where it is missing.
+        both
+            Also say what the reversed shaking does, which runs now.
+        overwrite
+            Also where the folder holds other things; they stay.
+
+        Returns
+        -------
+        pathlib.Path
+            The page.
+        """
+        return written(self._native.files(both), folder, overwrite)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Run) and self.summary == other.summary
+
+    def __hash__(self) -> int:
+        return hash(self._native.summary())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _again, (self.scene, self._record, self._options)
+
+    def __repr__(self) -> str:
+        return f"Run of {self.summary['scene']['name']!r}, {self._native.duration:g} s: {self.sentence}"
+
+    def _repr_html_(self) -> str:
+        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self.warnings)
+        return f"<p>{escape(repr(self))}</p>{self._native.sketch()}<ul>{notices}</ul>"
+
+
+def written(files: Mapping[str, bytes], folder: str | os.PathLike[str], overwrite: bool) -> Path:
+    """Writes a report into a folder; returns its page."""
+    target = Path(folder)
+    if target.is_dir() and any(target.iterdir()) and not overwrite:
+        found, allowed = "a folder that holds other things", "an empty one"
+        message = f"{target}: found {found}, allowed is {allowed}; overwrite=True leaves them there"
+        raise Refused(message, str(target), found, allowed, "overwrite=True leaves them there")
+    _pounding.write_files(target, dict(files))
+    return target / "report.html"
+
+
+def _again(scene: Scene, record: Record | None, options: dict[str, bool]) -> Run:
+    """A run is the same bits each time: a pickle holds its scene and record."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", PoundingWarning)
+        return scene.run(record, **options)

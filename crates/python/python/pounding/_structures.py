@@ -1,0 +1,130 @@
+"""Structures of a row, and what lies between them, in the words of a file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Union
+
+from ._errors import Refused
+from ._words import STRUCTURE, words
+
+__all__ = ["building", "sdof", "wall"]
+
+#: A structure in the words of a file.
+Structure = dict[str, Any]
+#: A contact law: its name, or its name with its parameters.
+Law = Union[str, Mapping[str, Any]]
+
+
+def _damping(damping: float | Mapping[str, Any]) -> dict[str, Any]:
+    return dict(damping) if isinstance(damping, Mapping) else {"ratio": damping}
+
+
+def sdof(
+    *,
+    mass: float,
+    period: float | None = None,
+    stiffness: float | None = None,
+    damping: float | Mapping[str, Any] = 0.05,
+    name: str | None = None,
+    yield_force: float | None = None,
+    yield_displacement: float | None = None,
+    yield_drift_ratio: float | None = None,
+    hardening_ratio: float | None = None,
+    bouc_wen: Mapping[str, Any] | None = None,
+    height: float | None = None,
+    initial_displacement: float | None = None,
+    initial_velocity: float | None = None,
+) -> Structure:
+    """A structure of one storey.
+
+    Parameters
+    ----------
+    mass
+        Mass [kg], > 0.
+    period
+        Natural period [s], > 0; or ``stiffness``.
+    stiffness
+        Elastic stiffness [N/m], > 0; or ``period``.
+    damping
+        Damping ratio [–], or the table of a file.
+    name
+        Name for tables; without it ``structure 1`` from the left, and so on.
+    yield_force
+        Yield force [N]; without it, and without the two below, columns stay elastic.
+    yield_displacement
+        Displacement at which columns yield [m].
+    yield_drift_ratio
+        The same over ``height`` [–].
+    hardening_ratio
+        Stiffness after yielding over that before [–], 0 to less than 1.
+    bouc_wen
+        How columns yield smoothly, as in a file.
+    height
+        Height of the mass over the ground [m].
+    initial_displacement, initial_velocity
+        State at t = 0 [m], [m/s].
+    """
+    given = dict(locals())
+    given["damping"] = _damping(damping)
+    return {"sdof": words(given, STRUCTURE)}
+
+
+def building(
+    storeys: Sequence[Mapping[str, Any]],
+    *,
+    period: float | None = None,
+    damping: float | Mapping[str, Any] = 0.05,
+    name: str | None = None,
+    **fields: Any,
+) -> Structure:
+    """A building of several storeys.
+
+    Parameters
+    ----------
+    storeys
+        From the ground up: dicts with ``mass`` [kg], ``stiffness`` [N/m], ``height`` [m], ``yield_force`` [N],
+        ``yield_displacement`` [m], ``yield_drift_ratio`` [–], ``hardening_ratio`` [–], ``repeat`` (so many equal ones).
+    period
+        First natural period [s]; equal storeys get the stiffness that gives it. Or ``stiffness`` of each storey.
+    damping
+        Damping ratio [–] in the first two modes, or the table of a file.
+    name
+        Name for tables.
+    **fields
+        Other fields of a building in a file.
+    """
+    given = {
+        "name": name,
+        "period": period,
+        "damping": _damping(damping),
+        **fields,
+        "storeys": [words(storey, STRUCTURE) for storey in storeys],
+    }
+    return {"building": words(given, STRUCTURE)}
+
+
+def wall() -> Structure:
+    """A fixed wall, which moves with the ground."""
+    return {"wall": {}}
+
+
+def law_of(law: Law | None, restitution: float | None) -> Any:
+    if law is None:
+        return {"stereomechanical": {"restitution": 0.65 if restitution is None else restitution}}
+    if isinstance(law, str) and restitution is not None:
+        law = {law: {}}
+    if isinstance(law, str):
+        return law
+    if restitution is None:
+        return dict(law)
+    return {name: {**parameters, "restitution": restitution} for name, parameters in law.items()}
+
+
+def for_each(value: Any, n: int, what: str) -> list[Any]:
+    if isinstance(value, (str, Mapping)) or not hasattr(value, "__len__"):
+        return [value] * n
+    if len(value) != n:
+        message = f"{what}: found {len(value)}, allowed are {n}, one between each structure and its right neighbour, or one for all"
+        raise Refused(message, what, str(len(value)), str(n))
+    return list(value)

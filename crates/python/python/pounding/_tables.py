@@ -1,0 +1,44 @@
+"""Tables of the library as tables of pandas."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _pounding
+
+if TYPE_CHECKING:
+    import pandas
+
+Floats = NDArray[np.float64]
+
+
+def view(array: _pounding.Array) -> NDArray[Any]:
+    """A view of memory of the library, which may only be read."""
+    found: NDArray[Any] = np.asarray(array)
+    return found
+
+
+def frame(table: _pounding.Table) -> pandas.DataFrame:
+    """A DataFrame.
+
+    Raises
+    ------
+    ImportError
+        Where pandas is not installed; polars and pyarrow take the table itself.
+    """
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError(
+            "pandas is not installed: pip install pandas, or give the Arrow table to polars or pyarrow "
+            "(run.table('impacts'))"
+        ) from error
+
+    def column(name: str) -> Any:
+        found = table.column(name)
+        return view(found) if isinstance(found, _pounding.Array) else found
+
+    return pandas.DataFrame({name: column(name) for name in table.columns}, columns=table.columns)

@@ -1,0 +1,239 @@
+//! Questions about a scene beyond one run.
+
+use std::path::PathBuf;
+
+use pounding_contact::{Calibration, LawName};
+use pounding_report::{OpenSees, OpenSeesError, Sketch};
+use pounding_scene::{
+    Certificate, CertificateRequest, Effects, Error, Floors, FreeCollision, Goal, Method,
+    QuantityGroup, Scene, SharedMotion, Simulation, StepMethod, certificate_json, in_scene,
+    usual_stiffness,
+};
+use pounding_text::json_text;
+use pyo3::prelude::*;
+use serde_json::Value;
+
+use crate::record::Record;
+use crate::refused::{OrRefused, said};
+use crate::run::Given;
+use crate::waiting::wait;
+
+/// The words of a JSON or TOML file as JSON, whatever they say.
+#[pyfunction]
+pub(crate) fn words_of(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
+    let words = pounding_scene::parse::<Value>(text.as_bytes(), &path);
+    Ok(words.or_refused(py)?.to_string())
+}
+
+/// Reads and checks a scene, whatever shakes it; returns its words with all defaults, as JSON.
+#[pyfunction]
+pub(crate) fn check_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
+    let given = Given::of(text, path, None);
+    let check = || -> Result<String, Error> {
+        let scene = given.scene()?;
+        let exact = Scene {
+            method: Method::EXACT,
+            duration_s: None,
+            ..scene.clone()
+        };
+        Simulation::shaken(&exact, at_rest()).map_err(|error| given.in_file(error))?;
+        Ok(json_text(&scene))
+    };
+    check().or_refused(py)
+}
+
+/// A ground at rest, under which a scene can be checked.
+fn at_rest() -> SharedMotion {
+    let record = pounding_motion::Record::new(1.0, vec![0.0; 2], "at rest");
+    pounding_scene::GroundMotion {
+        record: record.expect("two samples a second apart"),
+        scale: 1.0,
+        origin: None,
+    }
+    .into()
+}
+
+/// The row of a scene as SVG.
+#[pyfunction]
+pub(crate) fn sketch_scene(py: Python<'_>, text: &str, path: PathBuf) -> PyResult<String> {
+    let scene = Given::of(text, path, None).scene().or_refused(py)?;
+    let floors = Floors::of(&scene).map_err(|source| in_scene(&scene, source));
+    let sketch = Sketch {
+        scene: &scene,
+        floors: &floors.or_refused(py)?,
+        touched: &[],
+    };
+    sketch
+        .svg()
+        .map_err(|error| error.to_string())
+        .or_refused(py)
+}
+
+/// What pounding does to every storey, in both directions of shaking, as JSON.
+#[pyfunction]
+#[pyo3(signature = (text, path, record=None))]
+pub(crate) fn effects(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    record: Option<&Record>,
+) -> PyResult<String> {
+    let given = Given::of(text, path, record);
+    let found = wait(py, None, |watch| -> Result<String, Error> {
+        let effects = Effects::of(&given.simulation(watch)?);
+        Ok(json_text(&effects.map_err(|error| given.in_file(error))?))
+    })?;
+    found.or_refused(py)
+}
+
+/// Periods from one to another [s], in equal ratios.
+#[pyfunction]
+pub(crate) fn periods_between(first: f64, last: f64, count: u32) -> Vec<f64> {
+    pounding_scene::periods_between(first, last, count)
+}
+
+/// The cheapest method and time step for an accuracy, as the JSON of `pounding advise --json`.
+#[pyfunction]
+#[pyo3(signature = (text, path, error, quantity, record=None, progress=None))]
+pub(crate) fn advise(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    error: f64,
+    quantity: &str,
+    record: Option<&Record>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let known = QuantityGroup::EVERY.into_iter();
+    let names = QuantityGroup::EVERY.map(QuantityGroup::name).join("`, `");
+    let found = known.clone().find(|group| group.name() == quantity);
+    let quantity =
+        found.ok_or_else(|| format!("quantity: found `{quantity}`, allowed are `{names}`"));
+    let quantity = quantity.or_refused(py)?;
+    if !(error > 0.0 && error < 1.0) {
+        let message = format!("error: found {error}, allowed is more than 0 and less than 1");
+        return Err(message).or_refused(py);
+    }
+    let given = Given::of(text, path, record);
+    let found = wait(py, progress, |watch| -> Result<String, Error> {
+        let scene = Scene {
+            method: Method::EXACT,
+            ..given.scene()?
+        };
+        let simulation = given.simulation_of(&scene, watch)?;
+        let goal = Goal { error, quantity };
+        let advice = pounding_scene::advise(&simulation, goal, &|of| watch.step(1, of as u64));
+        let advice = advice.map_err(|error| given.in_file(error))?;
+        Ok(json_text(&advice.to_json(simulation.scene())))
+    })?;
+    found.or_refused(py)
+}
+
+/// What a contact law and methods deliver to a free impact, as the JSON of `pounding certify --json`.
+#[pyfunction]
+#[pyo3(signature = (law, restitution, masses, speed, stiffness=None, literature=false, time_step=None, method=None))]
+pub(crate) fn certify(
+    py: Python<'_>,
+    law: &str,
+    restitution: f64,
+    masses: [f64; 2],
+    speed: f64,
+    stiffness: Option<f64>,
+    literature: bool,
+    time_step: Option<f64>,
+    method: Option<&str>,
+) -> PyResult<String> {
+    let names = LawName::ALL.map(|law| law.description().name).join("`, `");
+    let named = LawName::from_name(law);
+    let law = named.ok_or_else(|| format!("law: found `{law}`, allowed are `{names}`"));
+    let law = law.or_refused(py)?;
+    let method = method.map(|method| {
+        let names: Vec<_> = StepMethod::all().map(StepMethod::name).collect();
+        let named = StepMethod::all().find(|one| one.name() == method);
+        named.ok_or_else(|| {
+            format!(
+                "method: found `{method}`, allowed are `{}`",
+                names.join("`, `")
+            )
+        })
+    });
+    let method = method.transpose().or_refused(py)?;
+    for (name, number) in [
+        ("masses[0]", masses[0]),
+        ("masses[1]", masses[1]),
+        ("speed", speed),
+    ] {
+        if !(number > 0.0 && number.is_finite()) {
+            let message = format!("{name}: found {number}, allowed is a finite number > 0");
+            return Err(message).or_refused(py);
+        }
+    }
+    let wanted = CertificateRequest {
+        law,
+        stiffness: stiffness.unwrap_or_else(|| usual_stiffness(law)),
+        restitution,
+        calibration: if literature {
+            Calibration::Literature
+        } else {
+            Calibration::Exact
+        },
+    };
+    let collision = FreeCollision { masses, speed };
+    let found = wait(py, None, |_| -> Result<String, String> {
+        let certificate = Certificate::new(&wanted, &collision);
+        let certificate = certificate.map_err(|error| error.to_string())?;
+        let facts = certificate.facts(&wanted, &collision);
+        let lines = time_step.map(|step| certificate.lines(&collision, step, method));
+        Ok(json_text(&certificate_json(
+            &facts,
+            &lines.unwrap_or_default(),
+        )))
+    })?;
+    found.or_refused(py)
+}
+
+/// The contact laws: name, force, and unit of the stiffness, of each.
+#[pyfunction]
+pub(crate) fn laws() -> Vec<(&'static str, &'static str, &'static str)> {
+    let law = |law: &LawName| {
+        let description = law.description();
+        (
+            description.name,
+            description.force,
+            law.stiffness_unit().unwrap_or(""),
+        )
+    };
+    LawName::ALL.iter().map(law).collect()
+}
+
+/// The scene as a script for OpenSeesPy.
+#[pyfunction]
+#[pyo3(signature = (text, path, record=None, time_step=None, approximate=false))]
+pub(crate) fn opensees(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    record: Option<&Record>,
+    time_step: Option<f64>,
+    approximate: bool,
+) -> PyResult<String> {
+    let given = Given::of(text, path, record);
+    let asked = OpenSees {
+        time_step,
+        approximate,
+    };
+    let found = wait(py, None, |watch| -> Result<String, String> {
+        let scene = Scene {
+            method: Method::EXACT,
+            ..given.scene().map_err(|error| said(&error))?
+        };
+        let simulation = given
+            .simulation_of(&scene, watch)
+            .map_err(|error| said(&error))?;
+        asked.script(&simulation).map_err(|error| match error {
+            OpenSeesError::NotModelled(what) => what,
+            OpenSeesError::Run(error) => said(&given.in_file(error)),
+        })
+    })?;
+    found.or_refused(py)
+}

@@ -1,0 +1,188 @@
+//! A row under a folder of records.
+
+use std::path::PathBuf;
+
+use pounding_report::{AssessmentReport, ScalingAsked};
+use pounding_scene::lines::{Line, Watched, left_out, lines_of, untold};
+use pounding_scene::{DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Separation};
+use pounding_text::json_text;
+use pyo3::prelude::*;
+
+use crate::refused::{OrRefused, said};
+use crate::run::Given;
+use crate::table::{Column, Table};
+use crate::waiting::{Watch, wait};
+
+/// An assessment of a row under a folder of records.
+#[pyclass(frozen, module = "pounding._pounding")]
+pub(crate) struct Assessment {
+    report: AssessmentReport,
+}
+
+/// Both directions of shaking: whether it is reversed.
+const BOTH: [bool; 2] = [false, true];
+
+/// Assesses a row under a folder of records, in both directions, by the exact method; `scale` is `scene`, `none` or the table `scale_to` of a
+/// record as JSON, `target` a spectrum by its name or file.
+#[pyfunction]
+#[pyo3(signature = (text, path, folder, scale, target=None, stiffness=[0.1, 10.0], progress=None))]
+pub(crate) fn assess(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    folder: PathBuf,
+    scale: &str,
+    target: Option<&str>,
+    stiffness: [f64; 2],
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Assessment> {
+    let [from, to] = stiffness;
+    if !(from > 0.0 && from <= 1.0 && to >= 1.0 && to.is_finite()) {
+        let message = format!(
+            "stiffness: found {from} and {to}, allowed are two factors with 1 between them"
+        );
+        return Err(message).or_refused(py);
+    }
+    let scaling = scaling(scale, target).or_refused(py)?;
+    let given = Given::of(text, path, None);
+    let found = wait(py, progress, |watch| -> Result<Assessment, String> {
+        let scene = Scene {
+            method: Method::EXACT,
+            ..given.scene().map_err(|error| said(&error))?
+        };
+        let lines = lines_of(
+            &folder,
+            &BOTH,
+            watched(watch, &|of| watch.step(1, of as u64)),
+            |motion| scaling.applied(&scene, motion),
+            |prepared, spectrum| Ok((prepared.assessed([from, 1.0, to])?, spectrum.clone())),
+        )?;
+        let report =
+            AssessmentReport::of_lines(scene, &lines.lines).map_err(|error| said(&error))?;
+        let report = report.ok_or("stopped")?.with_stiffness(stiffness);
+        let report = report.with_scaling(ScalingAsked {
+            to: scaling.clone(),
+            words: None,
+        });
+        Ok(Assessment { report })
+    })?;
+    found.or_refused(py)
+}
+
+fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
+    Watched {
+        stop: watch.stop,
+        step,
+    }
+}
+
+/// What records are scaled to.
+fn scaling(scale: &str, target: Option<&str>) -> Result<Scaling, String> {
+    match (target, scale) {
+        (Some(target), _) => Ok(Scaling::Target(DesignSpectrum::named(target)?)),
+        (None, "scene") => Ok(Scaling::AsScene),
+        (None, "none") => Ok(Scaling::Unscaled),
+        (None, table) => {
+            let to = pounding_scene::parse::<ScaleTo>(table.as_bytes(), "scale.json".as_ref());
+            to.map(Scaling::To).map_err(|error| said(&error))
+        }
+    }
+}
+
+#[pymethods]
+impl Assessment {
+    /// Everything, as the JSON of `pounding assess --json`.
+    fn facts(&self) -> String {
+        json_text(&self.report.to_json())
+    }
+
+    /// The table of `pounding assess --csv`, a row for each number.
+    fn csv(&self) -> String {
+        self.report.to_csv()
+    }
+
+    /// The answers, in sentences.
+    fn answers(&self) -> Vec<String> {
+        self.report.answers()
+    }
+
+    /// What to know before believing them.
+    fn warnings(&self) -> Vec<String> {
+        self.report.warnings()
+    }
+
+    /// The files of a report, by name.
+    fn files(&self, py: Python<'_>) -> std::collections::BTreeMap<String, Vec<u8>> {
+        py.detach(|| self.report.files())
+    }
+}
+
+/// Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what is said of
+/// records that are left out, or whose direction nothing tells.
+#[pyfunction]
+#[pyo3(signature = (text, path, folder, progress=None))]
+pub(crate) fn required_gap(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    folder: PathBuf,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(Table, Vec<String>)> {
+    let given = Given::of(text, path, None);
+    let found = wait(py, progress, |watch| -> Result<_, String> {
+        let scene = given.scene().map_err(|error| said(&error))?;
+        let apart = scene.apart();
+        let lines = lines_of(
+            &folder,
+            &BOTH,
+            watched(watch, &|of| watch.step(1, of as u64)),
+            |_| Ok::<_, Error>((apart.clone(), ())),
+            |prepared, ()| prepared.separations(),
+        )?;
+        Ok((scene, lines.lines))
+    })?;
+    let (scene, lines) = found.or_refused(py)?;
+    let said = left_out(&lines).into_iter().chain(untold(&lines)).collect();
+    Ok((gaps(&scene, &lines), said))
+}
+
+/// The widths as columns.
+fn gaps(scene: &Scene, lines: &[Line<Vec<Separation>>]) -> Table {
+    let rows = || {
+        let found = lines
+            .iter()
+            .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+        found.flat_map(|(line, gaps)| gaps.iter().map(move |gap| (line, gap)))
+    };
+    let name = |side: usize| {
+        let names = rows().map(|(_, gap)| scene.structures[gap.left + side].name().to_owned());
+        Column::texts(names)
+    };
+    let first = [
+        (
+            "record",
+            Column::texts(rows().map(|(line, _)| line.motion.clone())),
+        ),
+        (
+            "reversed",
+            Column::Flags(rows().map(|(line, _)| line.reversed).collect()),
+        ),
+        ("left", name(0)),
+        ("right", name(1)),
+        (
+            "level",
+            Column::Counts(rows().map(|(_, gap)| gap.at_level as u64).collect()),
+        ),
+    ];
+    let names = rows()
+        .next()
+        .map(|(_, gap)| gap.numbers())
+        .into_iter()
+        .flatten();
+    let columns = names.map(|(name, _)| {
+        let number = |gap: &Separation| gap.numbers().find(|(key, _)| *key == name);
+        let numbers = rows().map(|(_, gap)| number(gap).map(|(_, number)| number));
+        (name, Column::numbers(numbers))
+    });
+    Table::new(first.into_iter().chain(columns))
+}

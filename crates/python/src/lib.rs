@@ -1,0 +1,43 @@
+//! What Python calls: scenes, records, runs and answers of the other crates, as objects that do not change.
+//!
+//! The package `pounding` in `python/` is what users see, with words, units and defaults. This library below it takes scenes as JSON,
+//! the words of their files, and gives numbers as memory that NumPy and Arrow look at. It decides nothing.
+//!
+//! Work runs on a thread of its own, while the caller waits without the lock of the interpreter and looks for Ctrl-C (`waiting.rs`).
+
+mod answers;
+mod array;
+mod disk;
+mod folder;
+mod record;
+mod refused;
+mod run;
+mod sweep;
+mod table;
+mod waiting;
+
+use pyo3::prelude::*;
+
+/// Functions and classes below the package `pounding`.
+#[pymodule]
+mod _pounding {
+    #[pymodule_export]
+    use super::answers::{
+        advise, certify, check_scene, effects, laws, opensees, periods_between, sketch_scene,
+        words_of,
+    };
+    #[pymodule_export]
+    use super::array::Array;
+    #[pymodule_export]
+    use super::disk::write_files;
+    #[pymodule_export]
+    use super::folder::{Assessment, assess, required_gap};
+    #[pymodule_export]
+    use super::record::Record;
+    #[pymodule_export]
+    use super::run::{Run, run};
+    #[pymodule_export]
+    use super::sweep::sweep;
+    #[pymodule_export]
+    use super::table::Table;
+}

@@ -1,0 +1,271 @@
+//! Ground motions as scenes use them.
+
+use std::path::{Path, PathBuf};
+
+use pounding_motion::Record as Samples;
+use pounding_scene::{
+    Error, GroundMotion, RecordUse, SharedMotion, Source, record_bytes, response_spectrum_watched,
+};
+use pounding_text::json_text;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde_json::json;
+
+use crate::array::Array;
+use crate::refused::{OrRefused, refused};
+use crate::table::{Column, Table};
+use crate::waiting::wait;
+
+/// What a ground motion is made from, each time that it is used otherwise.
+#[derive(Debug, Clone, PartialEq)]
+enum Raw {
+    File { path: PathBuf, bytes: Vec<u8> },
+    Samples(Samples),
+    Formula,
+}
+
+/// A ground motion: where it comes from, and how it is used, in the words of the table `record` of a scene.
+#[pyclass(frozen, module = "pounding._pounding")]
+#[derive(Debug)]
+pub(crate) struct Record {
+    words: String,
+    raw: Raw,
+    pub(crate) motion: SharedMotion,
+}
+
+/// Name of the text that holds the words, which no message shows.
+const WORDS: &str = "record.json";
+
+impl Record {
+    fn new(raw: Raw, words: String) -> Result<Self, Error> {
+        let record: RecordUse = pounding_scene::parse(words.as_bytes(), WORDS.as_ref())?;
+        let in_record = |source| Error::Scene {
+            scene: "record".into(),
+            source,
+        };
+        let motion = match (&raw, &record.source) {
+            (Raw::File { path, bytes }, _) => {
+                GroundMotion::of_bytes(&record, (path, bytes), "record")?
+            }
+            (Raw::Samples(samples), _) => {
+                GroundMotion::of_record(&record, samples.clone()).map_err(in_record)?
+            }
+            (Raw::Formula, Source::Generated(generated)) => {
+                GroundMotion::of_formula(&record, generated).map_err(in_record)?
+            }
+            (Raw::Formula, Source::File(_)) => GroundMotion::of(&record, Path::new(""), "record")?,
+        };
+        Ok(Self {
+            words,
+            raw,
+            motion: motion.into(),
+        })
+    }
+
+    fn samples(&self) -> &Samples {
+        self.motion.record()
+    }
+}
+
+#[pymethods]
+impl Record {
+    /// Reads a file; `raw` is what it holds, where it need not be opened. `words` is the table `record` as JSON.
+    #[staticmethod]
+    #[pyo3(signature = (path, words, raw=None))]
+    fn of_file(py: Python<'_>, path: PathBuf, words: String, raw: Option<&[u8]>) -> PyResult<Self> {
+        wait(py, None, move |_| {
+            let read = match raw {
+                Some(raw) => Ok(raw.to_vec()),
+                None => record_bytes(&path),
+            };
+            let bytes = read.map_err(|source| Error::Unreadable {
+                path: path.clone(),
+                source,
+            })?;
+            Self::new(Raw::File { path, bytes }, words)
+        })?
+        .or_refused(py)
+    }
+
+    /// Takes samples in m/s², as the bytes of numbers of 64 bits, `time_step` s apart.
+    #[staticmethod]
+    fn of_samples(
+        py: Python<'_>,
+        samples: &Bound<'_, PyBytes>,
+        time_step: f64,
+        words: String,
+    ) -> PyResult<Self> {
+        let numbers = samples.as_bytes().chunks_exact(8);
+        let number = |bytes: &[u8]| f64::from_ne_bytes(bytes.try_into().unwrap_or_default());
+        let samples = Samples::new(time_step, numbers.map(number).collect(), "an array");
+        let samples = samples.map_err(|error| refused(py, &error.to_string()))?;
+        Self::new(Raw::Samples(samples), words).or_refused(py)
+    }
+
+    /// Makes a motion from the formula that `words` name.
+    #[staticmethod]
+    fn of_formula(py: Python<'_>, words: String) -> PyResult<Self> {
+        Self::new(Raw::Formula, words).or_refused(py)
+    }
+
+    /// The same motion, used in another way.
+    fn used(&self, py: Python<'_>, words: String) -> PyResult<Self> {
+        let raw = self.raw.clone();
+        wait(py, None, move |_| Self::new(raw, words))?.or_refused(py)
+    }
+
+    /// The table `record` as JSON.
+    #[getter]
+    fn words(&self) -> &str {
+        &self.words
+    }
+
+    /// `file`, `samples` or `formula`.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        match self.raw {
+            Raw::File { .. } => "file",
+            Raw::Samples(_) => "samples",
+            Raw::Formula => "formula",
+        }
+    }
+
+    /// The file; `None` of another kind.
+    #[getter]
+    fn path(&self) -> Option<PathBuf> {
+        match &self.raw {
+            Raw::File { path, .. } => Some(path.clone()),
+            Raw::Samples(_) | Raw::Formula => None,
+        }
+    }
+
+    /// The bytes of the file, or of the samples as they were given; empty of a formula.
+    #[getter]
+    fn raw<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        match &self.raw {
+            Raw::File { bytes, .. } => PyBytes::new(py, bytes),
+            Raw::Samples(samples) => {
+                let samples = samples.samples().iter();
+                let bytes: Vec<u8> = samples.flat_map(|one| one.to_ne_bytes()).collect();
+                PyBytes::new(py, &bytes)
+            }
+            Raw::Formula => PyBytes::new(py, &[]),
+        }
+    }
+
+    /// Time between the samples that were given [s]; `None` of another kind than `samples`.
+    #[getter]
+    fn raw_time_step(&self) -> Option<f64> {
+        match &self.raw {
+            Raw::Samples(samples) => Some(samples.time_step()),
+            Raw::File { .. } | Raw::Formula => None,
+        }
+    }
+
+    /// Ground acceleration as used [m/s²].
+    #[getter]
+    fn acceleration(&self) -> Array {
+        Array::motion(&self.motion)
+    }
+
+    /// Time between two samples as used [s].
+    #[getter]
+    fn time_step(&self) -> f64 {
+        self.samples().time_step()
+    }
+
+    /// Time of the last sample [s].
+    #[getter]
+    fn duration(&self) -> f64 {
+        self.samples().duration()
+    }
+
+    /// What its source was multiplied by [–].
+    #[getter]
+    fn scale_factor(&self) -> f64 {
+        self.motion.scale()
+    }
+
+    /// What was read and where, measures, unit and format, as JSON.
+    fn facts(&self) -> String {
+        let samples = self.samples();
+        let (time, peak) = samples.peak();
+        let measures = samples.measures();
+        let interval = |interval: Option<pounding_motion::Interval>| {
+            interval.map(|interval| interval.duration())
+        };
+        let origin = self.motion.origin.as_ref();
+        let readings = origin.map(|origin| {
+            let readings = origin.file.readings().iter();
+            let reading = |one: &pounding_motion::Reading| json!([one.what, one.line, one.found]);
+            readings.map(reading).collect::<Vec<_>>()
+        });
+        let unusual = origin.map(|origin| {
+            let unusual = origin.file.unusual().iter();
+            unusual.map(ToString::to_string).collect::<Vec<_>>()
+        });
+        json_text(&json!({
+            "source": samples.source(),
+            "samples": samples.samples().len(),
+            "peak_m_per_s2": peak,
+            "peak_time_s": time,
+            "format": origin.map(|origin| origin.file.format().name()),
+            "unit": origin.map(|origin| origin.file.unit().symbol()),
+            "component": origin.and_then(|origin| origin.file.component()),
+            "sha256": origin.map(|origin| &origin.sha256),
+            "readings": readings.unwrap_or_default(),
+            "unusual": unusual.unwrap_or_default(),
+            "pga_m_per_s2": measures.pga,
+            "pgv_m_per_s": measures.pgv,
+            "pgd_m": measures.pgd,
+            "arias_m_per_s": measures.arias,
+            "cav_m_per_s": measures.cav,
+            "d5_75_s": interval(measures.d5_75),
+            "d5_95_s": interval(measures.d5_95),
+        }))
+    }
+
+    /// Response spectra at some periods [s], for some damping ratios [–]: a row for each of both.
+    fn spectrum(
+        &self,
+        py: Python<'_>,
+        periods: Vec<f64>,
+        damping_ratios: Vec<f64>,
+    ) -> PyResult<Table> {
+        let of = (periods.len() * damping_ratios.len()) as u64;
+        let spectra = wait(py, None, |watch| {
+            let spectrum = |ratio: &f64| {
+                let done = || watch.step(1, of);
+                response_spectrum_watched(self.samples(), &periods, *ratio, &done)
+                    .map_err(|error| error.to_string())
+            };
+            damping_ratios
+                .iter()
+                .map(spectrum)
+                .collect::<Result<Vec<_>, _>>()
+        })?
+        .or_refused(py)?;
+        let rows = || {
+            let all = damping_ratios.iter().zip(&spectra);
+            all.flat_map(|(ratio, values)| values.iter().map(move |one| (*ratio, *one)))
+        };
+        let column = |value: fn(&pounding_scene::SpectralValues) -> f64| {
+            Column::numbers(rows().map(|(_, one)| Some(value(&one))))
+        };
+        Ok(Table::new([
+            (
+                "damping_ratio",
+                Column::numbers(rows().map(|(ratio, _)| Some(ratio))),
+            ),
+            ("period_s", column(|one| one.period)),
+            ("sd_m", column(|one| one.displacement)),
+            ("pseudo_sv_m_per_s", column(|one| one.pseudo_velocity)),
+            ("pseudo_sa_m_per_s2", column(|one| one.pseudo_acceleration)),
+            ("sa_m_per_s2", column(|one| one.absolute_acceleration)),
+        ]))
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.words == other.words && self.raw == other.raw
+    }
+}

@@ -1,0 +1,374 @@
+//! A scene that ran.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pounding_report::{
+    HistoryQuantity, Report, Sketch, Summary, direction_sentences, history_of, other_direction,
+    run_sentence,
+};
+use pounding_scene::{Error, Options, Review, Scene, Simulation};
+use pounding_solver::Collision;
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use serde_json::Value;
+
+use crate::array::Array;
+use crate::record::Record;
+use crate::refused::OrRefused;
+use crate::table::{Column, Table};
+use crate::waiting::{Watch, wait};
+
+/// A scene in the words of a file, and what they are read with.
+pub(crate) struct Given<'a> {
+    /// The scene as JSON or TOML.
+    pub(crate) text: &'a str,
+    /// The file that holds it, or whose folder names its record.
+    pub(crate) path: PathBuf,
+    /// The record in place of the one that the text names.
+    pub(crate) record: Option<&'a Record>,
+    /// Whether what is refused runs with a warning.
+    pub(crate) force: bool,
+}
+
+impl<'a> Given<'a> {
+    /// A scene that is refused where the program refuses it.
+    pub(crate) fn of(text: &'a str, path: PathBuf, record: Option<&'a Record>) -> Self {
+        Self {
+            text,
+            path,
+            record,
+            force: false,
+        }
+    }
+
+    /// The scene; of one in a file, a fault has its line.
+    pub(crate) fn scene(&self) -> Result<Scene, Error> {
+        Scene::parse(self.text.as_bytes(), &self.path)
+    }
+
+    /// An error with the file of the scene, where it has one.
+    pub(crate) fn in_file(&self, error: Error) -> Error {
+        if self.path.is_file() {
+            error.in_file(&self.path)
+        } else {
+            error
+        }
+    }
+
+    /// The scene, ready to run.
+    pub(crate) fn simulation(&self, watch: &Watch) -> Result<Simulation, Error> {
+        self.simulation_of(&self.scene()?, watch)
+    }
+
+    /// Another scene under the same record, ready to run.
+    pub(crate) fn simulation_of(&self, scene: &Scene, watch: &Watch) -> Result<Simulation, Error> {
+        let step = |of: usize| watch.step(1, of as u64);
+        let options = Options {
+            base: self.path.parent(),
+            motion: self.record.map(|record| record.motion.clone()),
+            force: self.force,
+            stop: Some(watch.stop),
+            progress: Some(&step),
+        };
+        Simulation::new(scene, options).map_err(|error| self.in_file(error))
+    }
+}
+
+/// What a run of a scene leaves behind.
+#[pyclass(frozen, module = "pounding._pounding")]
+pub(crate) struct Run {
+    simulation: Simulation,
+    review: Arc<Review>,
+}
+
+/// Runs a scene, with its histories; `measure` also runs the exact method and compares.
+///
+/// `text` is the scene as JSON or TOML, `path` its file, `record` shakes it in place of the record that it names.
+#[pyfunction]
+#[pyo3(signature = (text, path, record=None, measure=true, full=false, force=false))]
+pub(crate) fn run(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    record: Option<&Record>,
+    measure: bool,
+    full: bool,
+    force: bool,
+) -> PyResult<Run> {
+    let given = Given {
+        force,
+        ..Given::of(text, path, record)
+    };
+    let ran = wait(py, None, |watch| -> Result<Run, Error> {
+        let simulation = given.simulation(watch)?;
+        let mut simulation = if full { simulation.full()? } else { simulation };
+        let interval = Report::interval(&simulation);
+        let review = simulation.review_recorded(measure, Some(interval));
+        let review = review.map_err(|error| given.in_file(error))?;
+        // Whoever takes the flag next ends work of its own.
+        simulation.set_stop(None);
+        Ok(Run {
+            simulation,
+            review: Arc::new(review),
+        })
+    })?;
+    ran.or_refused(py)
+}
+
+/// Numbers of floors in the table of peaks, as `summary.json` names them.
+const PEAKS: [&str; 18] = [
+    "period_s",
+    "damping_ratio",
+    "peak_displacement_m",
+    "peak_displacement_time_s",
+    "peak_shear_force_n",
+    "peak_shear_force_time_s",
+    "peak_drift_m",
+    "peak_drift_time_s",
+    "residual_displacement_at_end_m",
+    "residual_drift_at_end_m",
+    "peak_acceleration_m_per_s2",
+    "peak_acceleration_time_s",
+    "ductility",
+    "drift_ratio",
+    "transferred_momentum_n_s",
+    "errors.peak_displacement",
+    "errors.peak_acceleration",
+    "errors.transferred_momentum",
+];
+
+/// The same of pairs.
+const PAIRS: [&str; 10] = [
+    "gap_m",
+    "first.start_s",
+    "first.impulse_n_s",
+    "largest.start_s",
+    "largest.impulse_n_s",
+    "peak_force_n",
+    "peak_force_time_s",
+    "total_impulse_n_s",
+    "touching_s",
+    "least_opening_m",
+];
+
+/// A number of an entry by its name, where points part tables.
+fn number(entry: &Value, name: &str) -> Option<f64> {
+    name.split('.')
+        .try_fold(entry, |value, field| value.get(field))?
+        .as_f64()
+}
+
+/// A column for each name, without those that no entry has.
+fn columns<'a>(entries: &'a Value, names: &'a [&'a str]) -> Vec<(String, Column)> {
+    let entries = entries.as_array().map(Vec::as_slice).unwrap_or_default();
+    let column = |name: &&str| {
+        let numbers: Vec<_> = entries.iter().map(|entry| number(entry, name)).collect();
+        let known = numbers.iter().any(Option::is_some);
+        known.then(|| (name.replace('.', "_"), Column::numbers(numbers)))
+    };
+    names.iter().filter_map(column).collect()
+}
+
+impl Run {
+    fn report(&self) -> Report<'_> {
+        Report::of_review(&self.simulation, Arc::clone(&self.review))
+    }
+
+    /// A row for each floor and wall.
+    fn peaks(&self) -> Table {
+        let floors = self.simulation.floors();
+        let all = 0..floors.all().len();
+        let summary = serde_json::json!(self.report().summary().structures);
+        let name = |index: usize| floors.all()[index].name.clone();
+        let counts = |count: &dyn Fn(usize) -> usize| {
+            Column::Counts(all.clone().map(|index| count(index) as u64).collect())
+        };
+        let first = [
+            (
+                "structure".to_owned(),
+                counts(&|index| floors.all()[index].structure),
+            ),
+            (
+                "storey".to_owned(),
+                counts(&|index| floors.storey_of(index)),
+            ),
+            ("name".to_owned(), Column::texts(all.clone().map(name))),
+        ];
+        Table::new(first.into_iter().chain(columns(&summary, &PEAKS)))
+    }
+
+    /// A row for each pair of floors that face each other.
+    fn pairs(&self) -> Table {
+        let floors = self.simulation.floors();
+        let facing = floors.facing();
+        let pairs = self.report().summary().pairs;
+        let level = |index: usize| {
+            let one = &facing[index];
+            let is_wall = floors.all()[one.left].is_wall();
+            floors.storey_of(if is_wall { one.right } else { one.left }) as u64
+        };
+        let first = [
+            (
+                "contact".to_owned(),
+                Column::Counts(facing.iter().map(|one| one.contact as u64).collect()),
+            ),
+            (
+                "level".to_owned(),
+                Column::Counts((0..facing.len()).map(level).collect()),
+            ),
+            (
+                "left".to_owned(),
+                Column::texts(pairs.iter().map(|pair| pair.left.clone())),
+            ),
+            (
+                "right".to_owned(),
+                Column::texts(pairs.iter().map(|pair| pair.right.clone())),
+            ),
+            (
+                "law".to_owned(),
+                Column::texts(pairs.iter().map(|pair| pair.law.clone())),
+            ),
+            (
+                "collisions".to_owned(),
+                Column::Counts(pairs.iter().map(|pair| pair.collisions as u64).collect()),
+            ),
+        ];
+        let summary = serde_json::json!(pairs);
+        Table::new(first.into_iter().chain(columns(&summary, &PAIRS)))
+    }
+
+    /// A row for each collision, in the order in which they begin.
+    fn impacts(&self) -> Table {
+        let all = self.review.outcome.collisions.all();
+        let names = |side: usize| {
+            let name =
+                move |one: &Collision| self.simulation.floors().names(one.pair)[side].clone();
+            Column::texts(all.iter().map(name))
+        };
+        let column = |value: fn(&Collision) -> Option<f64>| {
+            // A negative zero loses its sign, as in files.
+            Column::numbers(all.iter().map(|one| value(one).map(|value| value + 0.0)))
+        };
+        Table::new([
+            (
+                "pair",
+                Column::Counts(all.iter().map(|one| one.pair as u64).collect()),
+            ),
+            ("left", names(0)),
+            ("right", names(1)),
+            ("start_s", column(|one| Some(one.start))),
+            ("end_s", column(|one| Some(one.end))),
+            ("duration_s", column(|one| Some(one.end - one.start))),
+            ("approach_speed_m_per_s", column(|one| one.approach_speed)),
+            ("impulse_n_s", column(|one| Some(one.impulse))),
+            ("peak_force_n", column(|one| one.peak_force)),
+            ("peak_force_time_s", column(|one| one.peak_force_time)),
+            ("start_uncertainty_s", column(|one| one.uncertainty)),
+        ])
+    }
+}
+
+#[pymethods]
+impl Run {
+    /// Everything that came out, as the JSON that `pounding run --json` prints.
+    fn summary(&self) -> String {
+        Summary::of(&self.simulation, &self.review).to_json()
+    }
+
+    /// What to know before believing the numbers, the most harmful first.
+    fn notices(&self) -> Vec<String> {
+        self.review.notices()
+    }
+
+    /// The table `peaks`, `pairs` or `impacts`.
+    fn table(&self, name: &str) -> PyResult<Table> {
+        match name {
+            "peaks" => Ok(self.peaks()),
+            "pairs" => Ok(self.pairs()),
+            "impacts" => Ok(self.impacts()),
+            _ => Err(PyKeyError::new_err(format!(
+                "found `{name}`, allowed are `peaks`, `pairs`, `impacts`"
+            ))),
+        }
+    }
+
+    /// A history by its name: a row for each floor or pair, a column for each instant.
+    fn history(&self, py: Python<'_>, name: &str) -> PyResult<Array> {
+        let quantity = match name {
+            "displacement" => HistoryQuantity::Displacement,
+            "velocity" => HistoryQuantity::Velocity,
+            "acceleration" => HistoryQuantity::AbsoluteAcceleration,
+            "shear_force" => HistoryQuantity::ShearForce,
+            "drift" => HistoryQuantity::Drift,
+            "opening" => HistoryQuantity::Opening,
+            "pounding_force" => HistoryQuantity::PoundingForce,
+            _ => return Err(PyKeyError::new_err(name.to_owned())),
+        };
+        let rows = py.detach(|| history_of(&self.simulation, &self.review.outcome, quantity));
+        Ok(Array::rows(&rows))
+    }
+
+    /// Time between two instants of the histories [s].
+    #[getter]
+    fn interval(&self) -> f64 {
+        Report::interval(&self.simulation)
+    }
+
+    /// Duration of the run [s].
+    #[getter]
+    fn duration(&self) -> f64 {
+        self.simulation.duration()
+    }
+
+    /// How often floors touch and how hard, in a sentence.
+    fn sentence(&self) -> String {
+        run_sentence(&self.simulation, &self.review.outcome)
+    }
+
+    /// The same of both directions of shaking, the worse one first; the other direction runs now.
+    fn directions(&self, py: Python<'_>) -> PyResult<[String; 2]> {
+        wait(py, None, |watch| {
+            let mut simulation = self.simulation.clone();
+            simulation.set_stop(Some(watch.stop));
+            let other = other_direction(&simulation);
+            direction_sentences(&self.simulation, &self.review.outcome, &other)
+        })
+    }
+
+    /// The row as SVG, floors that touch in orange.
+    fn sketch(&self, py: Python<'_>) -> PyResult<String> {
+        let floors = self.simulation.floors();
+        let pairs = self.review.outcome.collisions.all().iter();
+        let facing = pairs.map(|one| floors.facing()[one.pair]);
+        let touched: Vec<usize> = facing.flat_map(|one| [one.left, one.right]).collect();
+        let sketch = Sketch {
+            scene: self.simulation.scene(),
+            floors,
+            touched: &touched,
+        };
+        sketch
+            .svg()
+            .map_err(|error| error.to_string())
+            .or_refused(py)
+    }
+
+    /// The files of a report, by name; with both directions of shaking on its first page where `both` is set.
+    fn files(
+        &self,
+        py: Python<'_>,
+        both: bool,
+    ) -> PyResult<std::collections::BTreeMap<String, Vec<u8>>> {
+        wait(py, None, |watch| {
+            let report = self.report();
+            if !both {
+                return report.files();
+            }
+            let mut simulation = self.simulation.clone();
+            simulation.set_stop(Some(watch.stop));
+            let other = other_direction(&simulation);
+            let sentences = direction_sentences(&self.simulation, &self.review.outcome, &other);
+            report.with_directions(sentences, other.ok()).files()
+        })
+    }
+}

@@ -1,0 +1,45 @@
+//! A scene again and again.
+
+use std::path::PathBuf;
+
+use pounding_sweep::{Sweep, SweepColumn, SweepFile};
+use pyo3::prelude::*;
+
+use crate::refused::OrRefused;
+use crate::table::{Column, Table};
+use crate::waiting::wait;
+
+/// Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
+///
+/// `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
+/// reasons, and the names of those whose direction nothing tells.
+#[pyfunction]
+#[pyo3(signature = (text, path, progress=None))]
+pub(crate) fn sweep(
+    py: Python<'_>,
+    text: &str,
+    path: PathBuf,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(Table, Vec<String>, Vec<String>)> {
+    let ran = wait(py, progress, |watch| -> Result<_, String> {
+        let words = |error: pounding_scene::Error| crate::refused::said(&error);
+        let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
+        let sweep = Sweep::of((file, text.as_bytes()), &path).map_err(|error| error.to_string())?;
+        let of = sweep.n_runs();
+        let columns = sweep.table(watch.stop, &|runs| watch.step(runs, of));
+        let columns = columns.ok_or("stopped")?;
+        let told = (sweep.left_out().to_vec(), sweep.untold().to_vec());
+        Ok((columns, told))
+    })?;
+    let (columns, (left_out, untold)) = ran.or_refused(py)?;
+    let columns = columns.into_iter().map(|(name, column)| {
+        let column = match column {
+            SweepColumn::Counts(counts) => Column::Counts(counts.into()),
+            SweepColumn::Flags(flags) => Column::Flags(flags),
+            SweepColumn::Numbers(numbers) => Column::Numbers(numbers.into()),
+            SweepColumn::Texts(texts) => Column::Texts(texts),
+        };
+        (name, column)
+    });
+    Ok((Table::new(columns), left_out, untold))
+}

@@ -1,0 +1,199 @@
+"""Objects as Python expects them: they compare, pickle, do not change, and hold no second copy."""
+
+import pickle
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+import warnings
+
+import numpy as np
+import polars
+import pounding
+import pyarrow
+import pytest
+from conftest import ROOT
+
+RECORD = next((ROOT / "studies" / "records").glob("*.csv"))
+
+
+def test_reference_the_four_lines() -> None:
+    record = pounding.read(RECORD)
+    weak, stiff = (
+        pounding.sdof(mass=75e3, period=1.2, damping=0.05),
+        pounding.sdof(mass=3e6, period=0.3, damping=0.05),
+    )
+    run = pounding.row(weak, stiff, gap=0.03, restitution=0.65).run(record)
+    assert len(run.impacts) == run.pairs["collisions"].sum() > 0
+    # Momentum: an impact passes on (1+e) m v₀, m the reduced mass.
+    reduced = 1.0 / (1.0 / 75e3 + 1.0 / 3e6)
+    first = run.impacts.iloc[0]
+    impulse = 1.65 * reduced * first["approach_speed_m_per_s"]
+    assert first["impulse_n_s"] == pytest.approx(impulse, rel=1e-12)
+
+
+def test_limit_a_large_record_is_no_copy() -> None:
+    samples = 0.1 * np.sin(np.arange(1_000_000) * 0.01)
+    record = pounding.record(samples, 0.01)
+    views = [record.acceleration for _ in range(2)]
+    addresses = {view.__array_interface__["data"][0] for view in views}
+    assert len(addresses) == 1, "both look at the same memory"
+    assert not views[0].flags.owndata and not views[0].flags.writeable
+    assert np.array_equal(views[0], samples)
+    del record
+    assert views[0][-1] == samples[-1], "a view keeps the memory"
+    with pytest.raises(ValueError):
+        views[0][0] = 1.0
+
+
+def test_limit_histories_agree_with_peaks(towers, pulse) -> None:
+    run = towers.run(pulse)
+    assert run.displacement.shape == (len(run.time), 2)
+    largest = np.abs(run.displacement).max(axis=0)
+    peaks = np.abs(run.peaks["peak_displacement_m"].to_numpy())
+    assert np.all(largest <= peaks * (1 + 1e-12)) and np.allclose(largest, peaks, rtol=1e-3)
+    gap = 0.03 + run.displacement[:, 1] - run.displacement[:, 0]
+    assert np.allclose(run.opening[:, 0], gap, atol=1e-15)
+    assert run.time[-1] <= run.summary["method"]["duration_s"] + 1e-9
+
+
+def test_limit_pickles_are_equal(towers, pulse) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pounding.PoundingWarning)
+        for one in [
+            towers,
+            pulse,
+            pulse.using(scale=2.0),
+            pounding.read(RECORD),
+            pounding.record(np.array([0.0, 1.0, 0.0]), 0.1),
+            pounding.scene(ROOT / "studies" / "examples" / "two-structures.json"),
+            towers.run(pulse),
+        ]:
+            other = pickle.loads(pickle.dumps(one))
+            assert other == one and hash(other) == hash(one)
+            assert type(other) is type(one)
+    assert pulse != pulse.using(scale=2.0)
+    assert towers != towers.replace(name="other")
+
+
+def test_limit_tables_go_to_arrow_and_polars(towers, pulse) -> None:
+    run = towers.run(pulse)
+    for name in ["impacts", "peaks", "pairs"]:
+        table = run.table(name)
+        ours = getattr(run, name)
+        theirs = polars.DataFrame(table)
+        assert theirs.columns == list(ours.columns)
+        assert theirs.height == len(ours) == len(table)
+        arrow = pyarrow.table(table)
+        for column in ours.select_dtypes("number"):
+            mine = ours[column].to_numpy()
+            other = arrow[column].to_pandas().to_numpy(dtype=mine.dtype)
+            assert np.array_equal(mine, other, equal_nan=mine.dtype.kind == "f")
+
+
+def test_limit_threads_give_the_same_bits(towers, pulse) -> None:
+    wanted = towers.run(pulse).summary
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(towers.run(pulse).summary)) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [wanted] * 8
+
+
+LONG = """
+    import pounding, time, threading
+    row = pounding.row(*[pounding.sdof(mass=1e5, period=0.3 + 0.01 * i) for i in range(20)], gap=0.001, restitution=0.9)
+    noise = pounding.formula("stochastic", ground="firm", pga=5.0, strong_from=2.0, strong_until=90.0, decay=0.4,
+                             duration=100.0, time_step=0.005, seed=1)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+def test_issue_ctrl_c_stops_a_run() -> None:
+    code = textwrap.dedent(LONG) + textwrap.dedent("""
+        print("ready", flush=True)
+        try:
+            row.sweep({"structures[0].sdof.mass_kg": [1e5 + i for i in range(2000)]}, record=noise)
+        except KeyboardInterrupt:
+            print("stopped", flush=True)
+    """)
+    child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None and child.stdout.readline() == "ready\n"
+    time.sleep(2.0)
+    begin = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    assert child.stdout.read() == "stopped\n"
+    child.wait(timeout=10)
+    assert time.monotonic() - begin < 5.0
+
+
+def test_limit_others_work_while_a_run_waits(towers) -> None:
+    noise = pounding.formula(
+        "stochastic", ground="firm", pga=5.0, strong_from=2.0, strong_until=30.0, decay=0.4, duration=40.0, time_step=0.005, seed=1
+    )
+    counted = 0
+    run = threading.Thread(target=lambda: towers.sweep(gap=np.linspace(0.0, 0.05, 200), record=noise))
+    run.start()
+    while run.is_alive():
+        counted += 1
+        time.sleep(0.001)
+    assert counted > 20, "the interpreter was free"
+
+
+def test_limit_progress_is_told(towers, pulse) -> None:
+    told = []
+    table = towers.sweep(gap=np.linspace(0.0, 0.05, 3000), record=pulse, progress=lambda *now: told.append(now))
+    assert len(table) == 3000
+    assert all(0 < done <= of == 3000 for done, of in told)
+
+
+def test_issue_what_progress_raises_ends_the_sweep(towers, pulse) -> None:
+    def fails(done: int, of: int) -> None:
+        raise RuntimeError("enough")
+
+    noise = pounding.formula(
+        "stochastic", ground="firm", pga=5.0, strong_from=2.0, strong_until=30.0, decay=0.4, duration=40.0, time_step=0.005, seed=1
+    )
+    with pytest.raises(RuntimeError, match="enough"):
+        towers.sweep(gap=np.linspace(0.0, 0.05, 3000), record=noise, progress=fails)
+
+
+def test_limit_an_array_sweeps_as_it_runs(towers, pulse) -> None:
+    array = pounding.record(pulse.acceleration, pulse.dt)
+    same = pounding.record(array.acceleration, array.dt)
+    assert same == array
+    for record in (pulse, array):
+        table = towers.sweep(gap=[0.03], record=record)
+        peak = towers.run(record).peaks["peak_displacement_m"][0]
+        assert table.iloc[0]["structure 1: peak_displacement_m"] == pytest.approx(peak, rel=1e-9)
+
+
+def test_limit_records_at_hand_are_a_folder(towers, tmp_path) -> None:
+    record = pounding.read(RECORD)
+    (tmp_path / RECORD.name).write_bytes(RECORD.read_bytes())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pounding.PoundingWarning)
+        folder, hand = towers.required_gap(tmp_path), towers.required_gap([record])
+    assert folder.drop(columns="record").equals(hand.drop(columns="record"))
+
+
+def test_reference_notebooks_show_a_sketch_and_a_sentence(towers, pulse) -> None:
+    run = towers.run(pulse)
+    html = run._repr_html_()
+    assert "<svg" in html and "they touch" in html
+    assert "<svg" in towers._repr_html_()
+    assert "Record ricker" in repr(pulse)
+    assert "line" in repr(pounding.read(RECORD)), "says from which line"
+    assert run.plot().axes
+
+
+def test_reference_compare_stands_side_by_side(towers, pulse) -> None:
+    wide = towers.replace(name="wide", contacts=[{"gap_m": 0.5, "law": {"stereomechanical": {"restitution": 0.65}}}])
+    table = pounding.compare([towers.run(pulse), wide.run(pulse)])
+    assert list(table.columns) == ["row", "wide"]
+    collisions = table.loc[("gap", 0, 1, "collisions")]
+    assert collisions["row"] > 0 and collisions["wide"] == 0

@@ -1,0 +1,185 @@
+//! A certificate line by line, for people and for programs.
+
+use pounding_contact::{Clamp, LawName};
+use serde_json::{Map, Value, json};
+
+use crate::accuracy::methods::StepMethod;
+use crate::judge::certificate::{Certificate, CertificateRequest};
+use crate::judge::free_collision::{Delivered, FreeCollision};
+
+/// One line of a certificate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CertificateFact {
+    /// Name in CSV and JSON, with its unit.
+    pub key: &'static str,
+    /// Name in text.
+    pub words: &'static str,
+    /// Unit; empty of words and of what has none.
+    pub unit: &'static str,
+    /// What it says.
+    pub said: Said,
+}
+
+/// What the line says.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Said {
+    /// A number; nothing where there is none.
+    Number(Option<f64>),
+    /// Words.
+    Words(String),
+}
+
+/// What one method delivers, or why it fails.
+#[derive(Debug, Clone)]
+pub struct DeliveredBy {
+    /// The method.
+    pub method: StepMethod,
+    /// Time step \[s\].
+    pub step: f64,
+    /// What it delivers.
+    pub delivered: Result<Delivered, String>,
+}
+
+/// Impact stiffness of the pounding literature for Hertz springs \[N/m^1.5\].
+const HERTZ: f64 = 2.75e9;
+/// The same for linear springs \[N/m\].
+const LINEAR: f64 = 9.35e7;
+
+/// Impact stiffness where nobody gives one, in the unit of the law.
+pub fn usual_stiffness(law: LawName) -> f64 {
+    match law.stiffness_unit() {
+        Some("N/m") => LINEAR,
+        _ => HERTZ,
+    }
+}
+
+impl Certificate {
+    /// Its lines.
+    ///
+    /// # Panics
+    /// Never: a law is plain data.
+    pub fn facts(
+        &self,
+        wanted: &CertificateRequest,
+        collision: &FreeCollision,
+    ) -> Vec<CertificateFact> {
+        let certificate = self;
+        let named = |key, words, text: &str| CertificateFact {
+            key,
+            words,
+            unit: "",
+            said: Said::Words(text.into()),
+        };
+        let number = |(key, words, unit, number)| CertificateFact {
+            key,
+            words,
+            unit,
+            said: Said::Number(number),
+        };
+        let mut facts = vec![named("law", "law", wanted.law.description().name)];
+        let [left, right] = collision.masses.map(Some);
+        let (e, delivered) = (Some(wanted.restitution), certificate.by_relation);
+        let (v, impulse) = (Some(collision.speed), Some(certificate.impulse));
+        let by_exact = Some(certificate.by_exact);
+        let [peak, deepest, duration] = match certificate.impact {
+            Some(impact) => [impact.peak_force, impact.max_deformation, impact.duration].map(Some),
+            None => [None; 3],
+        };
+        let numbers = [
+            ("mass_left_kg", "left mass", "kg", left),
+            ("mass_right_kg", "right mass", "kg", right),
+            ("approach_speed_m_per_s", "approach speed", "m/s", v),
+            ("restitution_asked", "e asked", "", e),
+            (
+                "restitution_by_formula",
+                "e by the literature's formula",
+                "",
+                certificate.by_formula,
+            ),
+            ("restitution_delivered", "e delivered", "", delivered),
+            (
+                "restitution_by_exact_method",
+                "e by the exact method",
+                "",
+                by_exact,
+            ),
+            ("impulse_n_s", "impulse", "N·s", impulse),
+            ("peak_force_n", "peak force", "N", peak),
+            ("max_deformation_m", "largest deformation", "m", deepest),
+            ("contact_duration_s", "duration of contact", "s", duration),
+        ];
+        facts.extend(numbers.map(number));
+        let parameters = serde_json::to_string(&certificate.law).expect("a law is plain data");
+        let clamp = match certificate.law.clamp() {
+            Clamp::Never => "never",
+            Clamp::DrivenApart => "only where something else drives the pair apart; clamped",
+            Clamp::EveryCollision => "at the end of every collision; clamped",
+        };
+        facts.push(named("would_pull", "would pull", clamp));
+        facts.push(named("parameters", "parameters", &parameters));
+        facts
+    }
+
+    /// What methods deliver at a time step \[s\]: one, or all that differ.
+    pub fn lines(
+        &self,
+        collision: &FreeCollision,
+        step: f64,
+        method: Option<StepMethod>,
+    ) -> Vec<DeliveredBy> {
+        let line = |method: StepMethod| {
+            let delivered = self.by(collision, &method.at(step));
+            DeliveredBy {
+                method,
+                step,
+                delivered: delivered.map_err(|error| error.to_string()),
+            }
+        };
+        match method {
+            Some(method) => vec![line(method)],
+            None => StepMethod::differing(self.law.impulsive().is_some())
+                .map(line)
+                .collect(),
+        }
+    }
+}
+
+impl DeliveredBy {
+    /// Its numbers by name; `None` where the method fails.
+    pub fn numbers(&self) -> Option<[(&'static str, Option<f64>); 4]> {
+        let delivered = self.delivered.as_ref().ok()?;
+        let [least, largest] = delivered.range;
+        Some([
+            ("steps_per_contact", delivered.steps_per_contact),
+            ("least_restitution", Some(least)),
+            ("largest_restitution", Some(largest)),
+            ("largest_error", Some(delivered.error)),
+        ])
+    }
+}
+
+/// A certificate for a program.
+pub fn certificate_json(facts: &[CertificateFact], methods: &[DeliveredBy]) -> Value {
+    let fact = |fact: &CertificateFact| {
+        let value = match &fact.said {
+            Said::Number(number) => json!(number),
+            Said::Words(words) => json!(words),
+        };
+        (fact.key.to_string(), value)
+    };
+    let mut object: Map<_, _> = facts.iter().map(fact).collect();
+    let method = |line: &DeliveredBy| {
+        let mut one = Map::new();
+        one.insert("method".into(), json!(line.method.name()));
+        one.insert("time_step_s".into(), json!(line.step));
+        for (key, value) in line.numbers().into_iter().flatten() {
+            one.insert(key.into(), json!(value));
+        }
+        if let Err(reason) = &line.delivered {
+            one.insert("failed".into(), json!(reason));
+        }
+        Value::Object(one)
+    };
+    object.insert("methods".into(), methods.iter().map(method).collect());
+    Value::Object(object)
+}

@@ -1,0 +1,100 @@
+//! A sweep as columns in memory, for a program that works on with them.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use super::manifest::Manifest;
+use super::plan::{Axis, Setting};
+use super::sampling::Point;
+use super::{Batch, Sweep};
+
+/// A column of a sweep, with a value for each run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SweepColumn {
+    /// Numbers of runs.
+    Counts(Vec<u64>),
+    /// Whether something holds.
+    Flags(Vec<bool>),
+    /// Numbers; NaN where a run has none.
+    Numbers(Vec<f64>),
+    /// Texts; nothing where a run has none.
+    Texts(Vec<Option<String>>),
+}
+
+impl Sweep {
+    /// Runs the whole sweep with all threads; its columns with the names of [`columns`](Self::columns), and the numbers of a table on
+    /// disk. `done` is told of every batch how many runs it has. `None` if somebody sets `stop` before all are done.
+    pub fn table(
+        &self,
+        stop: &'static AtomicBool,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Option<Vec<(String, SweepColumn)>> {
+        let n_runs = self.n_runs();
+        // As in the parts of a table on disk: which runs go side by side is in the bits of the exact method.
+        let part = Manifest::of(self).runs_per_part;
+        let batches: Vec<u64> = (0..n_runs.div_ceil(part)).collect();
+        let made = batches.into_par_iter().with_max_len(1).map(|batch| {
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            let runs = batch * part..n_runs.min((batch + 1) * part);
+            let made = self.batch_until(runs.clone(), stop)?;
+            done(runs.end - runs.start);
+            Some(made)
+        });
+        let batches: Vec<Batch> = made.collect::<Option<_>>()?;
+        let shaking: Vec<_> = (0..n_runs)
+            .map(|run| &self.motions.all[self.plan.motion(run).0])
+            .collect();
+        let names = shaking.iter().map(|one| Some(one.name.clone()));
+        let reversed = shaking.iter().map(|one| one.is_reversed());
+        let mut columns = vec![
+            SweepColumn::Counts((0..n_runs).collect()),
+            SweepColumn::Texts(names.collect()),
+            SweepColumn::Flags(reversed.collect()),
+        ];
+        columns.extend(self.varied());
+        columns.extend((0..self.n_columns()).map(|column| {
+            let numbers = batches.iter().flat_map(|batch| &batch.columns[column]);
+            SweepColumn::Numbers(numbers.copied().collect())
+        }));
+        let checked = batches.iter().flat_map(|batch| &batch.checked);
+        let checked =
+            checked.map(|one| Some(one.name().to_owned()).filter(|name| !name.is_empty()));
+        columns.push(SweepColumn::Texts(checked.collect()));
+        let failed = batches.iter().flat_map(|batch| &batch.failed);
+        columns.push(SweepColumn::Texts(failed.cloned().collect()));
+        Some(self.columns().into_iter().zip(columns).collect())
+    }
+
+    /// What varies, a column for each axis.
+    fn varied(&self) -> Vec<SweepColumn> {
+        let axes = self.plan.axes();
+        let (mut point, mut settings) = (Point::default(), Vec::new());
+        let mut values: Vec<Vec<Setting>> = vec![Vec::new(); axes.len()];
+        for run in 0..self.n_runs() {
+            self.plan.settings(run, &mut point, &mut settings);
+            for (column, setting) in values.iter_mut().zip(&settings) {
+                column.push(*setting);
+            }
+        }
+        axes.iter().zip(values).map(column).collect()
+    }
+}
+
+/// The values of an axis: numbers, or texts where a list holds something else.
+fn column((axis, settings): (&Axis, Vec<Setting>)) -> SweepColumn {
+    let number = |setting: &Setting| match setting {
+        Setting::Number(number) => Some(*number),
+        Setting::Listed(_) => None,
+    };
+    let numbers: Option<Vec<f64>> = settings.iter().map(number).collect();
+    numbers.map_or_else(
+        || {
+            let text = |setting: &Setting| Some(axis.text(*setting));
+            SweepColumn::Texts(settings.iter().map(text).collect())
+        },
+        SweepColumn::Numbers,
+    )
+}

@@ -1,0 +1,197 @@
+//! The Python package: built, held to its tests, and packed.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The package, from the top folder.
+const PACKAGE: &str = "crates/python";
+/// What its tests need beside it. `OpenSees` has no wheel for every machine: without it one notebook is left out.
+const TESTS: [&str; 12] = [
+    "maturin>=1.9.4,<2",
+    "numpy",
+    "pandas",
+    "pandas-stubs",
+    "polars",
+    "pyarrow",
+    "matplotlib",
+    "pytest",
+    "mypy",
+    "nbclient",
+    "nbformat",
+    "ipykernel",
+];
+const OPENSEES: &str = "openseespy";
+/// Its types, as they stand in the package and as they are made anew.
+const STUBS: &str = "python/pounding/_pounding.pyi";
+
+/// Builds the wheel in an environment of its own, and runs tests, types and notebooks.
+pub(crate) fn check(root: &Path) -> Result<(), String> {
+    let python = environment(root, "python")?;
+    let mut install = pip(&python, &["install", "--quiet"]);
+    step(install.args(TESTS), root)?;
+    let opensees = step(
+        pip(&python, &["install", "--quiet", OPENSEES]).arg("--only-binary=:all:"),
+        root,
+    );
+    if opensees.is_err() {
+        println!("   left out: the notebook beside OpenSees, which has no wheel for this machine");
+    }
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let build = &mut Command::new(cargo);
+    step(build.args(["build", "--package", "pounding"]), root)?;
+    let wheel = wheel(root, &python)?;
+    let reinstall = ["install", "--quiet", "--force-reinstall", "--no-deps"];
+    step(pip(&python, &reinstall).arg(&wheel), root)?;
+    stubs(root, &python)?;
+    let package = root.join(PACKAGE);
+    let mut tests = Command::new(&python);
+    tests.args(["-m", "pytest", "--quiet"]);
+    tests.env("POUNDING_PROGRAM", root.join("target/debug/pounding"));
+    step(&mut tests, &package)
+}
+
+/// Packs wheel, source distribution and a stripped program into `target/dist`, and tries them in an environment of nothing else.
+pub(crate) fn dist(root: &Path) -> Result<(), String> {
+    let python = environment(root, "dist")?;
+    step(pip(&python, &["install", "--quiet"]).arg(TESTS[0]), root)?;
+    let out = root.join("target/dist");
+    fresh(&out)?;
+    let wheel = wheel(root, &python)?;
+    copy(&wheel, &out)?;
+    let mut pack = maturin(root, &python);
+    pack.args(["sdist", "--out"]).arg(&out);
+    step(&mut pack, &root.join(PACKAGE))?;
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut build = Command::new(&cargo);
+    build.args(["build", "--release", "--package", "pounding", "--config"]);
+    build.arg("profile.release.strip=true");
+    step(&mut build, root)?;
+    copy(&root.join("target/release/pounding"), &out)?;
+    let clean = environment(root, "clean")?;
+    let name = wheel.file_name().unwrap_or_default();
+    step(
+        pip(&clean, &["install", "--quiet"]).arg(out.join(name)),
+        root,
+    )?;
+    let mut tried = Command::new(clean);
+    step(tried.args(["-c", TRIED]), &out)?;
+    step(Command::new(out.join("pounding")).arg("--version"), &out)?;
+    println!("packed into {}", out.display());
+    Ok(())
+}
+
+/// A run that fails where the wheel does not work.
+const TRIED: &str = "import pounding
+pulse = pounding.formula('ricker', amplitude=3.0, frequency=1.0, time_step=0.01)
+weak, stiff = (pounding.sdof(mass=mass, period=period) for mass, period in [(75e3, 1.2), (3e6, 0.3)])
+run = pounding.row(weak, stiff, gap=0.03, restitution=0.65).run(pulse)
+assert len(run.table('impacts')) > 0
+print(run)";
+
+/// Compares the types that the package has with those of the library; writes them where they are missing.
+fn stubs(root: &Path, python: &Path) -> Result<(), String> {
+    let made = root.join("target/python-stubs");
+    fresh(&made)?;
+    let mut make = maturin(root, python);
+    make.args(["generate-stubs", "--quiet", "--profile", "release", "--out"]);
+    step(make.arg(&made), &root.join(PACKAGE))?;
+    let fail = |path: &Path, error: &std::io::Error| format!("{}: {error}", path.display());
+    let new = found(&made, "pyi")?;
+    let new = fs::read_to_string(&new).map_err(|error| fail(&new, &error))?;
+    let known = root.join(PACKAGE).join(STUBS);
+    match fs::read_to_string(&known) {
+        Ok(text) if text == new => Ok(()),
+        Ok(_) => Err(format!(
+            "{}: found other types than those of the library; delete it, and this command writes it anew",
+            known.display()
+        )),
+        Err(_) => {
+            fs::write(&known, new).map_err(|error| fail(&known, &error))?;
+            Err(format!(
+                "{}: was missing, and is written: look at it",
+                known.display()
+            ))
+        }
+    }
+}
+
+/// The Python of an environment below `target`, made where it is missing.
+fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
+    let home = root.join("target").join(format!("venv-{name}"));
+    let python = home.join(if cfg!(windows) {
+        "Scripts/python.exe"
+    } else {
+        "bin/python"
+    });
+    if !python.exists() {
+        let base = if cfg!(windows) { "python" } else { "python3" };
+        step(Command::new(base).args(["-m", "venv"]).arg(&home), root)?;
+    }
+    Ok(python)
+}
+
+/// Builds the wheel; its path.
+fn wheel(root: &Path, python: &Path) -> Result<PathBuf, String> {
+    let out = root.join("target/wheels");
+    fresh(&out)?;
+    let mut build = maturin(root, python);
+    build.args(["build", "--quiet", "--release", "--out"]);
+    step(build.arg(&out), &root.join(PACKAGE))?;
+    found(&out, "whl")
+}
+
+fn maturin(root: &Path, python: &Path) -> Command {
+    let mut command = Command::new(python);
+    command.args(["-m", "maturin"]);
+    command.env("CARGO_TARGET_DIR", root.join("target/python"));
+    command
+}
+
+fn pip(python: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(python);
+    command.args(["-m", "pip"]).args(arguments);
+    command.env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
+    command
+}
+
+/// The file with this ending below a folder.
+fn found(folder: &Path, ending: &str) -> Result<PathBuf, String> {
+    let entries = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    for path in entries.flatten().map(|entry| entry.path()) {
+        if path.is_dir() {
+            if let Ok(inside) = found(&path, ending) {
+                return Ok(inside);
+            }
+        } else if path.extension().is_some_and(|found| found == ending) {
+            return Ok(path);
+        }
+    }
+    Err(format!("{}: holds no .{ending}", folder.display()))
+}
+
+/// An empty folder.
+fn fresh(folder: &Path) -> Result<(), String> {
+    let fail = |error: std::io::Error| format!("{}: {error}", folder.display());
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(fail)?;
+    }
+    fs::create_dir_all(folder).map_err(fail)
+}
+
+fn copy(file: &Path, folder: &Path) -> Result<(), String> {
+    let to = folder.join(file.file_name().unwrap_or_default());
+    fs::copy(file, &to).map_err(|error| format!("{}: {error}", to.display()))?;
+    Ok(())
+}
+
+fn step(command: &mut Command, folder: &Path) -> Result<(), String> {
+    println!("── {command:?}");
+    let status = command.current_dir(folder).status();
+    let status = status.map_err(|error| format!("{command:?}: {error}"))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err(format!("{command:?}: {status}"))
+    }
+}
