@@ -55,7 +55,7 @@ pub(crate) fn assess(
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |motion| scaling.applied(&scene, motion),
-            |prepared, spectrum| Ok((prepared.assessed([from, 1.0, to])?, spectrum.clone())),
+            |prepared, spectrum| Ok((prepared.assessed(None, [from, 1.0, to])?, spectrum.clone())),
         )?;
         let report =
             AssessmentReport::of_lines(scene, &lines.lines).map_err(|error| said(&error))?;
