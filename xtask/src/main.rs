@@ -8,7 +8,7 @@
 //!
 //! | Task | Does | Writes |
 //! |---|---|---|
-//! | `check` | format, lints, rooms, tests, documentation, results | – |
+//! | `check` | format, lints, rooms, tests, documentation, a part of torture, results | – |
 //! | `check --python` | the Python package: wheel, tests, types, notebooks | – |
 //! | `dist` | wheel, sources and a stripped program, tried in a clean environment | `target/dist/` |
 //! | `reproduce` | every table and figure of the paper, and the examples | `results/` |
@@ -40,6 +40,7 @@ mod reproduce;
 mod results;
 mod rooms;
 mod schedulers;
+mod step;
 mod studies;
 mod torture;
 mod verify;

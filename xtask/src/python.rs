@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::step::step;
+
 /// The package, from the top folder.
 const PACKAGE: &str = "crates/python";
 /// What its tests need beside it. `OpenSees` has no wheel for every machine: without it one notebook is left out.
@@ -183,15 +185,4 @@ fn copy(file: &Path, folder: &Path) -> Result<(), String> {
     let to = folder.join(file.file_name().unwrap_or_default());
     fs::copy(file, &to).map_err(|error| format!("{}: {error}", to.display()))?;
     Ok(())
-}
-
-fn step(command: &mut Command, folder: &Path) -> Result<(), String> {
-    println!("── {command:?}");
-    let status = command.current_dir(folder).status();
-    let status = status.map_err(|error| format!("{command:?}: {error}"))?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{command:?}: {status}"))
-    }
 }

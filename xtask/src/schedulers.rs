@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use crate::step::step;
+
 /// The sweep, from the top folder.
 const SWEEP: &str = "studies/sweeps/gap-and-period.json";
 /// The script that submits it to `HyperQueue`, from the top folder, and what is installed for it.
@@ -70,15 +72,4 @@ fn compare(
     }
     println!("The sweep by {scheduler} has the bytes of the one without it.");
     Ok(())
-}
-
-fn step(command: &mut Command, folder: &Path) -> Result<(), String> {
-    println!("── {command:?}");
-    let status = command.current_dir(folder).status();
-    let status = status.map_err(|error| format!("{command:?}: {error}"))?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{command:?}: {status}"))
-    }
 }

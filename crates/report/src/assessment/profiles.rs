@@ -1,11 +1,11 @@
 //! Peak drift and shear force over the height of the buildings, alone and beside their neighbours, over all runs.
 
-use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
+use pounding_plot::{Curve, Figure, Kind, Mark, Shade};
 use pounding_scene::{AssessedFloor, Distribution, FloorPeaks};
 
 use super::AssessmentReport;
-use crate::figures::profiles::{MOST, over, storeys};
-use crate::figures::{fitting, unit};
+use crate::figures::profiles::{MOST, of_storeys, over, panels};
+use crate::figures::unit;
 
 pub(super) const CAPTION: &str = "Peak storey drift and shear force over the height of the buildings, over all runs in both directions. \
                                   Dashed: alone. Lines with marks: beside the neighbours, with the contact of the scene. Blue: the \
@@ -13,13 +13,8 @@ pub(super) const CAPTION: &str = "Peak storey drift and shear force over the hei
 
 /// `None` if no building has several storeys.
 pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
-    let floors = report.floors();
-    let structures = 0..report.scene.structures.len();
-    let buildings = structures.filter(|index| {
-        let own = floors.of_structure(*index);
-        own.len() > 1 && !floors.all()[own[0]].is_wall()
-    });
-    let shown: Vec<usize> = buildings.take(MOST).collect();
+    let mut shown = of_storeys(&report.scene, report.floors());
+    shown.truncate(MOST);
     if shown.is_empty() {
         return None;
     }
@@ -39,27 +34,11 @@ pub(super) fn figure(report: &AssessmentReport) -> Option<Figure> {
         },
     ];
     let panels = responses.iter().flat_map(|response| {
-        let curves: Vec<Vec<Curve>> = shown
+        let curves = shown
             .iter()
-            .map(|building| response.curves(report, *building))
-            .collect();
-        let points = curves.iter().flatten().flat_map(|curve| &curve.points);
-        // From zero, and the same for all buildings.
-        let end = 1.05 * points.map(|point| point.0).fold(0.0, f64::max);
-        let label = &response.label;
-        let panel = move |(building, curves): (&usize, Vec<Curve>)| Panel {
-            title: fitting(report.scene.structures[*building].name()),
-            x: Some(if end > 0.0 {
-                Axis::over(label.clone(), 0.0, end)
-            } else {
-                Axis::auto(label.clone())
-            }),
-            y: storeys(floors.of_structure(*building).len()),
-            curves,
-            legend: Legend::Shared,
-            ..Panel::default()
-        };
-        shown.iter().zip(curves).map(panel)
+            .map(|building| (*building, response.curves(report, *building)));
+        let row = (&report.scene, report.floors());
+        panels(row, &response.label, curves.collect())
     });
     Some(Figure {
         height_in: 4.4,

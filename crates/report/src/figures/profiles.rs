@@ -2,7 +2,7 @@
 
 use super::{Known, fitting, unit};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::{RunResult, Simulation};
+use pounding_scene::{Floors, RunResult, Scene, Simulation};
 
 /// More buildings than this do not fit side by side.
 pub(crate) const MOST: usize = 4;
@@ -15,40 +15,21 @@ pub(super) fn figure(
     outcome: &RunResult,
     known: Known<'_>,
 ) -> Option<(Figure, String)> {
-    let floors = prepared.floors();
-    let several = |index: &usize| floors.of_structure(*index).len() > 1;
-    let moves = |index: &usize| !floors.all()[floors.of_structure(*index)[0]].is_wall();
-    let structures = 0..prepared.scene().structures.len();
-    let buildings: Vec<usize> = structures.filter(several).filter(moves).collect();
+    let buildings = of_storeys(prepared.scene(), prepared.floors());
     let shown = &buildings[..buildings.len().min(MOST)];
     if shown.is_empty() {
         return None;
     }
     let responses = responses(prepared, outcome);
     let panels = responses.iter().flat_map(|response| {
-        let curves = shown
-            .iter()
-            .map(|building| response.curves((prepared, *building), outcome, known));
-        let curves: Vec<Vec<Curve>> = curves.collect();
-        let points = curves.iter().flatten().flat_map(|curve| &curve.points);
-        // From zero, and the same for all buildings.
-        let end = 1.05 * points.map(|point| point.0).fold(0.0, f64::max);
-        let label = &response.label;
-        shown
-            .iter()
-            .zip(curves)
-            .map(move |(building, curves)| Panel {
-                title: fitting(prepared.scene().structures[*building].name()),
-                x: Some(if end > 0.0 {
-                    Axis::over(label.clone(), 0.0, end)
-                } else {
-                    Axis::auto(label.clone())
-                }),
-                y: storeys(floors.of_structure(*building).len()),
-                curves,
-                legend: Legend::Shared,
-                ..Panel::default()
-            })
+        let curves = shown.iter().map(|building| {
+            (
+                *building,
+                response.curves((prepared, *building), outcome, known),
+            )
+        });
+        let row = (prepared.scene(), prepared.floors());
+        panels(row, &response.label, curves.collect())
     });
     let figure = Figure {
         height_in: 5.6,
@@ -57,6 +38,40 @@ pub(super) fn figure(
         ..Figure::default()
     };
     Some((figure, caption(known, (shown.len(), buildings.len()))))
+}
+
+/// The buildings that have several storeys.
+pub(crate) fn of_storeys(scene: &Scene, floors: &Floors) -> Vec<usize> {
+    let structures = 0..scene.structures.len();
+    let several = structures.filter(|index| {
+        let own = floors.of_structure(*index);
+        own.len() > 1 && !floors.all()[own[0]].is_wall()
+    });
+    several.collect()
+}
+
+/// A panel for each building with its curves, over one axis that begins at zero.
+pub(crate) fn panels(
+    (scene, floors): (&Scene, &Floors),
+    label: &str,
+    buildings: Vec<(usize, Vec<Curve>)>,
+) -> Vec<Panel> {
+    let curves = buildings.iter().flat_map(|(_, curves)| curves);
+    let points = curves.flat_map(|curve| &curve.points);
+    let end = 1.05 * points.map(|point| point.0).fold(0.0, f64::max);
+    let panel = |(building, curves): (usize, Vec<Curve>)| Panel {
+        title: fitting(scene.structures[building].name()),
+        x: Some(if end > 0.0 {
+            Axis::over(label, 0.0, end)
+        } else {
+            Axis::auto(label)
+        }),
+        y: storeys(floors.of_structure(building).len()),
+        curves,
+        legend: Legend::Shared,
+        ..Panel::default()
+    };
+    buildings.into_iter().map(panel).collect()
 }
 
 fn caption(known: Known<'_>, (shown, all): (usize, usize)) -> String {
@@ -101,7 +116,7 @@ fn responses(prepared: &Simulation, outcome: &RunResult) -> [Response; 2] {
 }
 
 /// Storeys from the ground up; each has its name where there is room.
-pub(crate) fn storeys(n: usize) -> Axis {
+fn storeys(n: usize) -> Axis {
     let names = (1..=n).rev().map(|storey| storey.to_string());
     Axis {
         label: "Storey".into(),
