@@ -11,9 +11,6 @@ use super::scenes::{Pair, Scenes, Structure};
 use crate::RestoringForce;
 use crate::impact::rounds::{ROUNDING, Rounds, Touching};
 
-/// Energy that impacts may create, relative to what they exchange: rounding.
-const FORGIVEN: f64 = 1e-12;
-
 /// The rule of [`Impacts`](crate::impact::impacts::Impacts): the pair of two structures at once, pairs of longer rows in its rounds.
 pub(super) enum Jumps<S: Simd> {
     TwoStructures,
@@ -86,11 +83,6 @@ fn strike_all<S: Simd, Column: SideBySideColumn>(
     if !rounds.strike_all(|node| structures[node].contact.velocity) {
         return;
     }
-    let before = |node: usize| structures[node].contact.velocity;
-    let gains = gains(rounds, before, ground.like(0.0));
-    if let Some(pair) = pairs.iter_mut().flatten().next() {
-        pair.tally.books.doubt(gains);
-    }
     for (link, impulse) in rounds.struck() {
         if let Some(pair) = &mut pairs[link.left] {
             pair.tally.strike(impulse);
@@ -106,23 +98,6 @@ fn strike_all<S: Simd, Column: SideBySideColumn>(
             structure.restart(ground);
         }
     }
-}
-
-/// Where impacts at once create energy, of several pairs: one can get what another gives, and more.
-#[inline(always)]
-fn gains<S: Simd>(
-    rounds: &Rounds<Lanes<S>>,
-    before: impl Fn(usize) -> Lanes<S>,
-    zero: Lanes<S>,
-) -> Mask<S> {
-    let (mut loss, mut exchanged) = (zero, zero);
-    for (link, impulse) in rounds.struck() {
-        let before = before(link.left) - before(link.right);
-        let after = rounds.velocity(link.left) - rounds.velocity(link.right);
-        loss = loss + impulse * (before + after);
-        exchanged = exchanged + impulse * (before.abs() + after.abs());
-    }
-    (zero - zero.like(FORGIVEN) * exchanged).exceeds(loss)
 }
 
 /// Strikes a pair that is the only one of every scene, where it touches; false where none approaches.

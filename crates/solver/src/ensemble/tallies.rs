@@ -45,8 +45,9 @@ impl SceneSums {
 
     /// Whether the books of its contacts leave open that a scene breaks a law of mechanics: a run of it alone says.
     ///
-    /// By stepping methods they book collisions as a [`Ledger`](crate::Ledger) does, and doubt a little more than it refuses. The exact
-    /// method carries impacts and contacts to rounding or tolerance, under laws that take energy and never pull: it doubts nothing.
+    /// By stepping methods they book compliant collisions as a [`Ledger`](crate::Ledger) does, and doubt a little more than it refuses.
+    /// Impacts are not booked: every round of them takes energy, or leaves it, as e is 1 at most and no impulse pulls. Nor is the exact
+    /// method, which carries impacts and contacts to rounding or tolerance, under laws that take energy and never pull.
     pub fn is_doubted(&self, scene: usize) -> bool {
         self.doubted[scene]
     }
