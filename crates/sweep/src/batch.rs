@@ -171,7 +171,7 @@ impl Sweep {
                 let checked = if sampled {
                     caught(both)
                 } else {
-                    Ok(Checked::Books)
+                    Ok(Checked::Beside)
                 };
                 checked.map(|checked| (checked, 0.0))
             } else {

@@ -25,8 +25,9 @@ pub enum Checked {
     No,
     /// By the ledger of its own run.
     Ledger,
-    /// By the books of its contacts, side by side with others.
-    Books,
+    /// Side by side with others: by the books of its compliant contacts where a stepping method ran it, by no more than its way of working
+    /// where the exact one did.
+    Beside,
     /// By both: it ran side by side and alone, with the same numbers.
     Both,
 }
@@ -37,7 +38,7 @@ impl Checked {
         match self {
             Self::No => "",
             Self::Ledger => "ledger",
-            Self::Books => "books",
+            Self::Beside => "beside",
             Self::Both => "both",
         }
     }
