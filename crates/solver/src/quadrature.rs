@@ -29,23 +29,28 @@ pub(crate) const SIXTEEN: &Rule<8> = &[
 /// Nodes of a rule, on either side of the middle.
 pub(crate) type Sides<const HALF: usize> = [[f64; HALF]; 2];
 
-/// Integrals of N functions between two limits, which are told of all nodes at once: below the middle, and above it.
+/// Integrals of N functions between two limits, which are told of all nodes at once (below the middle, and above it), and then
+/// asked for each by side and number.
 #[inline]
-pub(crate) fn integrate_at_once<const N: usize, const HALF: usize>(
+pub(crate) fn integrate_at_once<const N: usize, const HALF: usize, F>(
     rule: &Rule<HALF>,
     from: f64,
     to: f64,
-    integrand: impl FnOnce(&Sides<HALF>) -> [[[f64; N]; HALF]; 2],
-) -> [f64; N] {
+    integrand: impl FnOnce(Sides<HALF>) -> F,
+) -> [f64; N]
+where
+    F: Fn(usize, usize) -> [f64; N],
+{
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let nodes = [
         rule.map(|(node, _)| middle - half * node),
         rule.map(|(node, _)| middle + half * node),
     ];
-    let [below, above] = integrand(&nodes);
+    let values = integrand(nodes);
     let mut sums = [0.0; N];
-    for (((_, weight), below), above) in rule.iter().zip(below).zip(above) {
-        for ((sum, below), above) in sums.iter_mut().zip(below).zip(above) {
+    for (number, (_, weight)) in rule.iter().enumerate() {
+        let sides = values(0, number).into_iter().zip(values(1, number));
+        for (sum, (below, above)) in sums.iter_mut().zip(sides) {
             *sum += weight * (below + above);
         }
     }
@@ -60,7 +65,8 @@ pub(crate) fn integrate<const N: usize, const HALF: usize>(
     integrand: impl Fn(f64) -> [f64; N],
 ) -> [f64; N] {
     integrate_at_once(rule, from, to, |nodes| {
-        nodes.map(|side| side.map(&integrand))
+        let integrand = &integrand;
+        move |side: usize, number: usize| integrand(nodes[side][number])
     })
 }
 

@@ -1,6 +1,7 @@
 //! One run of an assessment: a row under one motion in one direction, alone, beside its neighbours, and with softer and stiffer
 //! contact.
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::alone::Alone;
@@ -95,18 +96,17 @@ impl Simulation {
         };
         let beside = exact.run(None)?;
         let excesses = exact.excesses(&beside);
+        let mut pushes = beside.collisions.all().iter();
         let mut variants = Vec::new();
-        if beside
-            .collisions
-            .all()
-            .iter()
-            .any(|one| one.peak_force.is_some())
-        {
-            for factor in factors {
-                if (factor - 1.0).abs() > 0.0 {
-                    variants.push(exact.stiffened(factor)?.run(None)?);
-                }
-            }
+        if pushes.any(|one| one.peak_force.is_some()) {
+            let others = factors.map(|factor| ((factor - 1.0).abs() > 0.0).then_some(factor));
+            let run = |factor: f64| exact.stiffened(factor)?.run(None);
+            // Side by side, so that the last motion of a folder does not leave processors idle.
+            let ran: Result<Vec<RunResult>, Error> = others
+                .into_par_iter()
+                .filter_map(|factor| factor.map(run))
+                .collect();
+            variants = ran?;
         }
         variants.push(beside);
         let pairs = 0..self.pairs().len();

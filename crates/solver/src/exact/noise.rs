@@ -62,6 +62,9 @@ pub(super) fn clean(
 
 /// Clears the first coefficients of the forces at rest of a block that are rounding, of each pair all when the first ones are.
 fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p: usize) {
+    if block.first == block.last {
+        return;
+    }
     let tied = members[block.first..=block.last]
         .iter()
         .any(Member::is_tied);

@@ -55,8 +55,9 @@ fn first_root_by(
     local.copy_from_slice(whole);
     let (mut left, mut width) = (0.0, length);
     loop {
-        let monotone = lower_bound_of_slope(local, width) >= 0.0;
-        let none = upper_bound(local, width) <= 0.0 || (monotone && value(local, width) <= 0.0);
+        let Bounds { most, slope, end } = bounds(local, width);
+        let monotone = slope >= 0.0;
+        let none = most <= 0.0 || (monotone && end <= 0.0);
         if monotone && !none {
             return Some(left + rise(local, width));
         }
@@ -89,16 +90,31 @@ fn upper_bound(coefficients: &[f64], width: f64) -> f64 {
     coefficients[0] + width * coefficients[1..].iter().rev().fold(0.0, sum)
 }
 
-/// Smallest slope that the polynomial could have on 0 ..= `width`.
-fn lower_bound_of_slope(coefficients: &[f64], width: f64) -> f64 {
-    let Some((slope, rest)) = coefficients[1..].split_first() else {
-        return 0.0;
-    };
-    let mut sum = 0.0;
-    for (index, coefficient) in rest.iter().enumerate().rev() {
-        sum = sum * width + ((index + 2) as f64 * coefficient).min(0.0);
+/// What is known of a polynomial on 0 ..= a width.
+struct Bounds {
+    /// Its largest value is no larger; as [`upper_bound`].
+    most: f64,
+    /// Its smallest slope is no smaller.
+    slope: f64,
+    /// Its value at the end.
+    end: f64,
+}
+
+/// All three in one pass, in which none waits for another.
+fn bounds(coefficients: &[f64], width: f64) -> Bounds {
+    let (mut most, mut slope, mut end) = (0.0, 0.0, 0.0);
+    for (order, coefficient) in coefficients.iter().enumerate().skip(2).rev() {
+        most = most * width + coefficient.max(0.0);
+        slope = slope * width + (order as f64 * coefficient).min(0.0);
+        end = end * width + coefficient;
     }
-    slope + width * sum
+    let (first, second) = (coefficients[0], coefficients.get(1));
+    let second = *second.unwrap_or(&0.0);
+    Bounds {
+        most: first + width * (most * width + second.max(0.0)),
+        slope: second + width * slope,
+        end: (end * width + second) * width + first,
+    }
 }
 
 /// Zero of a polynomial that grows from ≤ 0 at 0 to > 0 at `width`: Newton's method kept in a bracket.
@@ -178,15 +194,26 @@ pub(super) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
     (y, slope)
 }
 
+/// Rounds of a shift that go down a polynomial one behind the other: alone, each would wait for its own last sum.
+const AT_ONCE: usize = 4;
+
 /// Expands a polynomial about `origin` instead of 0.
 pub(super) fn shift(coefficients: &mut [f64], origin: f64) {
+    let Some((last, others)) = coefficients.split_last_mut() else {
+        return;
+    };
     if origin == 0.0 {
         return;
     }
-    let n = coefficients.len();
-    for from in 0..n {
-        for index in (from..n - 1).rev() {
-            coefficients[index] += origin * coefficients[index + 1];
+    // Round `first` leaves coefficient `first` as it is to be.
+    for first in (0..others.len()).step_by(AT_ONCE) {
+        let mut sums = [*last; AT_ONCE];
+        for (index, coefficient) in others.iter_mut().enumerate().skip(first).rev() {
+            let rounds = (index - first + 1).min(AT_ONCE);
+            for sum in &mut sums[..rounds] {
+                *coefficient += origin * *sum;
+                *sum = *coefficient;
+            }
         }
     }
 }

@@ -54,7 +54,9 @@ pub(super) fn expand(
                 member.velocity[n + p] = member.acceleration[n] * once;
                 member.displacement[n + 2 * p] = member.velocity[n + p] * twice;
             }
-            resting_forces(members, (block, contacts), outside, (p, n));
+            if block.first < block.last {
+                resting_forces(members, (block, contacts), outside, (p, n));
+            }
         }
     }
 }

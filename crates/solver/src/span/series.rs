@@ -134,43 +134,47 @@ impl Series<'_> {
         integrand: impl Fn(f64, &State, Motion) -> [f64; N],
     ) -> [f64; N] {
         quadrature::integrate_at_once(rule, first, last, |nodes| {
-            let state = self.states(nodes);
-            std::array::from_fn(|side| {
-                std::array::from_fn(|node| {
-                    let x = nodes[side][node];
-                    let (state, drift) = state(side, node);
-                    let time = self.origin + self.power.time(x);
-                    let rate = self.power.rate(x);
-                    integrand(time, &state, drift).map(|value| rate * value)
-                })
-            })
+            let (state, integrand) = (self.states(nodes), &integrand);
+            move |side: usize, number: usize| {
+                let x = nodes[side][number];
+                let (state, drift) = state(side, number);
+                let time = self.origin + self.power.time(x);
+                let rate = self.power.rate(x);
+                integrand(time, &state, drift).map(|value| rate * value)
+            }
         })
     }
 
     /// [States](Self::at) at the nodes of a rule, each with the [drift](Self::drift) of the storey below, by side and number.
-    #[inline]
+    #[inline(always)]
+    #[expect(
+        clippy::inline_always,
+        reason = "an integrand that asks for no acceleration does not pay for it"
+    )]
     fn states<const HALF: usize>(
         &self,
-        nodes: &Sides<HALF>,
+        nodes: Sides<HALF>,
     ) -> impl Fn(usize, usize) -> (State, Motion) {
+        let nodes = &nodes;
         let rise = rises(self.displacement, nodes);
         let velocity = values(self.velocity, nodes);
         let acceleration = values(self.acceleration, nodes);
         let bent = rises(self.bent, nodes);
         let force_from_left = values(self.force_from_left, nodes);
         let force_from_right = values(self.force_from_right, nodes);
+        let first = |coefficients: &[f64]| *coefficients.first().unwrap_or(&0.0);
         let below = self.below.map(|[displacement, velocity]| {
-            let motion = [values(displacement, nodes), values(velocity, nodes)];
-            (rises(displacement, nodes), motion)
+            let rises = rises(displacement, nodes);
+            (first(displacement), rises, values(velocity, nodes))
         });
-        let first = *self.displacement.first().unwrap_or(&0.0);
+        let first = first(self.displacement);
         let (force, tangent) = self.restoring_force;
         let bends = !self.bent.is_empty();
         move |side, node| {
             let of = |all: &Sides<HALF>| all[side][node];
             let drift = match &below {
                 None => of(&rise),
-                Some((below, _)) => of(&rise) - of(below),
+                Some((_, below, _)) => of(&rise) - of(below),
             };
             let line = force + tangent * drift;
             let state = State {
@@ -182,14 +186,12 @@ impl Series<'_> {
                 force_from_right: -of(&force_from_right),
             };
             let floor = Motion::from(&state);
-            let drift = below
-                .as_ref()
-                .map_or(floor, |(_, [displacement, velocity])| {
-                    floor.since(Motion {
-                        displacement: of(displacement),
-                        velocity: of(velocity),
-                    })
-                });
+            let drift = below.as_ref().map_or(floor, |(first, rise, velocity)| {
+                floor.since(Motion {
+                    displacement: first + of(rise),
+                    velocity: of(velocity),
+                })
+            });
             (state, drift)
         }
     }
