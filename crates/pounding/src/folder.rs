@@ -180,9 +180,9 @@ fn found(folder: &Path) -> Result<Found, String> {
     // Files of these names that no run wrote together are somebody else's.
     match names.first() {
         Some(first)
-            if !names
-                .iter()
-                .any(|name| ["summary.json", "runs.json"].contains(&name.as_str())) =>
+            if !names.iter().any(|name| {
+                ["summary.json", "runs.json", "assess.json"].contains(&name.as_str())
+            }) =>
         {
             Ok(Found::Other(first.clone()))
         }

@@ -5,6 +5,7 @@ use std::fs;
 use insta::assert_snapshot;
 use serde_json::json;
 
+use crate::assess::{TOWERS, assess, workplace};
 use crate::results::{files, meeting, results, run_in, text};
 use crate::{folder, refusal};
 
@@ -71,4 +72,18 @@ fn extreme_places_that_are_no_folder() {
     );
     let here = run_in(&folder, &meeting(), &["--out", ".."]);
     assert_snapshot!(refusal(&here), @"error: --out: .. has no name to write a folder under; name a folder in it");
+}
+
+/// `assess` refused the folder that it had made itself.
+#[test]
+fn issue_an_earlier_assessment_is_replaced() {
+    let work = workplace("assessed_again", TOWERS);
+    for scale in ["pga=0.6g", "pga=0.2g"] {
+        let ended = assess(&work, &["--scale", scale, "--out", "out"]);
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+        assert!(
+            text(work.join("out/report.html")).contains(scale),
+            "{scale}"
+        );
+    }
 }
