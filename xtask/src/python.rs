@@ -27,6 +27,31 @@ const OPENSEES: &str = "openseespy";
 /// Its types, as they stand in the package and as they are made anew.
 const STUBS: &str = "python/pounding/_pounding.pyi";
 
+/// How a wheel is built.
+#[derive(Clone, Copy)]
+enum Built {
+    /// As the workspace is, beside it: what both need is there already.
+    ToCheck,
+    ToPublish,
+}
+
+impl Built {
+    fn profile(self) -> &'static str {
+        match self {
+            Self::ToCheck => "dev",
+            Self::ToPublish => "release",
+        }
+    }
+
+    /// Where it is built, from the top folder.
+    fn target(self) -> &'static str {
+        match self {
+            Self::ToCheck => "target",
+            Self::ToPublish => "target/python",
+        }
+    }
+}
+
 /// Builds the wheel in an environment of its own, and runs tests, types and notebooks.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
     let python = environment(root, "python")?;
@@ -42,7 +67,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let build = &mut Command::new(cargo);
     step(build.args(["build", "--package", "pounding"]), root)?;
-    let wheel = wheel(root, &python)?;
+    let wheel = wheel(root, &python, Built::ToCheck)?;
     let reinstall = ["install", "--quiet", "--force-reinstall", "--no-deps"];
     step(pip(&python, &reinstall).arg(&wheel), root)?;
     stubs(root, &python)?;
@@ -59,9 +84,9 @@ pub(crate) fn dist(root: &Path) -> Result<(), String> {
     step(pip(&python, &["install", "--quiet"]).arg(TESTS[0]), root)?;
     let out = root.join("target/dist");
     fresh(&out)?;
-    let wheel = wheel(root, &python)?;
+    let wheel = wheel(root, &python, Built::ToPublish)?;
     copy(&wheel, &out)?;
-    let mut pack = maturin(root, &python);
+    let mut pack = maturin(root, &python, Built::ToPublish);
     pack.args(["sdist", "--out"]).arg(&out);
     step(&mut pack, &root.join(PACKAGE))?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -79,6 +104,11 @@ pub(crate) fn dist(root: &Path) -> Result<(), String> {
     let mut tried = Command::new(clean);
     step(tried.args(["-c", TRIED]), &out)?;
     step(Command::new(out.join("pounding")).arg("--version"), &out)?;
+    // As a registry would build them; of files that are not committed it says so.
+    step(
+        Command::new(&cargo).args(["package", "--workspace", "--locked"]),
+        root,
+    )?;
     println!("packed into {}", out.display());
     Ok(())
 }
@@ -95,8 +125,14 @@ print(run)";
 fn stubs(root: &Path, python: &Path) -> Result<(), String> {
     let made = root.join("target/python-stubs");
     fresh(&made)?;
-    let mut make = maturin(root, python);
-    make.args(["generate-stubs", "--quiet", "--profile", "release", "--out"]);
+    let mut make = maturin(root, python, Built::ToCheck);
+    make.args([
+        "generate-stubs",
+        "--quiet",
+        "--profile",
+        Built::ToCheck.profile(),
+        "--out",
+    ]);
     step(make.arg(&made), &root.join(PACKAGE))?;
     let fail = |path: &Path, error: &std::io::Error| format!("{}: {error}", path.display());
     let new = found(&made, "pyi")?;
@@ -134,19 +170,19 @@ fn environment(root: &Path, name: &str) -> Result<PathBuf, String> {
 }
 
 /// Builds the wheel; its path.
-fn wheel(root: &Path, python: &Path) -> Result<PathBuf, String> {
+fn wheel(root: &Path, python: &Path, built: Built) -> Result<PathBuf, String> {
     let out = root.join("target/wheels");
     fresh(&out)?;
-    let mut build = maturin(root, python);
-    build.args(["build", "--quiet", "--release", "--out"]);
+    let mut build = maturin(root, python, built);
+    build.args(["build", "--quiet", "--profile", built.profile(), "--out"]);
     step(build.arg(&out), &root.join(PACKAGE))?;
     found(&out, "whl")
 }
 
-fn maturin(root: &Path, python: &Path) -> Command {
+fn maturin(root: &Path, python: &Path, built: Built) -> Command {
     let mut command = Command::new(python);
     command.args(["-m", "maturin"]);
-    command.env("CARGO_TARGET_DIR", root.join("target/python"));
+    command.env("CARGO_TARGET_DIR", root.join(built.target()));
     command
 }
 

@@ -1,6 +1,7 @@
 //! Files of a program that promises something about them: written whole and durably, read within bounds, by one process at a time.
 //!
 //! - [`write`](fn@write) and [`NewFile`]: a file is there whole or not at all, and after a power failure, too.
+//! - [`ResultFolder`]: the same of a folder of files.
 //! - [`read`](fn@read): a regular file of bounded length; a device or a pipe is refused before it is opened.
 //! - [`Lock`]: one process writes an output; the next one is told who does.
 //! - [`input_at`]: whether an output is one of the inputs under any of its names.
@@ -19,11 +20,13 @@
 //!
 //! Left out: what the files hold.
 
+mod folder;
 mod lock;
 mod new_file;
 mod read;
 mod same;
 
+pub use folder::{Others, ResultFolder, ResultNames};
 pub use lock::{Lock, LockError, Users};
 pub use new_file::{Existing, NewFile, hidden, leftovers, sync, sync_folder, write};
 pub use read::{Length, read, read_stream};

@@ -3,29 +3,27 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use pounding_files::Existing;
+use pounding_files::{Others, ResultFolder};
+use pounding_report::RESULT_NAMES;
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
 
-/// Writes files into a folder, which is made where it is missing; each is whole and on disk when this returns.
+/// Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay.
 #[pyfunction]
 pub(crate) fn write_files(
     py: Python<'_>,
     folder: PathBuf,
     files: BTreeMap<String, Vec<u8>>,
+    overwrite: bool,
 ) -> PyResult<()> {
+    let others = if overwrite {
+        Others::Stay
+    } else {
+        Others::Refused("overwrite=True")
+    };
     let write = || -> Result<(), String> {
-        let refused = |path: &PathBuf, error: std::io::Error| {
-            format!("{}: cannot be written: {error}", path.display())
-        };
-        std::fs::create_dir_all(&folder).map_err(|error| refused(&folder, error))?;
-        for (name, bytes) in &files {
-            let path = folder.join(name);
-            pounding_files::write(&path, bytes, Existing::Replaced)
-                .map_err(|error| refused(&path, error))?;
-        }
-        Ok(())
+        ResultFolder::open(&folder, RESULT_NAMES, others)?.write(&files)
     };
     py.detach(write).or_refused(py)
 }

@@ -57,6 +57,7 @@ use figures::Known;
 use history::Motion;
 pub use history::{HistoryQuantity, history_of};
 pub use opensees::{OpenSees, OpenSeesError};
+use pounding_files::ResultNames;
 use pounding_scene::{Effects, Error, Review, RunResult, Simulation};
 use sampling::Sampling;
 pub use sketch::Sketch;
@@ -210,6 +211,19 @@ impl<'a> Report<'a> {
             || name.rsplit_once('.').is_some_and(is_figure)
     }
 }
+
+/// The files of a run under a folder of records: the lines for programs, and for people.
+pub const FILES_OF_RECORDS: [&str; 3] = ["runs.csv", "runs.json", "runs.txt"];
+
+/// What tells a folder of results from any other.
+pub const RESULT_NAMES: ResultNames = ResultNames {
+    has: |name| {
+        Report::has_file(name)
+            || AssessmentReport::has_file(name)
+            || FILES_OF_RECORDS.contains(&name)
+    },
+    marks: &[SUMMARY, FILES_OF_RECORDS[1], assessment::JSON],
+};
 
 const HISTORY: &str = "history.csv";
 const IMPACTS: &str = "impacts.csv";

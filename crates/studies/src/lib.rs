@@ -40,6 +40,7 @@ mod program;
 mod reproduce;
 mod research;
 mod second_route;
+mod statistics;
 mod study;
 
 pub use error::StudyError;

@@ -3,10 +3,11 @@
 use crate::paper::converged::{Converged, N_NOISY_RUNS};
 use crate::paper::tables::Value;
 use crate::program::Program;
+use crate::study::output::OwnFolder;
 use crate::{
-    Atlas, Beyond, BeyondSettings, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent,
-    Extremes, PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims,
-    claims_csv, figure_png, paper,
+    Atlas, Beyond, BeyondStudy, Claim, ClaimCounts, Comparison, Completed, Extent, Extremes,
+    PublishedValues, StudyError, StudyFile, Table, Trade, agreement_csv, claims, claims_csv,
+    figure_png, paper,
 };
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -75,14 +76,14 @@ impl Studies {
     pub fn n_units(&self) -> usize {
         let units = |file: &StudyFile| {
             let scenes = &file.study.scenes;
-            let output = &file.study.output;
-            let trade = output.ladder().map(|ladder| Trade::n_runs(scenes, ladder));
-            let atlas = output.atlas().map(|_| Atlas::n_runs(scenes));
-            let extremes = output.edges();
-            let extremes = extremes.map(|edges| Extremes::n_runs(edges, self.extent));
-            let beyond = output.beyond().map(BeyondSettings::n_usual_cases);
-            let runs = trade.or(atlas).or(extremes).or(beyond);
-            1 + scenes.len() + runs.unwrap_or(0)
+            let runs = match file.study.output.folder() {
+                Some(OwnFolder::Trade(ladder)) => Trade::n_runs(scenes, ladder),
+                Some(OwnFolder::Laws(_)) => Atlas::n_runs(scenes),
+                Some(OwnFolder::Extremes(edges)) => Extremes::n_runs(edges, self.extent),
+                Some(OwnFolder::Beyond(settings)) => settings.n_usual_cases(),
+                Some(OwnFolder::Survey) | None => 0,
+            };
+            1 + scenes.len() + runs
         };
         self.files.iter().map(units).sum()
     }
@@ -202,15 +203,14 @@ struct RenderedStudy {
 
 impl RenderedStudy {
     fn of(study: &Completed, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Self, StudyError> {
-        let output = &study.file.study.output;
-        let folder = if let Some(ladder) = output.ladder() {
-            Trade::measure(study, ladder, done)?.files()?
-        } else if let Some(settings) = output.atlas() {
-            Atlas::draw(study, settings, done)?.files()?
-        } else if let Some(edges) = output.edges() {
-            Extremes::measure(study, edges, extent, done)?.files()?
-        } else {
-            BTreeMap::new()
+        let folder = match study.file.study.output.folder() {
+            Some(OwnFolder::Trade(ladder)) => Trade::measure(study, ladder, done)?.files()?,
+            Some(OwnFolder::Laws(settings)) => Atlas::draw(study, settings, done)?.files()?,
+            Some(OwnFolder::Extremes(edges)) => {
+                Extremes::measure(study, edges, extent, done)?.files()?
+            }
+            // After the studies whose claims it tests; surveys run by themselves.
+            Some(OwnFolder::Beyond(_) | OwnFolder::Survey) | None => BTreeMap::new(),
         };
         Ok(Self {
             table: Table::of(study)?,

@@ -39,9 +39,15 @@ impl Bench {
             return Err("the program cannot be built".into());
         }
         let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
+        let home = own.with_file_name("torture");
+        let fail = |error: std::io::Error| format!("{}: {error}", home.display());
+        fs::create_dir_all(&home).map_err(fail)?;
+        // A build of it on the way would be another program, which goes on with no sweep of this one.
+        let program = home.join("pounding");
+        fs::copy(own.with_file_name("pounding"), &program).map_err(fail)?;
         let mut bench = Self {
-            program: own.with_file_name("pounding"),
-            home: own.with_file_name("torture"),
+            program,
+            home,
             tables: [Vec::new(), Vec::new()],
             time: Duration::ZERO,
             random: Pcg64::new(seed.into(), 0),

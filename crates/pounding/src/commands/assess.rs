@@ -13,7 +13,7 @@ use pounding::scene::{
 use pounding::text::{digits, json_text};
 
 use super::suite;
-use crate::folder::ResultFolder;
+use crate::folder::Out;
 use crate::text::paragraph;
 use bumper::BumperAsked;
 use runs::{Asked, Found};
@@ -26,13 +26,13 @@ Examples:
   pounding assess scene.toml --records records --scale 'sa(0.8s)=0.5g'
   pounding assess scene.toml --records records --target ec8:a_g=0.25g,ground=C
   pounding assess scene.toml --records records --bumper k=80MN/m
-  pounding assess scene.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
+  pounding assess a.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
 
 Every horizontal motion of the folder shakes the row in both directions, by the
 exact method. Components of one file, and files whose names differ in the
-direction alone, are of one event. The answer is one for these records: choose and scale them for the
-site. The stiffness of impacts is known to an order of magnitude; forces are
-ranges over --stiffness.
+direction alone, are of one event. The answer is one for these records: choose
+and scale them for the site. The stiffness of impacts is known to an order of
+magnitude; forces are ranges over --stiffness.
 
 The folder holds report.html, for people; assess.csv with a line per number;
 assess.json; and the figures as SVG and PNG.";
@@ -160,7 +160,7 @@ impl Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let path = &args.scene;
     let message = |error: Error| error.in_file(path).to_string();
-    let open = |out: &PathBuf| ResultFolder::open(out, args.overwrite);
+    let open = |out: &PathBuf| Out::open(out, args.overwrite);
     let out = args.out.as_ref().map(open).transpose()?;
     if let Some(out) = &out {
         let target = args.target.iter().map(PathBuf::from);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pounding::report::{Report, direction_sentences, other_direction};
 
-use crate::folder::ResultFolder;
+use crate::folder::Out;
 use crate::progress::Waiting;
 use crate::text::paragraph;
 use crate::{new_file, summary};
@@ -41,7 +41,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let top = &args.folder;
     let results = top.join("results");
-    let out = ResultFolder::open(&results, false)?;
+    let out = Out::open(&results, false)?;
     for (name, text) in FILES {
         write(&top.join(name), text)?;
     }

@@ -9,7 +9,7 @@ use pounding::report::{Report, Summary, direction_sentences, other_direction};
 use pounding::scene::{Effects, Error, Review, RunResult, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
-use crate::folder::ResultFolder;
+use crate::folder::Out;
 use crate::progress::Waiting;
 use crate::summary;
 use crate::text::paragraph;
@@ -120,8 +120,8 @@ struct Results {
 
 impl Results {
     /// Takes the folder, where one is asked for.
-    fn open(&self) -> Result<Option<ResultFolder>, String> {
-        let open = |out: &PathBuf| ResultFolder::open(out, self.overwrite);
+    fn open(&self) -> Result<Option<Out>, String> {
+        let open = |out: &PathBuf| Out::open(out, self.overwrite);
         self.out.as_ref().map(open).transpose()
     }
 }

@@ -56,7 +56,6 @@ fn reference_script_of_a_small_scene() {
     let ended = export(&folder, &[]);
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
     assert_snapshot!(numbers(&ended.stdout));
-    assert_snapshot!("help", printed(&pounding(&folder, &["export", "--help"])));
 }
 
 #[test]

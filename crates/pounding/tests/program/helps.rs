@@ -1,4 +1,4 @@
-//! What `--help` says of the program and of each command; those of `motion` and `export` stand with their tests.
+//! What `--help` says of the program and of each command.
 
 use std::path::Path;
 
@@ -7,16 +7,42 @@ use insta::assert_snapshot;
 use crate::pounding;
 use crate::runs::printed;
 
+/// The commands that a help lists.
+fn commands(help: &str) -> Vec<String> {
+    let lines = help
+        .lines()
+        .skip_while(|line| !line.starts_with("Commands:"));
+    let listed = lines.skip(1).take_while(|line| !line.is_empty());
+    let named = listed.filter(|line| !line.starts_with("   "));
+    let words = named.filter_map(|line| line.split_whitespace().next());
+    words
+        .filter(|word| *word != "help")
+        .map(String::from)
+        .collect()
+}
+
+/// Words of every command, and of those inside one, with its help.
+fn every_help(here: &Path) -> Vec<(Vec<String>, String)> {
+    let help_of =
+        |words: &[&str]| printed(&pounding(here, &[words, &["--help"]].concat())).to_string();
+    let mut all = Vec::new();
+    for command in commands(&help_of(&[])) {
+        let help = help_of(&[&command]);
+        for second in commands(&help) {
+            let help = help_of(&[&command, &second]);
+            all.push((vec![command.clone(), second], help));
+        }
+        all.push((vec![command], help));
+    }
+    all
+}
+
 /// A command that is cut in two cannot be copied: every line of the examples begins as it was written.
 #[test]
 fn issue_no_example_is_broken_at_80_columns() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let commands = "advise certify check compare completions demo export gap init laws merge run schema sweep motion";
-    let of_motion = ["info", "convert", "spectrum"].map(|command| vec!["motion", command]);
-    let commands = commands.split(' ').map(|command| vec![command]);
-    for command in commands.chain(of_motion) {
-        let help = pounding(here, &[&command[..], &["--help"]].concat());
-        let lines = printed(&help).lines();
+    for (command, help) in every_help(here) {
+        let lines = help.lines();
         let examples = lines.skip_while(|line| !line.starts_with("Example"));
         let examples: Vec<&str> = examples
             .skip(1)
@@ -39,24 +65,8 @@ fn issue_no_example_is_broken_at_80_columns() {
 fn reference_help() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     assert_snapshot!("help", printed(&pounding(here, &["--help"])));
-    for command in [
-        "advise",
-        "certify",
-        "check",
-        "compare",
-        "completions",
-        "demo",
-        "gap",
-        "init",
-        "laws",
-        "merge",
-        "run",
-        "schema",
-        "sweep",
-    ] {
-        let help = pounding(here, &[command, "--help"]);
-        let help = printed(&help);
-        assert!(help.contains("Example"), "{command} shows how");
-        assert_snapshot!(format!("help_{command}"), help);
+    for (command, help) in every_help(here) {
+        assert!(help.contains("Example"), "{command:?} shows how");
+        assert_snapshot!(format!("help_{}", command.join("_")), help);
     }
 }

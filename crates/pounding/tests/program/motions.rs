@@ -60,15 +60,6 @@ pub(crate) fn waves(unit: &str) -> String {
 }
 
 #[test]
-fn reference_help() {
-    for command in ["info", "convert", "spectrum"] {
-        let help = motion(Path::new("."), &[command, "--help"]);
-        assert_snapshot!(format!("help_{command}"), printed(&help));
-    }
-    assert_snapshot!("help", printed(&motion(Path::new("."), &["--help"])));
-}
-
-#[test]
 fn reference_info_of_one_file() {
     let folder = folder_with("motion_info", &["usgs.smc"]);
     assert_snapshot!(printed(&motion(&folder, &["info", "usgs.smc"])));

@@ -269,7 +269,7 @@ def words_of(text: str, path: str | PathLike[str]) -> str:
     The words of a JSON or TOML file as JSON, whatever they say.
     """
 
-def write_files(folder: str | PathLike[str], files: dict[str, SupportsGetItem[int, SupportsIndex]]) -> None:
+def write_files(folder: str | PathLike[str], files: dict[str, SupportsGetItem[int, SupportsIndex]], overwrite: bool) -> None:
     """
-    Writes files into a folder, which is made where it is missing; each is whole and on disk when this returns.
+    Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay.
     """

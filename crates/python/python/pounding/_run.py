@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _pounding
-from ._errors import PoundingWarning, Refused
+from ._errors import PoundingWarning
 from ._tables import Floats, frame, view
 
 if TYPE_CHECKING:
@@ -198,11 +198,7 @@ class Run:
 def written(files: Mapping[str, bytes], folder: str | os.PathLike[str], overwrite: bool) -> Path:
     """Writes a report into a folder; returns its page."""
     target = Path(folder)
-    if target.is_dir() and any(target.iterdir()) and not overwrite:
-        found, allowed = "a folder that holds other things", "an empty one"
-        message = f"{target}: found {found}, allowed is {allowed}; overwrite=True leaves them there"
-        raise Refused(message, str(target), found, allowed, "overwrite=True leaves them there")
-    _pounding.write_files(target, dict(files))
+    _pounding.write_files(target, dict(files), overwrite)
     return target / "report.html"
 
 

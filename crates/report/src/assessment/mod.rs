@@ -82,7 +82,7 @@ pub struct AssessmentReport {
 /// Files of the folder.
 const PAGE: &str = "report.html";
 const TABLE: &str = "assess.csv";
-const JSON: &str = "assess.json";
+pub(crate) const JSON: &str = "assess.json";
 
 impl AssessmentReport {
     /// Of a scene under these motions; `None` without one.

@@ -64,29 +64,43 @@ pub enum Output {
     },
 }
 
+/// A study with a folder of its own in the results.
+pub(crate) enum OwnFolder<'a> {
+    Trade(&'a Ladder),
+    Laws(&'a AtlasSettings),
+    Extremes(&'a Edges),
+    Beyond(&'a BeyondSettings),
+    Survey,
+}
+
 impl Output {
+    /// Which folder of its own it has; `None` for a table or figure of the paper.
+    pub(crate) fn folder(&self) -> Option<OwnFolder<'_>> {
+        Some(match self {
+            Self::Trade(ladder) => OwnFolder::Trade(ladder),
+            Self::Laws(settings) => OwnFolder::Laws(settings),
+            Self::Extremes(edges) => OwnFolder::Extremes(edges),
+            Self::Beyond(settings) => OwnFolder::Beyond(settings),
+            Self::Survey(_) => OwnFolder::Survey,
+            Self::StructuresTable
+            | Self::PoundingForcesTable { .. }
+            | Self::FirstCollisionTable
+            | Self::TransferredMomentumTable
+            | Self::TextTable { .. }
+            | Self::Claims
+            | Self::RecordFigure
+            | Self::DisplacementFigure
+            | Self::PoundingFigure
+            | Self::FirstCollisionFigure
+            | Self::LayoutFigure
+            | Self::ShearForceFigure { .. } => return None,
+        })
+    }
+
     /// The ladder of a trade study.
     pub(crate) fn ladder(&self) -> Option<&Ladder> {
         if let Self::Trade(ladder) = self {
             Some(ladder)
-        } else {
-            None
-        }
-    }
-
-    /// What is pushed to the edge.
-    pub(crate) fn edges(&self) -> Option<&Edges> {
-        if let Self::Extremes(edges) = self {
-            Some(edges)
-        } else {
-            None
-        }
-    }
-
-    /// What an atlas of laws asks.
-    pub(crate) fn atlas(&self) -> Option<&AtlasSettings> {
-        if let Self::Laws(settings) = self {
-            Some(settings)
         } else {
             None
         }

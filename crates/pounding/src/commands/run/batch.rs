@@ -6,7 +6,7 @@ mod effects;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use pounding::report::{CollisionSummary, PairSummary, StructureSummary};
+use pounding::report::{CollisionSummary, FILES_OF_RECORDS, PairSummary, StructureSummary};
 use pounding::scene::{
     Effects, Error, Errors, Floors, Implausible, PairOutcome, QuantityGroup, Review, Scene,
     Simulation,
@@ -15,7 +15,6 @@ use pounding::text::digits;
 
 use super::{Arguments, Printed};
 use crate::commands::suite;
-use crate::folder;
 use crate::text::{NONE, paragraph, percent, short, table};
 
 /// What became of the scene under one motion in one direction.
@@ -147,7 +146,7 @@ fn files(scene: &Scene, lines: &[Line]) -> BTreeMap<String, Vec<u8>> {
         text(scene, lines),
     ];
     let texts = texts.map(String::into_bytes);
-    folder::OF_RECORDS
+    FILES_OF_RECORDS
         .map(String::from)
         .into_iter()
         .zip(texts)

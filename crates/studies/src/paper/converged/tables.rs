@@ -3,6 +3,7 @@
 use super::quantities::{MEETINGS, Quantities, find};
 use super::{Converged, LEVELS, TIME_STEPS};
 use crate::paper::tables::{Value, to_csv};
+use crate::statistics::quantile;
 use pounding_text::digits;
 
 /// Share of the noisy runs below the lower end of a band, and above the upper one.
@@ -109,17 +110,4 @@ fn rows<'a>(sources: &[&'a Quantities], table: &str) -> Vec<&'a Value> {
         }
     }
     rows
-}
-
-/// Quantile of sorted values, linear between them; nothing of no values.
-fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
-    let position = share * (sorted.len().checked_sub(1)?) as f64;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "0 ≤ position < the number of values"
-    )]
-    let below = position.floor() as usize;
-    let above = sorted.get(below + 1).unwrap_or(&sorted[below]);
-    Some(sorted[below] + (above - sorted[below]) * (position - position.floor()))
 }

@@ -3,11 +3,11 @@
 use super::entry::{Entry, key, label, mark, shade};
 use super::scenes::{Item, Played, items};
 use crate::paper::figures::capital;
-use crate::paper::tables::to_csv;
 use crate::research::work_precision::MethodQuantity;
 use crate::study::laws::{is_linear, is_spring};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// One number of a scene under all laws that deliver the same e.
 struct Compared<'a> {

@@ -5,11 +5,11 @@ use pounding_solver::{Clock, Collisions, Exact, Excitation, Histories, Integrato
 use rayon::prelude::*;
 
 use super::entry::{Entry, label, shade};
-use crate::paper::tables::to_csv;
 use crate::study::laws::{AtlasSettings, is_linear, is_spring};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
 use pounding_scene::{CollisionError, FreeCollision};
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// Points of a history, from touch to parting.
 const N_POINTS: u32 = 500;

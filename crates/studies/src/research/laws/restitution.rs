@@ -4,11 +4,11 @@ use pounding_contact::{FreeImpact, FreePair, LawName};
 use rayon::prelude::*;
 
 use super::entry::{Entry, key, label, mark, shade};
-use crate::paper::tables::to_csv;
 use crate::study::laws::{AtlasSettings, is_linear};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
 use pounding_scene::Certificate;
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// What a law delivers when it is asked for an e.
 #[derive(Debug)]

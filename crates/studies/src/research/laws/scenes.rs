@@ -2,12 +2,12 @@
 
 use super::entry::{Entry, N_LAWS};
 use crate::Completed;
-use crate::paper::tables::to_csv;
 use crate::research::work_precision::{MethodQuantity, Quantities};
 use crate::study::laws::AtlasSettings;
 use pounding_contact::{Calibration, FreePair, reduced_mass};
 use pounding_scene::{Scene, Simulation, Structure};
 use pounding_text::digits;
+use pounding_text::to_csv;
 use rayon::prelude::*;
 
 /// What a scene gives under every law, in their order.

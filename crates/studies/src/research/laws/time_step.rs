@@ -5,11 +5,11 @@ use rayon::prelude::*;
 
 use super::entry::{Entry, N_LAWS, label};
 use crate::lines::line_of;
-use crate::paper::tables::to_csv;
 use crate::study::laws::AtlasSettings;
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel};
 use pounding_scene::{Delivered, StepMethod};
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// What a method delivers under a law at every time step.
 #[derive(Debug)]

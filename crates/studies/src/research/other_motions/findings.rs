@@ -5,7 +5,7 @@ use super::numbers::direction;
 use super::shaking::Shaking;
 use super::world::MotionCase;
 use crate::paper::claims::{Claim, ClaimCount, Finding};
-use crate::paper::tables::to_csv;
+use pounding_text::to_csv;
 
 /// A claim under every motion in both directions, as recorded and reversed.
 pub(super) struct Asked<'a> {

@@ -2,8 +2,8 @@
 
 use super::shaking::Shaking;
 use super::world::{MotionCase, Numbers, Row};
-use crate::paper::tables::to_csv;
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// Columns that say which structure of which scene.
 const KEYS: [&str; 5] = ["table", "scene", "structure", "name", "motion"];

@@ -1,13 +1,13 @@
 //! The ground motions as they shake the scenes, and what each of them is.
 
 use crate::StudyError;
-use crate::paper::tables::to_csv;
 use crate::study::other_motions::{BeyondSettings, ListedMotion, Strength};
 use pounding_motion::Record;
 use pounding_scene::{
     GroundMotion, Method, Motion, RecordUse, ScaleTo, Scene, SpectrumError, response_spectrum,
 };
 use pounding_text::digits;
+use pounding_text::to_csv;
 use std::path::Path;
 
 /// Damping ratio of the spectral accelerations that are shown \[–\].

@@ -2,10 +2,10 @@
 
 use super::class::Class;
 use super::measure::{Judged, Measured, Run};
-use crate::paper::tables::to_csv;
 use crate::research::work_precision::MethodQuantity;
 use crate::study::stress::Cell;
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// A row per scene and method, of the scenes that pass the test.
 pub(super) fn cells(cells: &[Cell], measured: &[Measured], test: impl Fn(&Cell) -> bool) -> String {

@@ -1,9 +1,9 @@
 //! Fragility of pounding: in how many of many random motions structures touch, and drift further than alone.
 
 use super::cases::{Case, each, rows, with_gap};
-use super::statistics::wilson;
 use super::{Files, csv, drawn};
 use crate::paper::figures::capital;
+use crate::statistics::wilson;
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};

@@ -12,7 +12,6 @@ mod heat;
 mod required_gap;
 mod sensitivity;
 mod spectra;
-mod statistics;
 mod stiffness_ratio;
 mod survey_study;
 
@@ -57,5 +56,5 @@ fn drawn(picture: &impl Picture, file: &StudyFile) -> Result<Vec<u8>, StudyError
 /// A table as CSV text.
 fn csv(header: &[&str], rows: &[Vec<String>]) -> Vec<u8> {
     let header: Vec<String> = header.iter().map(ToString::to_string).collect();
-    crate::paper::tables::to_csv(&header, rows).into_bytes()
+    pounding_text::to_csv(&header, rows).into_bytes()
 }

@@ -5,9 +5,9 @@
 //! (*Comput. Phys. Commun.* 117 (1999) 35). Samples are a Sobol' sequence; what they leave open is found by bootstrap over rows.
 
 use super::cases::{Case, each, rows, sdof, with_gap};
-use super::statistics::{quantile, sorted};
 use super::{Files, csv, drawn};
 use crate::paper::figures::capital;
+use crate::statistics::{quantile, sorted};
 use crate::study::surveys::Sensitivity;
 use crate::{StudyError, StudyFile};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic};

@@ -2,8 +2,8 @@
 
 use super::cases::{Case, Response, each, rows, sdof, set_period, with_gap};
 use super::heat::{Classes, Heat, HeatRow};
-use super::statistics::{quantile, sorted};
 use super::{Files, csv, drawn};
+use crate::statistics::{quantile, sorted};
 use crate::study::surveys::PoundingSpectra;
 use crate::{StudyError, StudyFile};
 use pounding_scene::{Method, STANDARD_GRAVITY, Scene};
@@ -176,7 +176,7 @@ impl Spectra<'_> {
             row
         };
         let rows: Vec<_> = cells.iter().zip(found).map(row).collect();
-        crate::paper::tables::to_csv(&header, &rows).into_bytes()
+        pounding_text::to_csv(&header, &rows).into_bytes()
     }
 
     fn heat(&self, cells: &[Cell], found: &[Vec<Numbers>], mass_ratio: f64) -> Heat {

@@ -3,8 +3,8 @@
 use super::measure::{Entrant, Measured, Race, Rung};
 use super::quantities::MethodQuantity;
 use super::table::{agreed, setting};
-use crate::paper::tables::to_csv;
 use pounding_scene::{COMPARED_METHODS, holding};
+use pounding_text::to_csv;
 
 /// Errors asked for \[–\], with their names in per cent.
 const ALLOWED: [(f64, &str); 5] = [

@@ -3,9 +3,9 @@
 use super::condition::Known;
 use super::measure::{Race, Rung};
 use super::quantities::MethodQuantity;
-use crate::paper::tables::to_csv;
 use pounding_scene::{ComparedMethod, Knob};
 use pounding_text::digits;
+use pounding_text::to_csv;
 
 /// The value of every quantity.
 pub(super) fn references(races: &[Race]) -> String {

@@ -4,8 +4,8 @@ use super::measure::Race;
 use super::pareto::cheapest;
 use super::quantities::MethodQuantity;
 use super::table::setting;
-use crate::paper::tables::to_csv;
 use pounding_scene::{EVALUATIONS_PER_PIECE, REFERENCE, RIVAL, price};
+use pounding_text::to_csv;
 
 /// Error asked of the exact method \[–\].
 pub(super) const EXACT: f64 = 1e-6;

@@ -2,7 +2,7 @@
 
 use super::gaps::{Gaps, Quantity, Swept};
 use super::widths::Widths;
-use crate::research::surveys::statistics::{quantile, sorted};
+use crate::statistics::{quantile, sorted};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Panel, Shade};
 use pounding_scene::Rule;
 

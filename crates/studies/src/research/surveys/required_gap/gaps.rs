@@ -3,7 +3,7 @@
 use super::{Asked, Scan, asked, csv};
 use crate::StudyError;
 use crate::research::surveys::cases::{Case, Response, each, with_gap};
-use crate::research::surveys::statistics::{quantile, sorted};
+use crate::statistics::{quantile, sorted};
 use pounding_scene::Scene;
 use pounding_text::digits;
 use strum::EnumCount;

@@ -3,7 +3,7 @@
 use super::{Asked, RequiredGap, asked, csv};
 use crate::StudyError;
 use crate::research::surveys::cases::{Case, each};
-use crate::research::surveys::statistics::{quantile, sorted};
+use crate::statistics::{quantile, sorted};
 use pounding_scene::{Rule, Scene, Separation};
 use pounding_text::digits;
 

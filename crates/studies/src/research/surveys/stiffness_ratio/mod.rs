@@ -3,8 +3,8 @@
 mod figure;
 
 use super::cases::{Case, each, rows, sdof};
-use super::statistics::{quantile, sorted};
 use super::{Files, csv, drawn};
+use crate::statistics::{quantile, sorted};
 use crate::study::surveys::{HeldConstant, StiffnessRatio};
 use crate::{StudyError, StudyFile};
 use pounding_scene::{Scene, Structure};

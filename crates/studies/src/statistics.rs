@@ -1,7 +1,7 @@
 //! Counts and ranks of samples, with what their number leaves open.
 
 /// Quantile of numbers in rising order, linear between them; `part` is 0 to 1. Nothing of none.
-pub(super) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
+pub(crate) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
     let place = part * last as f64;
     #[expect(
@@ -16,7 +16,7 @@ pub(super) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
 }
 
 /// Numbers in rising order.
-pub(super) fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+pub(crate) fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut numbers: Vec<f64> = numbers.collect();
     numbers.sort_by(f64::total_cmp);
     numbers
@@ -27,7 +27,7 @@ const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
 
 /// The 95 % bounds of the probability of what happened in `count` of `of` > 0 independent cases (E. B. Wilson,
 /// *J. Am. Stat. Assoc.* 22 (1927) 209): they stay between 0 and 1, and have a width where it never or always happened.
-pub(super) fn wilson(count: usize, of: usize) -> (f64, f64) {
+pub(crate) fn wilson(count: usize, of: usize) -> (f64, f64) {
     let (n, z) = (of as f64, TWO_SIDED_95);
     let share = count as f64 / n;
     let whole = 1.0 + z * z / n;

@@ -1,0 +1,257 @@
+//! A folder of results: written beside its place under another name and synced, then put there, so that nobody finds half of it.
+
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use crate::{Lock, Users, folder_of, sync_folder};
+
+/// What tells a folder of results from any other.
+#[derive(Debug, Clone, Copy)]
+pub struct ResultNames {
+    /// Whether results can have a file of this name.
+    pub has: fn(&str) -> bool,
+    /// Every folder of results has one of these.
+    pub marks: &'static [&'static str],
+}
+
+/// What becomes of a folder that holds other things than results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Others<'a> {
+    /// It is refused, with the word that would let them stay, such as `--overwrite`.
+    Refused(&'a str),
+    /// They stay, and results are put beside them.
+    Stay,
+}
+
+/// What lies where a folder is to be written.
+enum Found {
+    Nothing,
+    /// An empty folder, or the results of an earlier run: files of their names and nothing else.
+    Results,
+    /// A folder with something else in it, for example this.
+    Other(String),
+}
+
+/// A folder that this process alone writes, until it is dropped.
+#[derive(Debug)]
+pub struct ResultFolder {
+    path: PathBuf,
+    names: ResultNames,
+    /// Hidden names beside it: what is being written, and what it replaces.
+    new: PathBuf,
+    old: PathBuf,
+    _lock: Lock,
+}
+
+impl ResultFolder {
+    /// Takes a folder and checks that it can be written, before anything runs.
+    ///
+    /// # Errors
+    /// What stands in the way, and what to do about it.
+    pub fn open(path: &Path, names: ResultNames, others: Others<'_>) -> Result<Self, String> {
+        let [new, old] = ["new", "old"].map(|end| beside(path, end));
+        names.found_in(path)?;
+        let lock = Lock::of(path, Users::One).map_err(|error| error.to_string())?;
+        let folder = Self {
+            path: path.to_path_buf(),
+            names,
+            new: new?,
+            old: old?,
+            _lock: lock,
+        };
+        folder.restore().map_err(|error| folder.refused(&error))?;
+        match (names.found_in(path)?, others) {
+            (Found::Other(name), Others::Refused(word)) => Err(format!(
+                "{} holds other things than results, such as \"{name}\"; allowed is a folder that does not exist, is empty or \
+                 holds the results of an earlier run: name another, or let {word} put the results beside them",
+                path.display()
+            )),
+            (Found::Nothing | Found::Results | Found::Other(_), _) => Ok(folder),
+        }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Files of an earlier run, which [`write`](Self::write) replaces.
+    pub fn earlier(&self) -> impl Iterator<Item = PathBuf> {
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let has = self.names.has;
+        let results = entries.filter(move |entry| has(&entry.file_name().to_string_lossy()));
+        results.map(|entry| entry.path())
+    }
+
+    /// Writes files into the folder; what it holds besides results stays. They are on disk when this returns, and before it nobody
+    /// finds some of them.
+    ///
+    /// # Errors
+    /// What cannot be written, and what the system says.
+    pub fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+        let found = self.names.found_in(&self.path)?;
+        let placed = self.fill(files).and_then(|()| match found {
+            Found::Nothing => fs::rename(&self.new, &self.path),
+            Found::Results => self.replace(),
+            Found::Other(_) => self.mix(files),
+        });
+        let placed = placed.and_then(|()| sync_folder(folder_of(&self.path)));
+        placed.map_err(|error| {
+            // What was begun is of no use to anybody.
+            let _ = fs::remove_dir_all(&self.new);
+            self.refused(&error)
+        })
+    }
+
+    fn refused(&self, error: &io::Error) -> String {
+        format!("{} cannot be written: {error}", self.path.display())
+    }
+
+    /// Undoes what an earlier process was ended in.
+    fn restore(&self) -> io::Result<()> {
+        if self.new.exists() {
+            fs::remove_dir_all(&self.new)?;
+        }
+        match (self.old.exists(), self.path.exists()) {
+            (true, false) => fs::rename(&self.old, &self.path),
+            (true, true) => fs::remove_dir_all(&self.old),
+            (false, _) => Ok(()),
+        }
+    }
+
+    /// Writes files under the hidden name.
+    fn fill(&self, files: &BTreeMap<String, Vec<u8>>) -> io::Result<()> {
+        fs::create_dir_all(&self.new)?;
+        for (name, bytes) in files {
+            let mut file = File::create_new(self.new.join(name))?;
+            file.write_all(bytes)?;
+            file.sync_all()?;
+        }
+        sync_folder(&self.new)
+    }
+
+    /// Puts the new folder in the place of the old one.
+    fn replace(&self) -> io::Result<()> {
+        fs::rename(&self.path, &self.old)?;
+        fs::rename(&self.new, &self.path)?;
+        sync_folder(folder_of(&self.path))?;
+        fs::remove_dir_all(&self.old)
+    }
+
+    /// Puts files among others; then results of an earlier run go.
+    fn mix(&self, files: &BTreeMap<String, Vec<u8>>) -> io::Result<()> {
+        for name in files.keys() {
+            fs::rename(self.new.join(name), self.path.join(name))?;
+        }
+        sync_folder(&self.path)?;
+        for entry in fs::read_dir(&self.path)? {
+            let name = entry?.file_name();
+            let stale = name
+                .to_str()
+                .is_some_and(|name| (self.names.has)(name) && !files.contains_key(name));
+            if stale {
+                fs::remove_file(self.path.join(name))?;
+            }
+        }
+        fs::remove_dir(&self.new)
+    }
+}
+
+impl ResultNames {
+    /// What lies there.
+    fn found_in(self, folder: &Path) -> Result<Found, String> {
+        let unreadable = |error: io::Error| format!("{}: {error}", folder.display());
+        match fs::metadata(folder) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Found::Nothing),
+            Err(error) => return Err(unreadable(error)),
+            Ok(there) if !there.is_dir() => {
+                return Err(format!(
+                    "{} is a file, allowed is a folder; name another",
+                    folder.display()
+                ));
+            }
+            Ok(_) => {}
+        }
+        let entries = fs::read_dir(folder).map_err(unreadable)?;
+        let names: Result<Vec<String>, io::Error> = entries
+            .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
+            .collect();
+        let mut names = names.map_err(unreadable)?;
+        names.sort();
+        let is_other = |name: &&String| !(self.has)(name) || folder.join(name).is_dir();
+        if let Some(other) = names.iter().find(is_other) {
+            return Ok(Found::Other(other.clone()));
+        }
+        // Files of these names that no run wrote together are somebody else's.
+        let is_marked = names.iter().any(|name| self.marks.contains(&name.as_str()));
+        Ok(match names.first() {
+            Some(first) if !is_marked => Found::Other(first.clone()),
+            _ => Found::Results,
+        })
+    }
+}
+
+/// A hidden name beside a folder, in the same folder so that renaming moves nothing.
+fn beside(folder: &Path, end: &str) -> Result<PathBuf, String> {
+    let Some(own) = folder.file_name() else {
+        return Err(format!(
+            "{} has no name to write a folder under; name a folder in it",
+            folder.display()
+        ));
+    };
+    let mut name = OsString::from(".");
+    name.push(own);
+    name.push(".pounding-");
+    name.push(end);
+    Ok(folder.with_file_name(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NAMES: ResultNames = ResultNames {
+        has: |name| ["summary.json", "impacts.csv"].contains(&name),
+        marks: &["summary.json"],
+    };
+
+    fn results(word: &str) -> BTreeMap<String, Vec<u8>> {
+        let names = ["summary.json", "impacts.csv"];
+        names.map(|name| (name.into(), word.into())).into()
+    }
+
+    /// A process can be killed between any two of its steps; whoever comes next finds one run, whole, and tidies up.
+    #[test]
+    fn issue_a_kill_between_two_renames_loses_no_results() {
+        type Step = fn(&ResultFolder) -> io::Result<()>;
+        let steps: [(Step, &str); 3] = [
+            (|_| Ok(()), "earlier"),
+            (|folder| fs::rename(&folder.path, &folder.old), "earlier"),
+            (
+                |folder| {
+                    fs::rename(&folder.path, &folder.old)?;
+                    fs::rename(&folder.new, &folder.path)
+                },
+                "later",
+            ),
+        ];
+        for (step, left) in steps {
+            let home = tempfile::tempdir().unwrap();
+            let path = home.path().join("out");
+            let killed = ResultFolder::open(&path, NAMES, Others::Refused("force")).unwrap();
+            killed.write(&results("earlier")).unwrap();
+            killed.fill(&results("later")).unwrap();
+            step(&killed).unwrap();
+            drop(killed);
+            let next = ResultFolder::open(&path, NAMES, Others::Refused("force")).unwrap();
+            for (name, bytes) in results(left) {
+                assert_eq!(fs::read(path.join(name)).unwrap(), bytes);
+            }
+            drop(next);
+            assert_eq!(fs::read_dir(home.path()).unwrap().count(), 1, "{left}");
+        }
+    }
+}
