@@ -16,8 +16,9 @@ Examples:
   python3 check.py           # OpenSees beside the exact numbers
   python3 check.py 1e-5      # the same with another time step
 
-The script holds the row, the processed ground motion and the numbers of the
-exact method. OpenSees steps by Newmark's method of average acceleration, and
+The script holds the row with buildings of any number of storeys, the processed
+ground motion, which may travel along it, and the numbers of the exact method.
+OpenSees steps by Newmark's method of average acceleration, and
 its differences fall with the time step. Contact laws with an equal in
 OpenSees: linear_spring, hertz, nonlinear_viscoelastic, hertz_damp and
 modified_kelvin; the last two are not clamped there where something drives the

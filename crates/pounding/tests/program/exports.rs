@@ -45,7 +45,7 @@ fn export(folder: &Path, options: &[&str]) -> Ended {
 
 /// The numbers of a script; what follows them is the same in all.
 fn numbers(script: &str) -> &str {
-    let (numbers, program) = script.split_once("\n\n\ndef build").expect("two parts");
+    let (numbers, program) = script.split_once("\n\n\ndef travels").expect("two parts");
     assert!(program.contains("UniformExcitation"), "{program}");
     numbers
 }
@@ -54,6 +54,27 @@ fn numbers(script: &str) -> &str {
 fn reference_script_of_a_small_scene() {
     let folder = written("export", &scene());
     let ended = export(&folder, &[]);
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    assert_snapshot!(numbers(&ended.stdout));
+}
+
+/// Both were refused, though OpenSees knows them.
+#[test]
+fn issue_buildings_and_motions_that_travel_are_written() {
+    let mut scene = scene();
+    let storeys = |yields: Value| {
+        let mut storey = json!({"mass_kg": 2e5, "height_m": 3, "stiffness_n_per_m": 1e8, "yield_displacement_m": 0.02, "repeat": 2});
+        for (word, value) in yields.as_object().into_iter().flatten() {
+            storey[word] = value.clone();
+        }
+        json!({"building": {"name": "tower", "damping": {"ratio": 0.05}, "storeys": [storey]}})
+    };
+    let hardening = storeys(json!({"hardening_ratio": 0.05}));
+    let smooth = storeys(json!({"bouc_wen": {"exponent": 2}}));
+    scene["structures"] = json!([hardening, smooth, "wall"]);
+    scene["arrivals_s"] = json!([0, 0.1, 0.1]);
+    let folder = written("export_buildings", &scene);
+    let ended = export(&folder, &["--time-step", "1e-5"]);
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
     assert_snapshot!(numbers(&ended.stdout));
 }

@@ -1,7 +1,7 @@
 //! Contact laws as uniaxial materials of OpenSees.
 
 use pounding_contact::ContactLaw;
-use pounding_scene::Contact;
+use pounding_solver::Pair;
 
 /// A uniaxial material of OpenSees.
 pub(super) struct Material {
@@ -33,18 +33,18 @@ const NOT_CLAMPED: &str =
     "not clamped at 0 where something drives the neighbours apart faster than they met";
 
 impl Material {
-    /// The material of a contact of neighbours with this reduced mass \[kg\].
+    /// The material of a pair with this reduced mass \[kg\].
     ///
     /// Its strain is the displacement of the right neighbour less that of the left one: gaps are negative.
     ///
     /// # Errors
     /// Says of a law without an equal what is allowed.
     pub(super) fn of(
-        contact: &Contact,
+        pair: &Pair,
         reduced_mass: f64,
         approximate: bool,
     ) -> Result<Self, &'static str> {
-        let gap = -contact.gap_m;
+        let gap = -pair.gap;
         let material = |name, parameters| Self {
             name,
             parameters,
@@ -55,7 +55,7 @@ impl Material {
             note: (factor > 0.0).then_some(NOT_CLAMPED),
             ..material("Hertzdamp", vec![stiffness, factor, gap, power])
         };
-        match contact.law {
+        match pair.law {
             ContactLaw::LinearSpring(law) => {
                 let k = law.impact_stiffness;
                 Ok(Self {

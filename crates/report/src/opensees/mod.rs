@@ -1,12 +1,14 @@
 //! A scene as a script for OpenSeesPy, so that anyone can check these programs by each other.
 
 mod material;
+mod row;
 mod script;
 
-use pounding_scene::{Contact, Error, RunResult, Scene, Simulation, Structure};
-use pounding_solver::Collision;
+use pounding_scene::{Error, FloorPair, RunResult, Simulation, Structure};
+use pounding_solver::{Collision, Pair};
 
 use material::Material;
+use row::ScriptRow;
 
 /// How a scene becomes a script.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -32,14 +34,15 @@ impl OpenSees {
     /// # Errors
     /// Names the field that the script does not model, or says why the exact run fails.
     pub fn script(self, prepared: &Simulation) -> Result<String, OpenSeesError> {
-        let scene = prepared.scene();
-        one_storey(scene).map_err(OpenSeesError::NotModelled)?;
-        let materials = materials(scene, self.approximate).map_err(OpenSeesError::NotModelled)?;
+        let row = ScriptRow::of(prepared);
+        let materials =
+            materials(prepared, &row, self.approximate).map_err(OpenSeesError::NotModelled)?;
         let prepared = &prepared.exact().map_err(OpenSeesError::Run)?;
         let exact = &prepared.run(None).map_err(OpenSeesError::Run)?;
         let steps = || time_step(prepared, exact);
         Ok(script::script(&script::Contents {
             prepared,
+            row,
             materials,
             exact,
             time_step: self.time_step.unwrap_or_else(steps),
@@ -47,48 +50,26 @@ impl OpenSees {
     }
 }
 
-/// Refuses what the script does not model.
-fn one_storey(scene: &Scene) -> Result<(), String> {
-    if scene.arrivals_s.is_some() {
-        return Err(
-            "arrivals_s: found a ground motion that travels along the row, which the script does not model; allowed is one \
-             that shakes all structures at once: leave the field out"
-                .into(),
-        );
-    }
-    for (index, structure) in scene.structures.iter().enumerate() {
-        let found = match structure {
-            Structure::Building(_) => "a building of several storeys",
-            Structure::Sdof(sdof) if sdof.bouc_wen.is_some() => "columns that yield smoothly",
-            Structure::Sdof(sdof) if sdof.hardening_ratio.is_some() => "columns that harden",
-            Structure::Sdof(_) | Structure::Wall => continue,
-        };
-        return Err(format!(
-            "structures[{index}]: found {found}, which the script does not model; allowed are elastic and perfectly plastic \
-             structures of one storey"
-        ));
-    }
-    Ok(())
-}
-
-/// The material of every contact of a scene.
-fn materials(scene: &Scene, approximate: bool) -> Result<Vec<Material>, String> {
-    let mass = |structure: &Structure| match structure {
-        Structure::Sdof(sdof) => Some(sdof.mass_kg),
-        Structure::Building(_) | Structure::Wall => None,
-    };
-    let contacts = scene.contacts.iter().flatten().enumerate();
-    let material = |(index, contact): (usize, &Contact)| {
-        let pair = scene.structures.get(index..index + 2).unwrap_or_default();
-        let inverse: f64 = pair.iter().filter_map(mass).map(f64::recip).sum();
-        Material::of(contact, inverse.recip(), approximate).map_err(|allowed| {
-            format!(
-                "contacts[{index}].law: found {}, {allowed}",
-                contact.law.name()
-            )
+/// The material of every pair.
+fn materials(
+    prepared: &Simulation,
+    row: &ScriptRow,
+    approximate: bool,
+) -> Result<Vec<Material>, String> {
+    let facing = prepared.floors().facing();
+    let material = |(pair, facing): (&Pair, &FloorPair)| {
+        let sides = [pair.left, pair.right].map(|side| row.floors[side].as_ref());
+        let inverse: f64 = sides
+            .into_iter()
+            .flatten()
+            .map(|one| one.mass.recip())
+            .sum();
+        Material::of(pair, inverse.recip(), approximate).map_err(|allowed| {
+            let law = pair.law.name();
+            format!("contacts[{}].law: found {law}, {allowed}", facing.contact)
         })
     };
-    contacts.map(material).collect()
+    prepared.pairs().iter().zip(facing).map(material).collect()
 }
 
 /// Time steps that are chosen \[s\]: in the last 20 s are two million steps, a minute or two.

@@ -1,55 +1,113 @@
 
 
-def build():
-    """The row in OpenSees: node 2i + 1 is the ground under structure i, 2i + 2 its mass."""
+def travels():
+    """Whether the ground motion reaches some floors later than others."""
+    return any(ARRIVALS)
+
+
+def node_of(floor):
+    """Node 1, 2, ... is the ground of each arrival; a wall is its ground, and each floor has a node behind them."""
+    return GROUND_OF[floor] + 1 if FLOORS[floor] is None else len(ARRIVALS) + floor + 1
+
+
+def ground_motion(arrival, times):
+    """Displacement, velocity and acceleration of the ground at these rising times: exact between samples."""
+    step, values = GROUND_STEP, [*GROUND, 0.0]
+    displacement, velocity, at = 0.0, 0.0, 0
+    moved, speeds, accelerations = [], [], []
+
+    def after(t):
+        a = values[at] if at + 1 < len(values) else 0.0
+        slope = (values[at + 1] - a) / step if at + 2 < len(values) else 0.0
+        return (
+            displacement + t * (velocity + t * (a / 2 + t * slope / 6)),
+            velocity + t * (a + t * slope / 2),
+            a + t * slope,
+        )
+
+    for time in times:
+        while at + 2 < len(values) and time - arrival >= (at + 1) * step:
+            displacement, velocity, _ = after(step)
+            at += 1
+        u, v, a = after(time - arrival - at * step) if time >= arrival else (0.0, 0.0, 0.0)
+        moved.append(u)
+        speeds.append(v)
+        accelerations.append(a)
+    return moved, speeds, accelerations
+
+
+def shake(time_step):
+    """The ground motion: one acceleration under all floors, or the motion of every ground, over which they move then."""
+    if not travels():
+        ops.timeSeries("Path", 1, "-dt", GROUND_STEP, "-values", *GROUND)
+        ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
+        return
+    times = [step * time_step for step in range(round(DURATION / time_step) + 2)]
+    ops.pattern("MultipleSupport", 1)
+    for i, arrival in enumerate(ARRIVALS):
+        series = [3 * i + 1, 3 * i + 2, 3 * i + 3]
+        for tag, values in zip(series, ground_motion(arrival, times)):
+            ops.timeSeries("Path", tag, "-dt", time_step, "-values", *values)
+        displacement, velocity, acceleration = series
+        ops.groundMotion(i + 1, "Plain", "-disp", displacement, "-vel", velocity, "-accel", acceleration)
+        ops.imposedMotion(i + 1, 1, i + 1)
+
+
+def build(time_step):
+    """The row in OpenSees."""
     ops.wipe()
     ops.model("basic", "-ndm", 1, "-ndf", 1)
-    for i, one in enumerate(STRUCTURES):
-        ground, mass = 2 * i + 1, 2 * i + 2
-        ops.node(ground, 0.0)
-        ops.node(mass, 0.0)
-        ops.fix(ground, 1)
-        if one is None:  # a wall moves with the ground
-            ops.fix(mass, 1)
+    for i in range(len(ARRIVALS)):
+        ops.node(i + 1, 0.0)
+        if not travels():
+            ops.fix(i + 1, 1)
+    for i, one in enumerate(FLOORS):
+        if one is None:
             continue
-        ops.mass(mass, one["mass"])
-        column, dashpot = 10 * i + 1, 10 * i + 2
-        if one["yield_force"] is None:
-            ops.uniaxialMaterial("Elastic", column, one["stiffness"])
-        else:
-            yields = one["yield_force"] / one["stiffness"]
-            ops.uniaxialMaterial("ElasticPP", column, one["stiffness"], yields)
+        floor, ground = node_of(i), GROUND_OF[i] + 1
+        ops.node(floor, 0.0)
+        ops.mass(floor, one["mass"])
+        below = ground if one["below"] is None else node_of(one["below"])
+        kind, *parameters = one["column"]
+        ops.uniaxialMaterial(kind, 10 * i + 1, *parameters)
         # No stiffness, and a stress of c times the rate: exactly the damping of the scene.
-        ops.uniaxialMaterial("Elastic", dashpot, 0.0, one["damping"])
-        for tag in (column, dashpot):
-            ops.element("zeroLength", tag, ground, mass, "-mat", tag, "-dir", 1)
+        ops.uniaxialMaterial("Elastic", 10 * i + 2, 0.0, one["damping"])
+        ops.uniaxialMaterial("Elastic", 10 * i + 3, 0.0, one["ground_damping"])
+        for tag, start in ((1, below), (2, below), (3, ground)):
+            if tag < 3 or one["ground_damping"] > 0.0:
+                ops.element("zeroLength", 10 * i + tag, start, floor, "-mat", 10 * i + tag, "-dir", 1)
     for i, contact in enumerate(CONTACTS):
-        tag, (kind, *parameters) = 10 * i + 3, contact["material"]
+        tag, (kind, *parameters) = 10 * (len(FLOORS) + i), contact["material"]
         ops.uniaxialMaterial(kind, tag, *parameters)
-        ops.element("zeroLength", tag, 2 * i + 2, 2 * i + 4, "-mat", tag, "-dir", 1)
-    ops.timeSeries("Path", 1, "-dt", GROUND_STEP, "-values", *GROUND)
-    ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
+        left, right = (node_of(floor) for floor in contact["floors"])
+        ops.element("zeroLength", tag, left, right, "-mat", tag, "-dir", 1)
+    shake(time_step)
 
 
 def start():
     """The state at t = 0. OpenSees would begin with an acceleration of zero, an error of the size of a step."""
-    for i, one in enumerate(STRUCTURES):
+
+    def storey(one):
+        displacement, velocity, force = one["start"]
+        below = 0.0 if one["below"] is None else FLOORS[one["below"]]["start"][1]
+        return force + one["damping"] * (velocity - below)
+
+    for i, one in enumerate(FLOORS):
         if one is None:
             continue
-        force = one["stiffness"] * one["displacement"]
-        if one["yield_force"] is not None:
-            force = max(-one["yield_force"], min(one["yield_force"], force))
-        force += one["damping"] * one["velocity"]
-        mass = 2 * i + 2
-        ops.setNodeDisp(mass, 1, one["displacement"], "-commit")
-        ops.setNodeVel(mass, 1, one["velocity"], "-commit")
-        ops.setNodeAccel(mass, 1, -GROUND[0] - force / one["mass"], "-commit")
+        displacement, velocity, _ = one["start"]
+        above = sum(storey(other) for other in FLOORS if other is not None and other["below"] == i)
+        force = above - storey(one) - one["ground_damping"] * velocity
+        ground = 0.0 if travels() else GROUND[0]
+        ops.setNodeDisp(node_of(i), 1, displacement, "-commit")
+        ops.setNodeVel(node_of(i), 1, velocity, "-commit")
+        ops.setNodeAccel(node_of(i), 1, force / one["mass"] - ground, "-commit")
 
 
 def run(time_step):
     """Newmark's method of average acceleration with Newton's iterations; the numbers that pounding prints."""
-    build()
-    ops.constraints("Plain")
+    build(time_step)
+    ops.constraints("Transformation")
     ops.numberer("Plain")
     ops.system("BandGeneral")
     ops.test("NormDispIncr", 1e-13, 100)
@@ -57,28 +115,30 @@ def run(time_step):
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
     start()
-    structures, contacts = range(len(STRUCTURES)), range(len(CONTACTS))
+    floors, contacts = range(len(FLOORS)), range(len(CONTACTS))
     found = {
-        "displacement": [0.0 for _ in structures],
+        "displacement": [0.0 for _ in floors],
         "touches": [0 for _ in contacts],
         "first": [None for _ in contacts],
         "force": [None for _ in contacts],
     }
 
     def displacements():
-        return [ops.nodeDisp(2 * i + 2, 1) for i in structures]
+        return [ops.nodeDisp(node_of(i), 1) for i in floors]
 
     def overlaps(u):
-        return [u[i] - u[i + 1] - CONTACTS[i]["gap"] for i in contacts]
+        sides = [contact["floors"] for contact in CONTACTS]
+        return [u[left] - u[right] - CONTACTS[i]["gap"] for i, (left, right) in enumerate(sides)]
 
     before = overlaps(displacements())
     for step in range(round(DURATION / time_step)):
         if ops.analyze(1, time_step) != 0:
             sys.exit(f"no equilibrium at t = {step * time_step} s; take a smaller time step")
         u = displacements()
-        for i in structures:
-            if abs(u[i]) > abs(found["displacement"][i]):
-                found["displacement"][i] = u[i]
+        for i in floors:
+            over_ground = u[i] - ops.nodeDisp(GROUND_OF[i] + 1, 1) if travels() else u[i]
+            if abs(over_ground) > abs(found["displacement"][i]):
+                found["displacement"][i] = over_ground
         after = overlaps(u)
         for i in contacts:
             if after[i] <= 0.0:
@@ -88,7 +148,7 @@ def run(time_step):
                 if found["first"][i] is None:
                     part = -before[i] / (after[i] - before[i])
                     found["first"][i] = (step + part) * time_step
-            force = -ops.eleResponse(10 * i + 3, "material", 1, "stress")[0]
+            force = -ops.eleResponse(10 * (len(FLOORS) + i), "material", 1, "stress")[0]
             found["force"][i] = max(force, found["force"][i] or 0.0)
         before = after
     return found
@@ -104,11 +164,11 @@ def report(found, time_step):
         difference = ""
         if None not in (ours, exact) and exact != 0:
             difference = f"{(ours - exact) / abs(exact):.1e}"
-        print(f"{what + ' ' + unit:38} {number(ours):>14} {number(exact):>14} {difference:>10}")
+        print(f"{what + ' ' + unit:48} {number(ours):>14} {number(exact):>14} {difference:>10}")
 
     print(f"{SCENE}: OpenSees {ops.version()}, time step {time_step:g} s, {DURATION:g} s")
-    print(f"{'':38} {'OpenSees':>14} {'exact':>14} {'difference':>10}")
-    for i, one in enumerate(STRUCTURES):
+    print(f"{'':48} {'OpenSees':>14} {'exact':>14} {'difference':>10}")
+    for i, one in enumerate(FLOORS):
         if one is not None:
             found_one, exact = found["displacement"][i], EXACT["displacement"][i]
             line(f"{one['name']}: peak displacement", "[m]", found_one, exact)

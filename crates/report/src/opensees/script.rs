@@ -2,15 +2,17 @@
 
 use std::fmt::Write as _;
 
-use pounding_scene::{PairOutcome, RunResult, Scene, Sdof, Simulation, Structure};
+use pounding_scene::{PairOutcome, RunResult, Simulation};
 use serde_json::json;
 
 use super::material::Material;
+use super::row::{ScriptFloor, ScriptRow};
 
 /// What a script holds.
 pub(super) struct Contents<'a> {
     pub(super) prepared: &'a Simulation,
-    /// The material of every contact.
+    pub(super) row: ScriptRow,
+    /// The material of every pair.
     pub(super) materials: Vec<Material>,
     /// What the exact method finds.
     pub(super) exact: &'a RunResult,
@@ -36,13 +38,22 @@ pub(super) fn script(contents: &Contents<'_>) -> String {
         contents.prepared.duration()
     ));
     line(&format!("TIME_STEP = {:?}  # s", contents.time_step));
-    line("\n# From left to right; None is a wall.");
-    line(&list("STRUCTURES", scene.structures.iter().map(structure)));
+    line("\n# Level by level from the ground up, each from left to right; None is a wall.");
+    let named = contents.prepared.floors().all().iter();
+    let floors = named.zip(&contents.row.floors).map(|(named, one)| {
+        let written = one.as_ref().map(|one| floor(&named.name, one));
+        written.unwrap_or_else(|| "None".into())
+    });
+    line(&list("FLOORS", floors));
+    let (arrivals, grounds) = grounds(&contents.row.arrivals);
+    line("\n# When the ground motion arrives [s], and which of these arrivals each floor has.");
+    line(&format!("ARRIVALS = {arrivals:?}"));
+    line(&format!("GROUND_OF = {grounds:?}"));
     line(
-        "\n# Between each structure and its right neighbour; the material with its\n# parameters after the tag, and where it is not the law.",
+        "\n# Floors that can touch, by their places; the material with its parameters\n# after the tag, and where it is not the law.",
     );
     let materials = contents.materials.iter().enumerate();
-    let contacts = materials.map(|(index, one)| contact(scene, index, one));
+    let contacts = materials.map(|(index, one)| contact(contents.prepared, index, one));
     line(&list("CONTACTS", contacts));
     line("\n# By the exact method of pounding, which has no time step.");
     line(&exact(contents));
@@ -88,53 +99,64 @@ fn quoted(text: &str) -> String {
     json!(text).to_string()
 }
 
-fn structure(structure: &Structure) -> String {
-    match structure {
-        // Buildings were refused.
-        Structure::Building(_) | Structure::Wall => "None".into(),
-        Structure::Sdof(sdof) => sdof_of(sdof),
-    }
+/// The arrivals that differ, and which of them each floor has.
+fn grounds(arrivals: &[f64]) -> (Vec<f64>, Vec<usize>) {
+    let mut different: Vec<f64> = Vec::new();
+    let grounds = arrivals.iter().map(|arrival| {
+        let same = |one: &f64| one.total_cmp(arrival).is_eq();
+        different.iter().position(same).unwrap_or_else(|| {
+            different.push(*arrival);
+            different.len() - 1
+        })
+    });
+    let grounds = grounds.collect();
+    (different, grounds)
 }
 
-fn sdof_of(sdof: &Sdof) -> String {
-    let yield_force = sdof
-        .yield_force_n
-        .map_or("None".into(), |force| format!("{force:?}"));
+fn floor(name: &str, floor: &ScriptFloor) -> String {
+    let ScriptFloor {
+        mass,
+        below,
+        column,
+        damping: [damping, ground_damping],
+        start: [displacement, velocity, force],
+    } = floor;
+    let below = below.map_or("None".into(), |below| below.to_string());
     format!(
-        "{{\"name\": {}, \"mass\": {:?}, \"stiffness\": {:?}, \"damping\": {:?},\n     \"yield_force\": {yield_force}, \
-         \"displacement\": {:?}, \"velocity\": {:?}}}",
-        quoted(&sdof.name),
-        sdof.mass_kg,
-        sdof.stiffness_n_per_m,
-        sdof.damping_coefficient(),
-        sdof.initial_displacement_m,
-        sdof.initial_velocity_m_per_s
+        "{{\"name\": {}, \"mass\": {mass:?}, \"below\": {below},\n     \"column\": ({}, {}),\n     \"damping\": {damping:?}, \
+         \"ground_damping\": {ground_damping:?},\n     \"start\": ({displacement:?}, {velocity:?}, {force:?})}}",
+        quoted(name),
+        quoted(column.name),
+        column.parameters.join(", ")
     )
 }
 
-fn contact(scene: &Scene, index: usize, material: &Material) -> String {
-    let [left, right] = [index, index + 1].map(|index| scene.structures[index].name());
-    let gap = scene.contacts.iter().flatten().nth(index);
+fn contact(prepared: &Simulation, index: usize, material: &Material) -> String {
+    let pair = &prepared.pairs()[index];
+    let floors = prepared.floors().all();
+    let [left, right] = [pair.left, pair.right].map(|side| &floors[side].name);
     let parameters = material.parameters.iter().map(|one| format!("{one:?}"));
     let parameters = parameters.chain(material.option.map(quoted));
     let parameters: Vec<String> = parameters.collect();
     let note = material.note.map_or("None".into(), quoted);
     format!(
-        "{{\"name\": {}, \"gap\": {:?},\n     \"material\": ({}, {}),\n     \"note\": {note}}}",
+        "{{\"name\": {}, \"floors\": ({}, {}), \"gap\": {:?},\n     \"material\": ({}, {}),\n     \"note\": {note}}}",
         quoted(&format!("{left} - {right}")),
-        gap.map_or(0.0, |contact| contact.gap_m),
+        pair.left,
+        pair.right,
+        pair.gap,
         quoted(material.name),
         parameters.join(", ")
     )
 }
 
-/// The exact numbers, in the order of structures and contacts.
+/// The exact numbers, in the order of floors and pairs.
 fn exact(contents: &Contents<'_>) -> String {
     let pairs = 0..contents.materials.len();
     let pairs: Vec<PairOutcome> = pairs.map(|pair| contents.exact.of_pair(pair)).collect();
-    let structures = 0..contents.prepared.scene().structures.len();
+    let floors = 0..contents.row.floors.len();
     let peak = |index: usize| contents.exact.peaks.of(index).displacement.value;
-    let displacements = structures.map(|index| format!("{:?}", peak(index)));
+    let displacements = floors.map(|index| format!("{:?}", peak(index)));
     let touches = pairs.iter().map(|pair| pair.collisions.to_string());
     let first = pairs
         .iter()
