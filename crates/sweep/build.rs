@@ -21,8 +21,11 @@ const LOCKS: [&str; 2] = ["../../Cargo.lock", "../python/Cargo.lock"];
 
 fn main() -> Result<()> {
     let mut hash = Sha256::new();
-    let lock = LOCKS.into_iter().find(|lock| Path::new(lock).exists());
-    for source in SOURCES.into_iter().chain(lock) {
+    let exists = |path: &&str| Path::new(path).exists();
+    let lock = LOCKS.into_iter().find(exists);
+    // Beside a package from a registry the others do not lie: all have its version.
+    hash.update(env!("CARGO_PKG_VERSION"));
+    for source in SOURCES.into_iter().filter(exists).chain(lock) {
         println!("cargo::rerun-if-changed={source}");
         let mut files = files(Path::new(source))?;
         files.sort();

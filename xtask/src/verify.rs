@@ -74,7 +74,7 @@ pub(crate) fn run(root: &Path, asked: &Asked) -> Result<(), String> {
         Ok(())
     } else {
         Err(format!(
-            "some scenes disagree or fail; their files are in {}",
+            "scenes disagree, or the exact method fails; their files are in {}",
             folder.display()
         ))
     }
@@ -98,7 +98,7 @@ fn of_files(campaign: &Campaign, files: &[PathBuf]) -> Result<(), String> {
     if summary.is_good() {
         Ok(())
     } else {
-        Err("some scenes disagree or fail".into())
+        Err("scenes disagree, or the exact method fails".into())
     }
 }
 

@@ -23,8 +23,8 @@ impl Out {
         } else {
             Others::Refused("--overwrite")
         };
-        let folder = ResultFolder::open(path, RESULT_NAMES, others).map_err(of_option)?;
-        Ok(Self(folder))
+        let folder = ResultFolder::open(path, RESULT_NAMES, others);
+        folder.map(Self).map_err(|reason| of_option(&reason))
     }
 
     /// Where it is.
@@ -41,15 +41,31 @@ impl Out {
         earlier.try_for_each(|path| new_file::keep(&path, inputs))
     }
 
+    /// Refuses the folder of the records itself: results in it would be taken for records.
+    ///
+    /// # Errors
+    /// Says so.
+    pub(crate) fn apart_from(&self, records: &Path) -> Result<(), String> {
+        let own = self.path().canonicalize();
+        match (own, records.canonicalize()) {
+            (Ok(own), Ok(records)) if own == records => Err(format!(
+                "--out: {} is the folder of the records, allowed is another one: results would be taken for records; name a new folder",
+                self.path().display()
+            )),
+            _ => Ok(()),
+        }
+    }
+
     /// Writes files into the folder; what it holds besides results stays.
     ///
     /// # Errors
     /// What cannot be written, and what the system says.
     pub(crate) fn write(&self, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
-        self.0.write(files).map_err(of_option)
+        let written = self.0.write(files);
+        written.map_err(|reason| of_option(&reason))
     }
 }
 
-fn of_option(reason: String) -> String {
+fn of_option(reason: &str) -> String {
     format!("--out: {reason}")
 }

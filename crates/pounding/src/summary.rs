@@ -65,8 +65,7 @@ pub(crate) fn warnings(found: &[String]) -> String {
 /// What to know before using a run, the most harmful first: what its response says of the model, what looks wrong in the scene, and what
 /// its numbers are worth; and what helps.
 fn of_run(prepared: &Simulation, review: &Review) -> Vec<String> {
-    let unusual: Vec<String> = prepared.doubts().iter().map(Implausible::brief).collect();
-    let hint = (!unusual.is_empty()).then(|| "`pounding check SCENE` says what is usual".into());
+    let unusual = Implausible::lines(&prepared.doubts());
     let is_error = |one: &Warning| matches!(one, Warning::Error { .. });
     let advice = review.warnings.iter().any(is_error);
     let advice =
@@ -75,7 +74,6 @@ fn of_run(prepared: &Simulation, review: &Review) -> Vec<String> {
     let warnings = review.warnings.iter().map(ToString::to_string);
     excesses
         .chain(unusual)
-        .chain(hint)
         .chain(warnings)
         .chain(advice)
         .collect()

@@ -72,7 +72,12 @@ pub fn run_sentence(prepared: &Simulation, result: &RunResult) -> String {
         return "nothing touches".into();
     };
     let [left, right] = prepared.floors().names(hardest.pair);
+    let is_compliant = prepared.pairs()[hardest.pair].law.is_compliant();
     let how = match hardest {
+        // Of impulsive contact a force is that of rest.
+        Blow {
+            force: Some(force), ..
+        } if !is_compliant => format!("pressing with up to {} kN", short(1e-3 * force)),
         Blow {
             force: Some(force), ..
         } => format!(

@@ -179,7 +179,7 @@ pub enum SweepError {
     },
     /// A part that is not as it was written.
     #[error(
-        "{}: found {found}, allowed is the file as it was written; start the sweep again, which runs this part anew",
+        "{}: found {found}, allowed is the file as it was written; start the sweep again, or the shard that made it, which runs this part anew",
         path.display()
     )]
     Damaged {

@@ -23,10 +23,29 @@ const LONGEST: Length = Length::new(64 << 20, "it is none that a sweep wrote");
 struct Cut {
     /// About how many parts there are, so that little is lost with the one that is not whole.
     parts: u64,
-    /// Least runs of a part.
+    /// Least runs of a part, of runs that cost little.
     least: u64,
     /// Most runs of a part, which a thread holds in memory.
     most: u64,
+}
+
+/// What the least and the most runs of a part cost together, if they run alone, in force evaluations: a tenth of a second or so, and
+/// ten. Who stops a sweep loses no more.
+const PRICES: [f64; 2] = [5e5, 5e7];
+
+impl Cut {
+    /// Runs of a part, of so many that cost this much each.
+    fn runs_per_part(&self, runs: u64, price: f64) -> u64 {
+        let affordable = |most: f64, limit: u64| {
+            let all = 1..=limit;
+            all.rev()
+                .find(|count| *count as f64 * price <= most)
+                .unwrap_or(1)
+        };
+        let least = affordable(PRICES[0], self.least);
+        let most = affordable(PRICES[1], self.most);
+        (runs / self.parts).next_power_of_two().clamp(least, most)
+    }
 }
 
 /// Of runs that take longer than a file.
@@ -73,12 +92,11 @@ impl Manifest {
         } else {
             ALONE
         };
-        let part = (runs / cut.parts).next_power_of_two();
         Self {
             schema_version: SCHEMA_VERSION,
             sweep: sweep.sha256().into(),
             runs,
-            runs_per_part: part.clamp(cut.least, cut.most),
+            runs_per_part: cut.runs_per_part(runs, sweep.expected_price()),
             header: String::from_utf8_lossy(&sweep.header()).into_owned(),
             sha256: String::new(),
         }
@@ -192,7 +210,18 @@ pub(super) fn is_own(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::is_own;
+    use super::{BESIDE, is_own};
+
+    /// 256 runs of towers were one part: a sweep that was stopped after minutes had nothing, and small ones only one shard.
+    #[test]
+    fn issue_a_part_costs_seconds() {
+        let part = |runs, price| BESIDE.runs_per_part(runs, price);
+        assert_eq!(part(200_000, 2e3), 2048, "two structures of one storey");
+        assert_eq!(part(20, 2e3), 250, "a file takes longer than fewer of them");
+        assert_eq!(part(80, 1e6), 1);
+        assert_eq!(part(1_000_000, 1e6), 50);
+        assert_eq!(part(1_000_000, 1e12), 1);
+    }
 
     #[test]
     fn limit_names_of_a_sweep() {

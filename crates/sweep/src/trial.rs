@@ -176,7 +176,13 @@ impl Sweep {
         Ok(Simulation::shaken(&scene, motion)?)
     }
 
-    /// The same before it is prepared, and the motion.
+    /// What a run costs alone, as the one with typical values does; 0 where there is none.
+    pub(super) fn expected_price(&self) -> f64 {
+        let typical = self.prepared(0, &self.plan.typical(), &mut self.scene.clone());
+        typical.map_or(0.0, |typical| typical.expected_price())
+    }
+
+    /// The scene of these settings before it is prepared, and the motion.
     pub(super) fn shaken(
         &self,
         motion: usize,

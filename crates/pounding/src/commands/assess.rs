@@ -166,6 +166,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         let target = args.target.iter().map(PathBuf::from);
         let read = target.chain([path.clone()]).collect();
         out.keep(&[super::inputs_in(&args.records), read].concat())?;
+        out.apart_from(&args.records)?;
     }
     let asked = args.asked(super::read(path).map_err(message)?)?;
     let ran = asked.run()?;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use pounding::report::other_direction_exact;
 use pounding::scene::{
-    Columns, ContactLimit, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
+    Columns, ContactLimit, Implausible, Limits, RunResult, STEPS_PER_CONTACT, Simulation, Structure,
 };
 use pounding::solver::Opening;
 use pounding::text::digits;
@@ -129,8 +129,10 @@ fn text(plan: &Plan<'_>) -> String {
     parts.push(paragraph("Notes", NOTES));
     let doubts = prepared.doubts();
     if !doubts.is_empty() {
-        let doubts: Vec<String> = doubts.iter().map(ToString::to_string).collect();
-        parts.push(paragraph("Unusual", &doubts.join("\n")));
+        parts.push(paragraph(
+            "Unusual",
+            &Implausible::lines(&doubts).join("\n"),
+        ));
     }
     let nothing = "none of stability and e; the errors of the numbers are those of a run";
     parts.push(if plan.warnings.is_empty() {

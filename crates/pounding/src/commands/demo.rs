@@ -23,7 +23,7 @@ const FILES: [(&str, &str); 2] = [
     (SCENE, include_str!("demo/scene.toml")),
     (
         "el-centro.csv",
-        include_str!("../../../../studies/records/el-centro-1940-ns-chopra.csv"),
+        include_str!("../../assets/el-centro-1940-ns-chopra.csv"),
     ),
 ];
 const SCENE: &str = "scene.toml";

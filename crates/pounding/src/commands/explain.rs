@@ -9,7 +9,7 @@ Examples:
   pounding explain                       # all words";
 
 /// The page of words, a line that begins with its words in bold for each.
-const GLOSSARY: &str = include_str!("../../../../docs/glossary.md");
+const GLOSSARY: &str = include_str!("../../assets/glossary.md");
 
 /// What is asked of `explain`.
 #[derive(Debug, clap::Args)]

@@ -6,7 +6,7 @@ mod effects;
 use std::path::{Path, PathBuf};
 
 use pounding::report::{Report, Summary, direction_sentences, other_direction};
-use pounding::scene::{Effects, Error, Review, RunResult, SceneError, Simulation};
+use pounding::scene::{Effects, Error, Implausible, Review, RunResult, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
 use crate::folder::Out;
@@ -161,13 +161,14 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     } else {
         prepared
     };
+    let failed = |error| with_doubts(refused(error), &prepared);
     let measure = !args.model.no_error;
     let _waiting = Waiting::new("running");
     let effects = args.effects.then(|| Effects::of(&prepared));
     let effects = effects.transpose().map_err(|error| {
         let is_exact = prepared.scene().method.time_step().is_none();
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
-        format!("{}{hint}", refused(error))
+        format!("{}{hint}", failed(error))
     })?;
     let unread = args.shown.json && args.results.out.is_none();
     let other = (!unread && !args.shown.one_direction).then(|| other_direction(&prepared));
@@ -176,12 +177,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         Some(direction_sentences(&prepared, outcome, other))
     };
     let Some(out) = out else {
-        let review = prepared.review(measure).map_err(refused)?;
+        let review = prepared.review(measure).map_err(failed)?;
         let both = sentences(&review.outcome);
         let text = printed(args, &prepared, effects, &review);
         return Ok(with_answer(args, both.as_ref(), text));
     };
-    let report = Report::of(&prepared, measure).map_err(refused)?;
+    let report = Report::of(&prepared, measure).map_err(failed)?;
     let both = sentences(&report.review().outcome);
     let mut report = report.with_effects(effects.clone());
     if let Some(both) = both.clone() {
@@ -202,6 +203,16 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 }
 
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
+
+/// Why a run failed, with what looks wrong in its scene: that may be the reason.
+fn with_doubts(message: String, prepared: &Simulation) -> String {
+    let doubts = Implausible::lines(&prepared.doubts());
+    if doubts.is_empty() {
+        message
+    } else {
+        format!("{message}; unusual in this scene: {}", doubts.join("; "))
+    }
+}
 
 /// The sentences of both directions before what is printed of a run; JSON has them inside.
 fn with_answer(args: &Arguments, both: Option<&[String; 2]>, text: String) -> String {

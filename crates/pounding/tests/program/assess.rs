@@ -126,14 +126,16 @@ fn issue_a_far_scale_is_warned_of() {
     let work = workplace("assess_far", &far);
     let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
     assert!(
-        run.stdout.contains("record: scaled by 12"),
+        run.stdout.contains("a scale factor of 12"),
         "{}",
         run.stdout
     );
     let all = assess(&work, &["--scale", "pga=3g"]);
     assert!(
-        all.stdout
-            .contains("scaled by less than 0.25 or more than 4"),
+        all.stdout.contains("Caution: 2 of 2 motions are scaled")
+            && all
+                .stdout
+                .contains("scaled by less than 0.25 or more than 4"),
         "{}",
         all.stdout
     );

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::assess::{TOWERS, assess, workplace};
 use crate::results::{files, meeting, results, run_in, text};
-use crate::{folder, refusal};
+use crate::{folder, pounding, refusal};
 
 #[test]
 fn extreme_folders_that_hold_other_things() {
@@ -72,6 +72,29 @@ fn extreme_places_that_are_no_folder() {
     );
     let here = run_in(&folder, &meeting(), &["--out", ".."]);
     assert_snapshot!(refusal(&here), @"error: --out: .. has no name to write a folder under; name a folder in it");
+}
+
+/// Twelve results among the records were motions that could not be read.
+#[test]
+fn issue_results_do_not_go_among_the_records() {
+    let work = workplace("among_records", TOWERS);
+    for command in ["assess", "run"] {
+        let asked = [
+            command,
+            "scene.toml",
+            "--records",
+            "records",
+            "--out",
+            "records",
+            "--overwrite",
+        ];
+        let refused = pounding(&work, &asked);
+        assert_eq!(files(&work.join("records")).len(), 2, "{command}");
+        assert!(
+            refusal(&refused).contains("is the folder of the records"),
+            "{command}"
+        );
+    }
 }
 
 /// `assess` refused the folder that it had made itself.

@@ -67,14 +67,17 @@ impl AssessmentReport {
                 effect.runs
             ),
         };
-        let room = match &effect.force {
+        let verdict = match &effect.force {
             Some(force) if force.median() >= 1.0 => {
-                " They are stiffer than the contact itself: the gap has no room for softer ones."
+                "No bumper helps in this gap: it has room for none that is softer than the contact itself. "
+            }
+            _ if effect.drift.median() > 1.0 && effect.acceleration.median() > 1.0 => {
+                "These bumpers make it worse. "
             }
             _ => "",
         };
         vec![format!(
-            "Bumpers at the given gap ({}{why}) change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}{room}",
+            "{verdict}Bumpers at the given gap ({}{why}) change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",
             bumpers.join("; "),
             both(&effect.drift),
             both(&effect.acceleration)

@@ -1,6 +1,7 @@
 //! An assessment as a folder: a page to forward, tables, figures.
 
 mod bumper;
+mod cautions;
 mod facts;
 mod figures;
 mod of_lines;

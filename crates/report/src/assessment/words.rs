@@ -1,10 +1,7 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
-use pounding_scene::{
-    DesignSpectrum, Distribution, ExcessKind, FloorAssessment, GapAssessment, LEAST_SHARE,
-    PairAssessment, USUAL_FACTORS, WORSE,
-};
-use pounding_text::{digits, millimetres, rounded_up, short, two_decimals, two_digits};
+use pounding_scene::{Distribution, FloorAssessment, GapAssessment, PairAssessment, WORSE};
+use pounding_text::{digits, millimetres, rounded_up, two_decimals, two_digits};
 
 use super::AssessmentReport;
 
@@ -85,32 +82,6 @@ impl AssessmentReport {
         said
     }
 
-    /// What a mean spectrum below the target asks for.
-    fn misfit(&self) -> Option<String> {
-        let fit = self.fit.as_ref()?;
-        let (share, period) = fit.least();
-        let (share, what) = if share < LEAST_SHARE {
-            (share, format!("at {} s", two_digits(period)))
-        } else if fit.peak_share < 1.0
-            && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. }))
-        {
-            return Some(format!(
-                "the mean peak acceleration of the scaled records is {:.0} % of that of the target; EN 1998-1, 3.2.3.1.2 (4) b, wants all \
-                 of it",
-                (100.0 * fit.peak_share).floor()
-            ));
-        } else {
-            return None;
-        };
-        Some(format!(
-            "the mean spectrum of the scaled records has {:.0} % of the target {what}; EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, \
-             16.2.3.2, want {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target",
-            (100.0 * share).floor(),
-            100.0 * LEAST_SHARE,
-            two_decimals((100.0 * LEAST_SHARE / share).ceil() / 100.0)
-        ))
-    }
-
     /// "19 of 22 runs", with the events where components make up events.
     fn touch_in(&self, gap: &GapAssessment) -> String {
         let Self { assessment, .. } = self;
@@ -188,11 +159,18 @@ impl AssessmentReport {
         } else {
             format!("like these {n}")
         };
+        let together = if widths.len() > 1 { ", together" } else { "" };
+        let beside = match self.neighbours().len() {
+            0 => String::new(),
+            n => format!(" beside one of the {n} neighbours that were drawn; others may need more"),
+        };
         let mut said = vec![format!(
-            "Proposed: {} (the largest needed, rounded up). A further event {like} needs more with a chance of at most 1 in {} for each gap.",
+            "Proposed{together}: {} (the largest needed, rounded up). A further event {like} needs more with a chance of at most 1 in {} for \
+             each gap{beside}.",
             widths.join(", "),
             n + 1
         )];
+        said.extend(self.cautions());
         said.extend(self.bumper_says());
         said
     }
@@ -227,52 +205,6 @@ impl AssessmentReport {
         });
         hit
     }
-
-    /// What harms the answer, the worst first.
-    pub fn warnings(&self) -> Vec<String> {
-        let mut said: Vec<String> = self.excesses();
-        said.extend(self.misfit());
-        let mut unusual: Vec<&String> = Vec::new();
-        for one in self.motions.iter().flat_map(|one| &one.run.unusual) {
-            if !unusual.contains(&one) {
-                unusual.push(one);
-            }
-        }
-        said.extend(unusual.into_iter().cloned());
-        let far: Vec<String> = self
-            .motions
-            .iter()
-            .filter(|one| !one.reversed)
-            .filter(|one| !(USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&one.run.scale))
-            .map(|one| format!("{} × {}", one.name, short(one.run.scale)))
-            .collect();
-        if !far.is_empty() {
-            said.push(format!(
-                "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes",
-                digits(USUAL_FACTORS[0]),
-                digits(USUAL_FACTORS[1]),
-                far.join(", ")
-            ));
-        }
-        let events = self.assessment.events;
-        if events < ENOUGH {
-            let found = match events {
-                1 => "records of one event".into(),
-                n => format!("records of {n} events"),
-            };
-            said.push(format!(
-                "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH} and EN 1998-1, 4.3.3.4.3, 7 for a mean; medians of so few say little"
-            ));
-        }
-        if self
-            .motions
-            .iter()
-            .all(|one| (one.run.scale - 1.0).abs() <= 0.0)
-        {
-            said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; see --scale and --target".into());
-        }
-        said
-    }
 }
 
 /// So many storeys.
@@ -282,9 +214,6 @@ fn storeys(count: usize) -> String {
         n => format!("{n} storeys"),
     }
 }
-
-/// Records from which on a code takes their mean: ASCE 7-16, 16.2.2.
-const ENOUGH: usize = 11;
 
 /// The response of a storey that harms it most.
 struct Worst<'f> {
@@ -325,7 +254,8 @@ impl AssessmentReport {
         if let Some((floor, one)) = worse.first() {
             let Worst { what, ratio, .. } = Worst::of(one);
             said.push(format!(
-                "When they touch, {} get worse by more than 10 %; {} most: {what} × {} in the median, at most × {} in 84 % of those runs.",
+                "When they touch, {} get worse by more than 10 %; {} most: its {what} becomes {} times as large in the median of those runs, \
+                 and at most {} times in 84 % of them.",
                 storeys(worse.len()),
                 self.floor_name(*floor),
                 two_decimals(ratio.median()),
@@ -361,30 +291,10 @@ impl AssessmentReport {
         let [drift, impulse, acceleration] = ratios.map(by);
         (ratios.iter().any(|ratio| *ratio >= 1.01)).then(|| {
             format!(
-                "That stiffness changes a drift {drift}, the largest impulse of a pair {impulse}, a floor's acceleration {acceleration}, or \
-                 less in 84 % of all."
+                "In 84 % of all cases that stiffness changes a drift {drift}, the largest impulse of a pair {impulse}, and a floor's \
+                 acceleration {acceleration} at most."
             )
         })
-    }
-
-    /// Responses beyond the model or beyond codes, over all runs: the worst of every kind, and in how many runs.
-    fn excesses(&self) -> Vec<String> {
-        let all = self.motions.iter().flat_map(|one| &one.run.excesses);
-        let mut kinds: Vec<ExcessKind> = all.clone().map(|one| one.kind).collect();
-        kinds.sort_unstable();
-        kinds.dedup();
-        let said = |kind: ExcessKind| {
-            let of_kind = all.clone().filter(|one| one.kind == kind);
-            let runs = of_kind.clone().count();
-            let worst = of_kind.max_by(|one, other| one.found.total_cmp(&other.found))?;
-            Some(format!(
-                "{} in {runs} of {} runs, at worst {}",
-                self.floor_name(worst.floor),
-                self.assessment.runs,
-                kind.says(worst.found)
-            ))
-        };
-        kinds.into_iter().filter_map(said).collect()
     }
 }
 

@@ -64,6 +64,16 @@ impl Simulation {
         evaluations + (of_piece(self) * work.segments) as f64
     }
 
+    /// What a run of the scene by its method will cost alone, roughly: by the exact method a piece of every floor from sample to
+    /// sample.
+    pub fn expected_price(&self) -> f64 {
+        if self.method().time_step().is_some() {
+            return self.price_of_steps(&self.method(), false);
+        }
+        let samples = self.duration() / self.record().time_step();
+        of_piece(self) as f64 * samples * self.floors().all().len() as f64
+    }
+
     /// What a run will cost by an explicit method with this time step \[s\], alone or side by side with others.
     pub fn price_of_steps(&self, method: &Method, beside: bool) -> f64 {
         let steps = method

@@ -122,9 +122,10 @@ impl Simulation {
         };
         // Of records others judge.
         let doubts = self.doubts();
-        let of_row = doubts
-            .iter()
-            .filter(|one| one.place.starts_with("structures") || one.place.starts_with("contacts"));
+        let of_row: Vec<_> = doubts
+            .into_iter()
+            .filter(|one| one.place.starts_with("structures") || one.place.starts_with("contacts"))
+            .collect();
         Ok(AssessedRun {
             scale: self.scale(),
             separations,
@@ -133,7 +134,7 @@ impl Simulation {
                 .map(|pair| assessed_pair(&exact, &variants, pair))
                 .collect(),
             excesses,
-            unusual: of_row.map(Implausible::brief).collect(),
+            unusual: Implausible::lines(&of_row),
         })
     }
 

@@ -37,9 +37,29 @@ impl fmt::Display for Implausible {
 }
 
 impl Implausible {
-    /// Place and what was found, without what is usual: for a line.
-    pub fn brief(&self) -> String {
-        format!("{}: {}", self.place, self.found)
+    /// A line each, of those that say the same of several places one.
+    pub fn lines(all: &[Self]) -> Vec<String> {
+        let mut groups: Vec<(&Self, usize)> = Vec::new();
+        for one in all {
+            let alike = |(other, _): &&mut (&Self, usize)| {
+                (&one.found, &one.usual) == (&other.found, &other.usual)
+            };
+            match groups.iter_mut().find(alike) {
+                Some((_, count)) => *count += 1,
+                None => groups.push((one, 1)),
+            }
+        }
+        let line = |(one, count): (&Self, usize)| match count {
+            1 => one.to_string(),
+            _ => format!(
+                "{} and {} more: found {}, usual is {}",
+                one.place,
+                count - 1,
+                one.found,
+                one.usual
+            ),
+        };
+        groups.into_iter().map(line).collect()
     }
 }
 
@@ -122,7 +142,7 @@ impl Simulation {
             (USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&factor) || self.origin().is_none(),
             "record",
             (
-                format!("scaled by {}", short(factor)),
+                format!("a scale factor of {}", short(factor)),
                 "0.25 to 4: a record that needs more belongs to another earthquake",
             ),
         );

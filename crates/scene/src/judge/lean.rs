@@ -1,46 +1,79 @@
 //! What a scene gives and its exact run does not need: the numbers would be the same without it.
 
-use crate::{RunResult, Simulation};
+use crate::{RunResult, Simulation, Structure};
 use pounding_text::{digits, rounded_down};
 
 impl Simulation {
-    /// What none of these exact runs of the scene, of which there is at least one, needs, a line each: yielding that is not reached, gaps
-    /// that stay open. Runs of both directions say more than one.
+    /// What none of these exact runs of the scene, of which there is at least one, needs, a line for each structure and contact: yielding
+    /// that is not reached, gaps that stay open. Runs of both directions say more than one.
     pub fn unneeded(&self, expected: &[&RunResult]) -> Vec<String> {
-        let floors = self.floors().all().iter().enumerate();
-        let columns = floors.filter_map(|(index, floor)| {
-            let peaks = expected.iter().map(|run| run.peaks.of(index).restoring_force.value.abs());
-            let peak = peaks.fold(0.0, f64::max);
-            let columns = floor.made_of?.columns;
+        let structures = self.scene().structures.iter().enumerate();
+        let columns =
+            structures.filter_map(|(index, one)| self.unneeded_yielding(index, one, expected));
+        let contacts = 0..self.scene().contacts.as_ref().map_or(0, Vec::len);
+        let gaps = contacts.filter_map(|contact| self.unneeded_contact(contact, expected));
+        columns.chain(gaps).collect()
+    }
+
+    fn unneeded_yielding(
+        &self,
+        index: usize,
+        structure: &Structure,
+        expected: &[&RunResult],
+    ) -> Option<String> {
+        let floors = self.floors().of_structure(index);
+        let share = |floor: &usize| {
+            let forces = expected
+                .iter()
+                .map(|run| run.peaks.of(*floor).restoring_force.value.abs());
+            let columns = self.floors().all()[*floor].made_of?.columns;
             // Columns that yield smoothly do so from the first drift on.
             let sharp = columns.yield_force_n.filter(|_| columns.bouc_wen.is_none());
-            let share = peak / sharp?;
-            // What rounding leaves of a force that is cut off.
-            (share < 1.0 - 1e-9).then(|| {
-                format!(
-                    "the yielding of structures[{}] ({}), whose columns reach {} % of their yield force",
-                    floor.structure,
-                    floor.name,
-                    rounded_down(100.0 * share, 1)
-                )
-            })
-        });
-        let pairs = self
-            .pairs()
+            Some(forces.fold(0.0, f64::max) / sharp?)
+        };
+        // What rounding leaves of a force that is cut off.
+        let elastic = floors.iter().filter_map(share);
+        let elastic: Vec<f64> = elastic.filter(|share| *share < 1.0 - 1e-9).collect();
+        let most = elastic.iter().copied().reduce(f64::max)?;
+        let (name, most) = (structure.name(), rounded_down(100.0 * most, 1));
+        Some(match floors.len() {
+            1 => format!(
+                "the yielding of structures[{index}] ({name}), whose columns reach {most} % of their yield force"
+            ),
+            n => format!(
+                "the yielding of structures[{index}] ({name}) at {} of {n} storeys, whose columns reach at most {most} % of their yield force",
+                elastic.len()
+            ),
+        })
+    }
+
+    fn unneeded_contact(&self, contact: usize, expected: &[&RunResult]) -> Option<String> {
+        let facing = self.floors().facing().iter().enumerate();
+        let pairs: Vec<usize> = facing
+            .filter(|(_, one)| one.contact == contact)
+            .map(|(pair, _)| pair)
+            .collect();
+        let touches = |pair: usize| {
+            let mut runs = expected.iter();
+            runs.any(|run| run.collisions_of(pair).next().is_some())
+        };
+        let open: Vec<usize> = pairs
             .iter()
-            .take(self.floors().facing().len())
-            .enumerate();
-        let gaps = pairs.filter_map(|(pair, one)| {
-            let touch = expected.iter().any(|run| run.collisions_of(pair).next().is_some());
-            let [left, right] = self.floors().names(pair);
-            let contact = self.floors().facing()[pair].contact;
-            (!touch).then(|| {
-                format!(
-                    "the contact of contacts[{contact}] ({left} – {right}), whose gap of {} mm stays open",
-                    digits(1e3 * one.gap)
-                )
-            })
-        });
-        columns.chain(gaps).collect()
+            .copied()
+            .filter(|pair| !touches(*pair))
+            .collect();
+        let first = *open.first()?;
+        let [left, right] = self.floors().names(first);
+        let gap = digits(1e3 * self.pairs()[first].gap);
+        Some(match pairs.len() {
+            1 => format!(
+                "the contact of contacts[{contact}] ({left} – {right}), whose gap of {gap} mm stays open"
+            ),
+            n => format!(
+                "the contact of contacts[{contact}] at {} of {n} pairs of floors ({left} – {right}{}), whose gap of {gap} mm stays open",
+                open.len(),
+                if open.len() > 1 { " …" } else { "" }
+            ),
+        })
     }
 }

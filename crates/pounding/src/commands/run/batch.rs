@@ -114,6 +114,7 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
     let out = args.results.open()?;
     if let Some(out) = &out {
         out.keep(&[super::super::inputs_in(folder), vec![path.clone()]].concat())?;
+        out.apart_from(folder)?;
     }
     let ran = suite::lines(&scene, folder, directions, |prepared| {
         let review = prepared.review(!args.model.no_error)?;
@@ -184,14 +185,17 @@ fn text(scene: &Scene, lines: &[Line]) -> String {
 fn unusual(lines: &[Line]) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
     for line in lines {
-        for doubt in line.found.iter().flat_map(|found| &found.unusual) {
-            let brief = if doubt.place == "record" {
-                format!("{}: {}", line.motion, doubt.found)
-            } else {
-                doubt.brief()
-            };
-            if !said.contains(&brief) {
-                said.push(brief);
+        let doubts = line.found.iter().flat_map(|found| &found.unusual);
+        let named = |doubt: &Implausible| match doubt.place.as_str() {
+            "record" => Implausible {
+                place: line.motion.clone(),
+                ..doubt.clone()
+            },
+            _ => doubt.clone(),
+        };
+        for one in Implausible::lines(&doubts.map(named).collect::<Vec<_>>()) {
+            if !said.contains(&one) {
+                said.push(one);
             }
         }
     }

@@ -125,16 +125,17 @@ impl Verdict {
 }
 
 impl Checked {
-    /// Whether the two routes agree, or it fails in a way that is [named](LIMITS).
+    /// Whether nothing speaks against the exact method: both routes agree, rounding explains their distance, the second route has no
+    /// answer, or the exact method fails in a way that is [named](LIMITS).
     pub fn is_good(&self) -> bool {
         match &self.verdict {
-            Verdict::Agrees => true,
-            Verdict::ExactFails(failure) => failure.is_known(),
-            Verdict::Disagrees(_)
+            Verdict::Agrees
             | Verdict::SecondRouteRounds(_)
             | Verdict::ExactRounds(_)
             | Verdict::Unknowable(_)
-            | Verdict::SecondRouteFails(_)
+            | Verdict::SecondRouteFails(_) => true,
+            Verdict::ExactFails(failure) => failure.is_known(),
+            Verdict::Disagrees(_)
             | Verdict::Refused(_)
             | Verdict::Hangs(_)
             | Verdict::Panics(_) => false,
@@ -209,7 +210,7 @@ impl fmt::Display for Disagreement {
 }
 
 impl Summary<'_> {
-    /// Whether all agree, or fail in ways that are [named](LIMITS).
+    /// Whether nothing speaks against the exact method in [any of them](Checked::is_good).
     pub fn is_good(&self) -> bool {
         self.0.iter().all(Checked::is_good)
     }

@@ -1,0 +1,136 @@
+//! What harms the answer of an assessment: in short beside it, and as warnings.
+
+use pounding_scene::{DesignSpectrum, ExcessKind, LEAST_SHARE, USUAL_FACTORS};
+use pounding_text::{digits, short, two_decimals, two_digits};
+
+use super::{AssessedMotion, AssessmentReport};
+
+/// Records from which on a code takes their mean: ASCE 7-16, 16.2.2.
+const ENOUGH: usize = 11;
+
+impl AssessmentReport {
+    /// Records that belong to other earthquakes by the factors that they need, once for both directions.
+    fn far(&self) -> Vec<&AssessedMotion> {
+        let is_usual = |scale| (USUAL_FACTORS[0]..=USUAL_FACTORS[1]).contains(&scale);
+        let first = self.motions.first().and_then(|one| one.neighbour);
+        let once = |one: &&AssessedMotion| !one.reversed && one.neighbour == first;
+        let once = self.motions.iter().filter(once);
+        once.filter(|one| !is_usual(one.run.scale)).collect()
+    }
+
+    /// What the answer rests on and should not, in a sentence beside it.
+    pub fn cautions(&self) -> Option<String> {
+        let factors = self.far().into_iter().map(|one| one.run.scale);
+        let count = factors.len();
+        let distance = |factor: f64| factor.max(1.0 / factor);
+        let farthest = factors.max_by(|one, other| distance(*one).total_cmp(&distance(*other)));
+        let far = farthest.map(|factor| {
+            format!(
+                "{count} of {} motions are scaled by less than {} or more than {}, one of them by {}",
+                self.records(),
+                digits(USUAL_FACTORS[0]),
+                digits(USUAL_FACTORS[1]),
+                short(factor)
+            )
+        });
+        let beyond = self.excesses().into_iter().find(|(kind, _)| match kind {
+            ExcessKind::Displacement | ExcessKind::Drift | ExcessKind::Ductility => true,
+            // The model follows these; they ask for more than it knows.
+            ExcessKind::Stability | ExcessKind::ResidualDrift => false,
+        });
+        let beyond = beyond.map(|(_, said)| said);
+        let all: Vec<String> = far.into_iter().chain(beyond).collect();
+        (!all.is_empty()).then(|| format!("Caution: {}; the warnings say more.", all.join("; ")))
+    }
+
+    /// What harms the answer, the worst first.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut said: Vec<String> = self.excesses().into_iter().map(|(_, said)| said).collect();
+        said.extend(self.misfit());
+        let mut unusual: Vec<&String> = Vec::new();
+        for one in self.motions.iter().flat_map(|one| &one.run.unusual) {
+            if !unusual.contains(&one) {
+                unusual.push(one);
+            }
+        }
+        said.extend(unusual.into_iter().cloned());
+        let far: Vec<String> = self
+            .far()
+            .into_iter()
+            .map(|one| format!("{} × {}", one.name, short(one.run.scale)))
+            .collect();
+        if !far.is_empty() {
+            said.push(format!(
+                "scaled by less than {} or more than {}: {}; records that need such factors belong to other earthquakes",
+                digits(USUAL_FACTORS[0]),
+                digits(USUAL_FACTORS[1]),
+                far.join(", ")
+            ));
+        }
+        let events = self.assessment.events;
+        if events < ENOUGH {
+            let found = match events {
+                1 => "records of one event".into(),
+                n => format!("records of {n} events"),
+            };
+            said.push(format!(
+                "{found}: ASCE 7-16, 16.2.2, wants {ENOUGH} and EN 1998-1, 4.3.3.4.3, 7 for a mean; medians of so few say little"
+            ));
+        }
+        if self
+            .motions
+            .iter()
+            .all(|one| (one.run.scale - 1.0).abs() <= 0.0)
+        {
+            said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; see --scale and --target".into());
+        }
+        said
+    }
+
+    /// What a mean spectrum below the target asks for.
+    fn misfit(&self) -> Option<String> {
+        let fit = self.fit.as_ref()?;
+        let (share, period) = fit.least();
+        let (share, what) = if share < LEAST_SHARE {
+            (share, format!("at {} s", two_digits(period)))
+        } else if fit.peak_share < 1.0
+            && matches!(self.target(), Some(DesignSpectrum::Eurocode8 { .. }))
+        {
+            return Some(format!(
+                "the mean peak acceleration of the scaled records is {:.0} % of that of the target; EN 1998-1, 3.2.3.1.2 (4) b, wants all \
+                 of it",
+                (100.0 * fit.peak_share).floor()
+            ));
+        } else {
+            return None;
+        };
+        Some(format!(
+            "the mean spectrum of the scaled records has {:.0} % of the target {what}; EN 1998-1, 3.2.3.1.2 (4) c, and ASCE 7-16, \
+             16.2.3.2, want {:.0} % between 0.2 and 2 T_1: take other records, or scale to {} times the target",
+            (100.0 * share).floor(),
+            100.0 * LEAST_SHARE,
+            two_decimals((100.0 * LEAST_SHARE / share).ceil() / 100.0)
+        ))
+    }
+
+    /// Responses beyond the model or beyond codes, over all runs: the worst of every kind, and in how many runs.
+    fn excesses(&self) -> Vec<(ExcessKind, String)> {
+        let all = self.motions.iter().flat_map(|one| &one.run.excesses);
+        let mut kinds: Vec<ExcessKind> = all.clone().map(|one| one.kind).collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let said = |kind: ExcessKind| {
+            let of_kind = all.clone().filter(|one| one.kind == kind);
+            let runs = of_kind.clone().count();
+            let worst = of_kind.max_by(|one, other| one.found.total_cmp(&other.found))?;
+            let said = format!(
+                "{} in {runs} of {} runs, at worst {}",
+                self.floor_name(worst.floor),
+                self.assessment.runs,
+                kind.says(worst.found)
+            );
+            Some((kind, said))
+        };
+        kinds.into_iter().filter_map(said).collect()
+    }
+}
