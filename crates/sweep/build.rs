@@ -25,7 +25,11 @@ fn main() -> Result<()> {
     let lock = LOCKS.into_iter().find(exists);
     // Beside a package from a registry the others do not lie: all have its version.
     hash.update(env!("CARGO_PKG_VERSION"));
-    for source in SOURCES.into_iter().filter(exists).chain(lock) {
+    let packaged = !SOURCES[..SOURCES.len() - 1].iter().any(exists);
+    let sources = SOURCES
+        .into_iter()
+        .skip(if packaged { SOURCES.len() - 1 } else { 0 });
+    for source in sources.chain(lock) {
         println!("cargo::rerun-if-changed={source}");
         let mut files = files(Path::new(source))?;
         files.sort();

@@ -136,7 +136,10 @@ impl ResultFolder {
     /// Puts the new folder in the place of the old one.
     fn replace(&self) -> io::Result<()> {
         fs::rename(&self.path, &self.old)?;
-        fs::rename(&self.new, &self.path)?;
+        if let Err(error) = fs::rename(&self.new, &self.path) {
+            fs::rename(&self.old, &self.path)?;
+            return Err(error);
+        }
         sync_folder(folder_of(&self.path))?;
         fs::remove_dir_all(&self.old)
     }

@@ -3,19 +3,21 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use pounding_files::{Others, ResultFolder};
+use pounding_files::{Others, ResultFolder, input_at};
 use pounding_report::RESULT_NAMES;
 use pyo3::prelude::*;
 
 use crate::refused::OrRefused;
 
-/// Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay.
+/// Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay; results of an
+/// earlier run are replaced, but for files that were read.
 #[pyfunction]
 pub(crate) fn write_files(
     py: Python<'_>,
     folder: PathBuf,
     files: BTreeMap<String, Vec<u8>>,
     overwrite: bool,
+    inputs: Vec<PathBuf>,
 ) -> PyResult<()> {
     let others = if overwrite {
         Others::Stay
@@ -23,7 +25,17 @@ pub(crate) fn write_files(
         Others::Refused("overwrite=True")
     };
     let write = || -> Result<(), String> {
-        ResultFolder::open(&folder, RESULT_NAMES, others)?.write(&files)
+        let folder = ResultFolder::open(&folder, RESULT_NAMES, others)?;
+        for path in folder.earlier() {
+            if let Some(input) = input_at(&path, &inputs) {
+                return Err(format!(
+                    "{}: is the file that is read ({}), allowed is another folder: what was read cannot be made again",
+                    path.display(),
+                    input.display()
+                ));
+            }
+        }
+        folder.write(&files)
     };
     py.detach(write).or_refused(py)
 }

@@ -77,3 +77,22 @@ def test_extreme_an_unstable_step_is_refused_or_warned_of(towers, pulse) -> None
     fine = towers.replace(method={"central_difference": {"time_step_s": 0.05}}, duration_s=4.0)
     with pytest.warns(pounding.PoundingWarning):
         fine.run(pulse)
+
+
+def test_issue_a_report_replaces_results_and_no_input(tmp_path) -> None:
+    pulse = pounding.formula("ricker", amplitude=3.0, frequency=1.0, time_step=0.01)
+    row = pounding.row(sdof(), sdof(period=0.4), gap=0.01, restitution=0.6, duration=2.0)
+    out = tmp_path / "out"
+    first = row.run(pulse).report(out, both=False)
+    assert row.run(pulse).report(out, both=False) == first
+    (out / "notes.txt").write_text("mine", encoding="utf-8")
+    with pytest.raises(pounding.Refused, match="overwrite=True"):
+        row.run(pulse).report(out, both=False)
+    row.run(pulse).report(out, both=False, overwrite=True)
+    assert (out / "notes.txt").read_text(encoding="utf-8") == "mine"
+    inside = out / "history.csv"
+    read = pounding.read(inside, unit="m_per_s2", column="ground_acceleration_m_per_s2")
+    before = inside.read_bytes()
+    with pytest.raises(pounding.Refused, match="cannot be made again"):
+        row.run(read).report(out, both=False, overwrite=True)
+    assert inside.read_bytes() == before

@@ -215,6 +215,14 @@ impl Motions {
         }
     }
 
+    /// The one that lasts longest.
+    pub(super) fn longest(&self) -> usize {
+        let duration = |index: &usize| self.all[*index].motion.record().duration();
+        let all = 0..self.all.len();
+        let longest = all.max_by(|one, other| duration(one).total_cmp(&duration(other)));
+        longest.unwrap_or(0)
+    }
+
     /// What tells one set of motions from another: names, directions and SHA-256 of files.
     pub(super) fn marks(&self) -> impl Iterator<Item = String> {
         self.all.iter().map(|shaking| {

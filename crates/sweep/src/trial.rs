@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::RefusedScene;
+use super::manifest::PRICES;
 use super::plan::{Axis, Plan, Setting};
 use super::{Sweep, SweepError};
 use pounding_scene::{Error, Floors, Scene, SceneError, SharedMotion, Simulation};
@@ -176,10 +177,12 @@ impl Sweep {
         Ok(Simulation::shaken(&scene, motion)?)
     }
 
-    /// What a run costs alone, as the one with typical values does; 0 where there is none.
+    /// What a run costs alone, as the one with typical values under the longest motion does; where that is refused, so much that
+    /// parts are small.
     pub(super) fn expected_price(&self) -> f64 {
-        let typical = self.prepared(0, &self.plan.typical(), &mut self.scene.clone());
-        typical.map_or(0.0, |typical| typical.expected_price())
+        let motion = self.motions.longest();
+        let typical = self.prepared(motion, &self.plan.typical(), &mut self.scene.clone());
+        typical.map_or(PRICES[0], |typical| typical.expected_price())
     }
 
     /// The scene of these settings before it is prepared, and the motion.

@@ -161,14 +161,23 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     } else {
         prepared
     };
-    let failed = |error| with_doubts(refused(error), &prepared);
+    let failed = |error| {
+        let message = refused(error);
+        // JSON has parts of one refusal; `check --json` has what is unusual.
+        if args.shown.json {
+            message
+        } else {
+            with_doubts(message, &prepared)
+        }
+    };
     let measure = !args.model.no_error;
     let _waiting = Waiting::new("running");
     let effects = args.effects.then(|| Effects::of(&prepared));
     let effects = effects.transpose().map_err(|error| {
         let is_exact = prepared.scene().method.time_step().is_none();
         let hint = if is_exact { "" } else { EFFECTS_ARE_EXACT };
-        format!("{}{hint}", failed(error))
+        let message = failed(error);
+        format!("{message}{hint}")
     })?;
     let unread = args.shown.json && args.results.out.is_none();
     let other = (!unread && !args.shown.one_direction).then(|| other_direction(&prepared));
@@ -206,7 +215,10 @@ const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whate
 
 /// Why a run failed, with what looks wrong in its scene: that may be the reason.
 fn with_doubts(message: String, prepared: &Simulation) -> String {
-    let doubts = Implausible::lines(&prepared.doubts());
+    let mut doubts = prepared.doubts();
+    // A short run is no reason to fail.
+    doubts.retain(|doubt| doubt.place != "duration_s");
+    let doubts = Implausible::lines(&doubts);
     if doubts.is_empty() {
         message
     } else {

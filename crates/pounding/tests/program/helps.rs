@@ -34,6 +34,7 @@ fn every_help(here: &Path) -> Vec<(Vec<String>, String)> {
         }
         all.push((vec![command], help));
     }
+    assert!(all.len() > 15, "the list of commands is not found");
     all
 }
 

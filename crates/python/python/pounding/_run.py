@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -169,14 +169,24 @@ class Run:
         both
             Also say what the reversed shaking does, which runs now.
         overwrite
-            Also where the folder holds other things; they stay.
+            Also where the folder holds other things; they stay. A report of an earlier run is replaced without it.
 
         Returns
         -------
         pathlib.Path
             The page.
         """
-        return written(self._native.files(both), folder, overwrite)
+        return written(self._native.files(both), folder, overwrite, self._inputs())
+
+    def _inputs(self) -> list[Path]:
+        """Files that were read: a report is not written over them."""
+        scene = Path(self.scene._path)
+        found = [scene]
+        if self._record is not None:
+            found.append(self._record.path or scene)
+        elif "file" in (words := self.scene.to_dict().get("record", {})):
+            found.append(scene.parent / words["file"])
+        return [path for path in found if path.is_file()]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Run) and self.summary == other.summary
@@ -195,10 +205,12 @@ class Run:
         return f"<p>{escape(repr(self))}</p>{self._native.sketch()}<ul>{notices}</ul>"
 
 
-def written(files: Mapping[str, bytes], folder: str | os.PathLike[str], overwrite: bool) -> Path:
+def written(
+    files: Mapping[str, bytes], folder: str | os.PathLike[str], overwrite: bool, inputs: Sequence[Path] = ()
+) -> Path:
     """Writes a report into a folder; returns its page."""
     target = Path(folder)
-    _pounding.write_files(target, dict(files), overwrite)
+    _pounding.write_files(target, dict(files), overwrite, list(inputs))
     return target / "report.html"
 
 

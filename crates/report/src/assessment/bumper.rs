@@ -51,12 +51,17 @@ impl AssessmentReport {
             )
         };
         let bumpers: Vec<String> = effect.bumpers.iter().map(one).collect();
-        let why = match &self.bumper_words {
-            Some(words) if words.contains("k=") => String::new(),
-            _ => format!(
+        let is_given = self
+            .bumper_words
+            .as_ref()
+            .is_some_and(|words| words.contains("k="));
+        let why = if is_given {
+            String::new()
+        } else {
+            format!(
                 ", half of the gap, the softest that stop the approach that 84 % of the runs do not exceed at {:.0} % of it",
                 100.0 * COMPRESSION
-            ),
+            )
         };
         let force = effect.force.as_ref();
         let force = force.map_or_else(String::new, |force| format!("forces by {}, ", both(force)));
@@ -67,14 +72,19 @@ impl AssessmentReport {
                 effect.runs
             ),
         };
-        let verdict = match &effect.force {
-            Some(force) if force.median() >= 1.0 => {
+        let stiff = effect
+            .force
+            .as_ref()
+            .is_some_and(|force| force.median() >= 1.0);
+        let helps = effect.drift.median() < 1.0 || effect.acceleration.median() < 1.0;
+        let verdict = match (stiff, is_given, helps) {
+            (true, false, false) => {
                 "No bumper helps in this gap: it has room for none that is softer than the contact itself. "
             }
-            _ if effect.drift.median() > 1.0 && effect.acceleration.median() > 1.0 => {
-                "These bumpers make it worse. "
+            (true, true, false) => {
+                "The bumpers given do not help: they are stiffer than the contact itself. "
             }
-            _ => "",
+            (_, _, true) | (false, _, false) => "",
         };
         vec![format!(
             "{verdict}Bumpers at the given gap ({}{why}) change {force}drifts by {}, accelerations by {} in the runs that touch. {thin}",

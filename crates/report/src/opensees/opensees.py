@@ -12,13 +12,13 @@ def node_of(floor):
 
 def ground_motion(arrival, times):
     """Displacement, velocity and acceleration of the ground at these rising times: exact between samples."""
-    step, values = GROUND_STEP, [*GROUND, 0.0]
+    step, last = GROUND_STEP, len(GROUND) - 1
     displacement, velocity, at = 0.0, 0.0, 0
     moved, speeds, accelerations = [], [], []
 
     def after(t):
-        a = values[at] if at + 1 < len(values) else 0.0
-        slope = (values[at + 1] - a) / step if at + 2 < len(values) else 0.0
+        a = GROUND[at] if at < last else 0.0
+        slope = (GROUND[at + 1] - a) / step if at < last else 0.0
         return (
             displacement + t * (velocity + t * (a / 2 + t * slope / 6)),
             velocity + t * (a + t * slope / 2),
@@ -26,7 +26,7 @@ def ground_motion(arrival, times):
         )
 
     for time in times:
-        while at + 2 < len(values) and time - arrival >= (at + 1) * step:
+        while at < last and time - arrival >= (at + 1) * step:
             displacement, velocity, _ = after(step)
             at += 1
         u, v, a = after(time - arrival - at * step) if time >= arrival else (0.0, 0.0, 0.0)
@@ -37,7 +37,7 @@ def ground_motion(arrival, times):
 
 
 def shake(time_step):
-    """The ground motion: one acceleration under all floors, or the motion of every ground, over which they move then."""
+    """One acceleration under all floors, or the motion of every ground: then displacements are no longer relative to it."""
     if not travels():
         ops.timeSeries("Path", 1, "-dt", GROUND_STEP, "-values", *GROUND)
         ops.pattern("UniformExcitation", 1, 1, "-accel", 1)

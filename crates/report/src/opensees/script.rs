@@ -74,7 +74,7 @@ const HEADER: &str = "\
 #   pip install openseespy
 #   python3 THIS_FILE [TIME_STEP]
 #
-# Units: kg, m, s, N. Displacements are relative to the ground.
+# Units: kg, m, s, N. Displacements that are printed are relative to the ground.
 import os
 import sys
 

@@ -102,11 +102,12 @@ impl Simulation {
             let others = factors.map(|factor| ((factor - 1.0).abs() > 0.0).then_some(factor));
             let run = |factor: f64| exact.stiffened(factor)?.run(None);
             // Side by side, so that the last motion of a folder does not leave processors idle.
-            let ran: Result<Vec<RunResult>, Error> = others
+            let ran: Vec<Result<RunResult, Error>> = others
                 .into_par_iter()
                 .filter_map(|factor| factor.map(run))
                 .collect();
-            variants = ran?;
+            // Of two errors the first by order, not by time.
+            variants = ran.into_iter().collect::<Result<_, _>>()?;
         }
         variants.push(beside);
         let pairs = 0..self.pairs().len();

@@ -38,6 +38,9 @@ pub const LIMITS: [KnownLimit; 4] = [
     },
 ];
 
+/// Scenes of which some have to agree.
+const MANY: usize = 20;
+
 /// What became of a campaign.
 #[derive(Debug)]
 pub struct Summary<'a>(pub &'a [Checked]);
@@ -211,8 +214,11 @@ impl fmt::Display for Disagreement {
 
 impl Summary<'_> {
     /// Whether nothing speaks against the exact method in [any of them](Checked::is_good).
+    ///
+    /// Of many scenes most have to agree, too: a second route that never has an answer speaks for nothing.
     pub fn is_good(&self) -> bool {
-        self.0.iter().all(Checked::is_good)
+        let agree = self.count(Fate::Agrees, None);
+        self.0.iter().all(Checked::is_good) && (self.0.len() < MANY || 2 * agree > self.0.len())
     }
 
     /// How many scenes have a fate, for each cause.

@@ -1,0 +1,53 @@
+//! The script for OpenSees: what OpenSees finds with it is what the exact method finds.
+
+use std::fs;
+use std::path::Path;
+
+use pounding_scene::{Scene, Simulation};
+
+const EXPORTED: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../studies/opensees/exported"
+);
+
+/// Largest distance at a time step of 2e-5 s, relative: `BoucWen` follows its columns to first order.
+const ALLOWED: [(&str, f64); 3] = [("towers", 5e-5), ("travelling", 1e-6), ("bouc-wen", 1e-4)];
+
+/// Buildings that harden or yield smoothly, a wall, and a motion that travels and ends before the run does.
+#[test]
+fn reference_opensees_follows_its_script() {
+    let folder = Path::new(EXPORTED);
+    let table = fs::read_to_string(folder.join("exported.csv")).expect("a table");
+    for (name, allowed) in ALLOWED {
+        let path = folder.join(name).with_extension("toml");
+        let scene = Scene::read(&path).expect("a scene");
+        let simulation = Simulation::new(&scene, folder).expect("it is valid");
+        let exact = simulation.run(None).expect("it runs");
+        let mut compared = 0;
+        for line in table
+            .lines()
+            .filter(|line| line.starts_with(&format!("{name},")))
+        {
+            let cells: Vec<&str> = line.split(',').collect();
+            let place: usize = cells[2].parse().expect("a number");
+            let pair = || exact.of_pair(place);
+            let ours = match cells[1] {
+                "displacement" => Some(exact.peaks.of(place).displacement.value),
+                "touches" => Some(pair().collisions as f64),
+                "first" => pair().first.map(|first| first.start),
+                "force" => pair().peak_force.map(|peak| peak.value),
+                other => panic!("{other}"),
+            };
+            let theirs: Option<f64> = cells[3].parse().ok();
+            assert_eq!(ours.is_some(), theirs.is_some(), "{line}");
+            if let (Some(ours), Some(theirs)) = (ours, theirs) {
+                assert!(
+                    (ours - theirs).abs() <= allowed * ours.abs(),
+                    "{line}: {ours}"
+                );
+                compared += 1;
+            }
+        }
+        assert!(compared > 10, "{name}: {compared}");
+    }
+}
