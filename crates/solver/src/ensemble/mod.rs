@@ -17,12 +17,15 @@ mod body;
 mod books;
 mod column;
 mod exact;
+mod frame;
 mod group;
 mod jump;
 mod law;
 mod number;
+mod rows;
 mod run;
 mod scenes;
+mod storeys;
 mod tallies;
 mod tally;
 #[cfg(all(test, target_arch = "x86_64"))]
@@ -36,10 +39,11 @@ use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use tallies::{PairSums, SceneSums};
 
+use crate::model::buildings::Buildings;
 use crate::record::is_plastic;
 use crate::{
     Budget, CentralDifference, Clock, Excitation, Integrator, Pair, RestoringForce, Row, RunError,
-    Support, Verlet,
+    Verlet,
 };
 
 /// The methods by which scenes run side by side with the bits of their runs alone.
@@ -148,7 +152,7 @@ impl SideBySide {
         let reach = 1..self.ground.len();
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
         let first = rows.first().filter(|_| in_reach && are_alike(rows));
-        let Some(first) = first.filter(|row| self.stepping.takes(row.nodes().len())) else {
+        let Some(first) = first.filter(|row| self.stepping.takes(row)) else {
             tallies.begin(0, (0, 0));
             return false;
         };
@@ -206,28 +210,28 @@ impl Stepping {
         }
     }
 
-    /// Whether rows of so many structures go side by side.
-    fn takes(self, n_structures: usize) -> bool {
+    /// Whether rows like this one go side by side.
+    fn takes<Column: RestoringForce>(self, row: &Row<Column>) -> bool {
         match self {
-            Self::CentralDifference(_) => true,
-            Self::Verlet(_) => n_structures == 2,
+            Self::CentralDifference(_) => {
+                Buildings::of(row).is_none_or(|buildings| buildings.are_in_order(row.pairs()))
+            }
+            Self::Verlet(_) => row.nodes().len() == 2 && Buildings::of(row).is_none(),
         }
     }
 }
 
 /// Whether rows are of one shape that can run side by side.
 fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
-    let single = |row: &Row<Column>| {
-        let nodes = row.nodes();
-        let on_ground = nodes.iter().all(|node| node.support == Support::Ground);
-        on_ground && (0..nodes.len()).all(|node| row.arrival(node) == 0.0)
-    };
+    let at_once = |row: &Row<Column>| (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
     let alike = |row: &Row<Column>, other: &Row<Column>| {
         let mut pairs = row.pairs().iter().zip(other.pairs());
+        let mut nodes = row.nodes().iter().zip(other.nodes());
         row.nodes().len() == other.nodes().len()
+            && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
             && pairs
                 .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
     };
-    rows.iter().all(|row| single(row) && alike(row, rows[0]))
+    rows.iter().all(|row| at_once(row) && alike(row, rows[0]))
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::{RestoringForce, Row};
+use crate::{Pair, RestoringForce, Row};
 
 /// The floors of a row building by building, from left to right, each from the ground up.
 #[derive(Debug)]
@@ -42,6 +42,18 @@ impl Buildings {
     /// Where among the floors each building lies.
     pub(crate) fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
+    }
+
+    /// Storeys of the tallest building.
+    pub(crate) fn tallest(&self) -> usize {
+        self.ranges.iter().map(Range::len).max().unwrap_or(0)
+    }
+
+    /// Whether of every pair the building of the left neighbour comes before that of the right one: the base of one that hangs
+    /// over its left neighbour's first levels may come after it.
+    pub(crate) fn are_in_order(&self, pairs: &[Pair]) -> bool {
+        let of = |node: usize| self.each().position(|floors| floors.contains(&node));
+        pairs.iter().all(|pair| of(pair.left) < of(pair.right))
     }
 
     /// The floors of each building.

@@ -24,7 +24,7 @@ pub(crate) const SETTINGS: CentralDifference = CentralDifference {
 };
 
 /// The same kind of law with other numbers.
-fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
+pub(crate) fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
     if let ContactLaw::Stereomechanical(mut law) = law {
         law.restitution /= factor;
         return ContactLaw::Stereomechanical(law);

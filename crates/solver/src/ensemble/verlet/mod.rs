@@ -13,8 +13,8 @@ use pounding_contact::Number;
 
 use self::group::Group;
 use super::column::SideBySideColumn;
-use super::group::Rows;
 use super::number::Lanes;
+use super::rows::Rows;
 use super::{BETWEEN, SceneSums, Shaken};
 use crate::{Row, Verlet};
 
