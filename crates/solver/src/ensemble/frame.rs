@@ -30,6 +30,14 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn> {
         struck: &[Link],
         ground: Lanes<S>,
     );
+
+    /// Drift of largest magnitude of the storey below a floor in a lane \[m\], where lanes know it.
+    fn peak_drift(
+        &self,
+        structures: &[Structure<S, Column>],
+        node: usize,
+        lane: usize,
+    ) -> Option<f64>;
 }
 
 /// Structures of one storey, each for itself.
@@ -79,5 +87,15 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
                 structure.restart(ground);
             }
         }
+    }
+
+    #[inline(always)]
+    fn peak_drift(
+        &self,
+        structures: &[Structure<S, Column>],
+        node: usize,
+        lane: usize,
+    ) -> Option<f64> {
+        structures[node].motion.peak(lane)
     }
 }

@@ -65,6 +65,15 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         }
     }
 
+    /// Displacement and drift of largest magnitude of a floor in a lane \[m\], where lanes know them.
+    #[inline(always)]
+    pub(super) fn peaks(&self, node: usize, lane: usize) -> [Option<f64>; 2] {
+        [
+            self.structures[node].motion.peak(lane),
+            self.frame.peak_drift(self.structures, node, lane),
+        ]
+    }
+
     /// Deformations at a node; true where some lane touches.
     #[inline(always)]
     fn deform(&mut self) -> bool {

@@ -164,8 +164,8 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
         {
             let group = &groups[lane / Lanes::<S>::N];
             let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
-            for (node, structure) in group.structures.iter().enumerate() {
-                tallies.take_structure(scene, node, structure.motion.peak(lane));
+            for node in 0..group.structures.len() {
+                tallies.take_floor(scene, node, group.peaks(node, lane));
             }
             for pair in group.pairs.iter().flatten() {
                 tallies.take_pair(scene, pair.index, pair.tally.lane(lane));

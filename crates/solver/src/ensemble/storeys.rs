@@ -3,6 +3,7 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
+use super::body::peak;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
 use super::number::{Lanes, MOST_LANES, Mask};
@@ -21,6 +22,8 @@ pub(super) struct Storeys<S: Simd> {
     ground_damping: Vec<Lanes<S>>,
     /// Acceleration of every floor without damping, at nodes at which some lane touches \[m/s²\].
     accelerations: Vec<Lanes<S>>,
+    /// Least and largest drift of every storey on another floor \[m\].
+    drifts: Vec<[Lanes<S>; 2]>,
     /// Room for the increments of the tallest building.
     increments: Vec<Lanes<S>>,
 }
@@ -33,6 +36,7 @@ struct Building<'a, S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> {
     /// Of the whole row.
     structures: &'a mut [Structure<S, Column>],
     accelerations: &'a mut [Lanes<S>],
+    drifts: &'a mut [[Lanes<S>; 2]],
 }
 
 impl<S: Simd> Storeys<S> {
@@ -58,6 +62,10 @@ impl<S: Simd> Storeys<S> {
         }
         Some(Self {
             accelerations: vec![zero; coefficients.len()],
+            drifts: vec![
+                [f64::INFINITY, f64::NEG_INFINITY].map(|drift| zero.like(drift));
+                coefficients.len()
+            ],
             increments: vec![zero; buildings.tallest()],
             coefficients,
             ground_damping,
@@ -79,6 +87,7 @@ impl<S: Simd> Storeys<S> {
                 floors,
                 structures,
                 accelerations: &mut self.accelerations[range.clone()],
+                drifts: &mut self.drifts[range.clone()],
             };
             let increments = &mut self.increments[..floors.len()];
             let coefficients = &self.coefficients[range.clone()];
@@ -160,6 +169,10 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
         if IN_CONTACT {
             structure.contact.restoring_force = force;
         }
+        if level > 0 {
+            let [least, largest] = self.drifts[level];
+            self.drifts[level] = [least.min(drift), largest.max(drift)];
+        }
         force
     }
 
@@ -217,5 +230,25 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
                 structures[*node].restart_from(acceleration, jumps);
             }
         }
+    }
+
+    #[inline(always)]
+    fn peak_drift(
+        &self,
+        structures: &[Structure<S, Column>],
+        node: usize,
+        lane: usize,
+    ) -> Option<f64> {
+        let motion = &structures[node].motion;
+        let place = self.buildings.place(node)?;
+        if self
+            .buildings
+            .ranges()
+            .iter()
+            .any(|range| range.start == place)
+        {
+            return motion.peak(lane);
+        }
+        peak(self.drifts[place], motion.displacement, lane)
     }
 }

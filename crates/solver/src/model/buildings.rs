@@ -39,6 +39,11 @@ impl Buildings {
         &self.floors
     }
 
+    /// Place of a node among them.
+    pub(crate) fn place(&self, node: usize) -> Option<usize> {
+        self.floors.iter().position(|floor| *floor == node)
+    }
+
     /// Where among the floors each building lies.
     pub(crate) fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
@@ -49,8 +54,8 @@ impl Buildings {
         self.ranges.iter().map(Range::len).max().unwrap_or(0)
     }
 
-    /// Whether of every pair the building of the left neighbour comes before that of the right one: the base of one that hangs
-    /// over its left neighbour's first levels may come after it.
+    /// Whether of every pair the building of the left neighbour comes before that of the right one. An upper level of a wall, or
+    /// a hall without lower floors, comes after the building on its right.
     pub(crate) fn are_in_order(&self, pairs: &[Pair]) -> bool {
         let of = |node: usize| self.each().position(|floors| floors.contains(&node));
         pairs.iter().all(|pair| of(pair.left) < of(pair.right))
