@@ -5,8 +5,11 @@
 //! [`Number`](pounding_contact::Number), and every lane gives the bits of its scene alone. A step looks at contact laws only
 //! where some lane touches. What a run leaves is little: peaks and sums ([`SceneSums`]); who wants histories runs a scene alone.
 //!
-//! Left out: buildings of several storeys, motions that travel, sub-steps in contact, columns that yield smoothly; with the velocity
-//! Verlet method rows of one structure, and of more than two.
+//! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many (`building.rs` of the
+//! central difference method). [`Frame`](frame::Frame) decides once per run whether structures go on each for itself or by buildings.
+//!
+//! Left out: motions that travel, sub-steps in contact, columns that yield smoothly, pairs whose left neighbour is an upper level of a
+//! wall or a hall without lower floors; with the velocity Verlet method buildings, rows of one structure, and of more than two.
 
 #![expect(
     clippy::inline_always,
@@ -49,9 +52,9 @@ use crate::{
 /// The methods by which scenes run side by side with the bits of their runs alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stepping {
-    /// Central difference method without sub-steps in contact: rows of any length.
+    /// Central difference method without sub-steps in contact: rows of any length, with buildings of several storeys.
     CentralDifference(CentralDifference),
-    /// Velocity Verlet method: two structures, or one and a wall.
+    /// Velocity Verlet method: two structures of one storey, or one and a wall.
     Verlet(Verlet),
 }
 
@@ -133,8 +136,8 @@ impl SideBySide {
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
     /// cannot run side by side.
     ///
-    /// Rows of one shape have as many structures, all of one storey, and the same pairs with laws of the same kinds; the ground
-    /// motion arrives everywhere at once, and no row has more steps than the clock. By the velocity Verlet method they have two.
+    /// Rows of one shape have the same floors and pairs, with laws of the same kinds; the ground motion arrives everywhere at once, and
+    /// no row has more steps than the clock. By the velocity Verlet method they have two structures of one storey.
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
             RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),

@@ -94,9 +94,7 @@ impl<S: Simd> Storeys<S> {
             solve(&mut building, coefficients, increments, ground);
         }
     }
-}
 
-impl<S: Simd> Storeys<S> {
     /// Acceleration of a floor after the velocity jumps at a node \[m/s²\], and where that or its velocity has jumped.
     #[inline(always)]
     fn after_jump<Column: SideBySideColumn>(

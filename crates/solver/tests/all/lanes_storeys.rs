@@ -78,15 +78,11 @@ fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> 
             }
             // Two walls have nothing to do with each other.
             buildings[0].is_wall &= !buildings[1].is_wall;
-            // Those that lean to the right are not met by their neighbours at t = 0: all lean alike.
-            let lean = buildings[0].moves[1];
+            // All lean alike, so that none meets its neighbour at t = 0; beside a wall none leans.
+            let walls = buildings.iter().any(|building| building.is_wall);
+            let lean = if walls { 0.0 } else { buildings[0].moves[1] };
             for building in &mut buildings {
-                building.moves[1] = if building.is_wall { 0.0 } else { lean };
-            }
-            if buildings.iter().any(|building| building.is_wall) {
-                buildings
-                    .iter_mut()
-                    .for_each(|building| building.moves[1] = 0.0);
+                building.moves[1] = lean;
             }
             Case {
                 buildings,
