@@ -7,7 +7,8 @@ use super::number::Lanes;
 use super::scenes::Structure;
 use crate::impact::chain::Link;
 
-/// How the structures of some rows of one shape, or the floors of their buildings, go on from a node with an acceleration of the ground \[m/s²\].
+/// How the structures of some rows of one shape, or the floors of their buildings, go on from a node with an acceleration of the
+/// ground \[m/s²\].
 pub(super) trait Frame<S: Simd, Column: SideBySideColumn> {
     /// Whether every structure has an equation of its own.
     const STANDS_ALONE: bool;
