@@ -22,9 +22,15 @@ impl Sweep {
     /// Whether runs side by side know all that is asked for: no more than peaks and sums, and one motion.
     pub(super) fn asks_for_tallies(&self) -> bool {
         let structures = &self.outputs.structures;
-        let of_structures = structures
-            .iter()
-            .all(|one| *one == FloorQuantity::PeakDisplacementM);
+        let of_structures = structures.iter().all(|one| {
+            matches!(
+                one,
+                FloorQuantity::PeakDisplacementM
+                    | FloorQuantity::PeakDriftM
+                    | FloorQuantity::Ductility
+                    | FloorQuantity::DriftRatio
+            )
+        });
         let of_pairs = self.outputs.pairs.iter().all(|one| {
             matches!(
                 one,
@@ -55,10 +61,25 @@ impl Sweep {
         if !tallies.is_told(scene) || (self.verdict && tallies.is_doubted(scene)) {
             return false;
         }
-        for (floor, made) in prepared.floors().all().iter().enumerate() {
-            let displacement = tallies.displacement(scene, floor);
-            let displacement = if made.is_wall() { none } else { displacement };
-            numbers.extend(self.outputs.structures.iter().map(|_| displacement));
+        for (index, floor) in prepared.floors().all().iter().enumerate() {
+            let (displacement, drift) = (
+                tallies.displacement(scene, index),
+                tallies.drift(scene, index),
+            );
+            numbers.extend(self.outputs.structures.iter().map(|asked| match asked {
+                FloorQuantity::PeakDisplacementM if !floor.is_wall() => displacement,
+                FloorQuantity::PeakDriftM if floor.is_upper() => drift,
+                FloorQuantity::Ductility => floor.ductility(drift).unwrap_or(none),
+                FloorQuantity::DriftRatio => floor.drift_ratio(drift).unwrap_or(none),
+                FloorQuantity::PeakDisplacementM
+                | FloorQuantity::PeakDisplacementTimeS
+                | FloorQuantity::PeakShearForceN
+                | FloorQuantity::PeakDriftM
+                | FloorQuantity::ResidualDisplacementAtEndM
+                | FloorQuantity::ResidualDriftAtEndM
+                | FloorQuantity::PeakAccelerationMPerS2
+                | FloorQuantity::TransferredMomentumNS => none,
+            }));
         }
         for (index, pair) in prepared.pairs().iter().enumerate() {
             let tally = tallies.pair(scene, index);

@@ -127,7 +127,7 @@ pub(super) fn storeys(floors: &Floors, outcome: &RunResult, errors: Option<&RunE
 fn drift_errors(errors: &RunErrors, index: usize, floor: &Floor) -> Vec<String> {
     let error = |quantity: FloorQuantity| errors.at(quantity, index).map_or(String::new(), percent);
     // On the ground the drift is the displacement.
-    let (peak, last) = if floor.storey.is_some_and(|storey| storey > 1) {
+    let (peak, last) = if floor.is_upper() {
         (
             FloorQuantity::PeakDriftM,
             FloorQuantity::ResidualDriftAtEndM,

@@ -132,7 +132,7 @@ fn structure(
     let acceleration = review.outcome.accelerations[index];
     // A negative zero loses its sign.
     let last = |index| review.outcome.last.of(index) + 0.0;
-    let upper = floor.storey.is_some_and(|storey| storey > 1);
+    let upper = floor.is_upper();
     StructureSummary {
         period_s: Some(period),
         damping_ratio: Some(damping_ratio),

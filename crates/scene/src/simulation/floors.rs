@@ -66,6 +66,11 @@ impl Floor {
         self.made_of.is_none()
     }
 
+    /// Whether its storey stands on another floor.
+    pub fn is_upper(&self) -> bool {
+        self.storey.is_some_and(|storey| storey > 1)
+    }
+
     /// Natural period \[s\] and damping ratio of its structure, of a building in the first mode; nothing of a wall.
     pub fn oscillation(&self, scene: &Scene) -> Option<(f64, f64)> {
         let structure = &scene.structures[self.structure];

@@ -25,10 +25,10 @@ macro_rules! rows {
 }
 
 /// Runs scenes under the same record side by side, and takes what happened in them; nothing where they cannot: they have to be
-/// rows of structures of one storey, of one shape, without Bouc–Wen columns or a motion that travels, all run by one method.
+/// rows of one shape, without Bouc–Wen columns or a motion that travels, all run by one method.
 ///
-/// By the central difference method without sub-steps, and two structures by the velocity Verlet method, every scene has the numbers
-/// of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
+/// By the central difference method without sub-steps, and two structures of one storey by the velocity Verlet method, every scene has
+/// the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
 /// more; they then have the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
 pub fn side_by_side(scenes: &[&Simulation]) -> Option<SceneSums> {
     let first = scenes.first()?;

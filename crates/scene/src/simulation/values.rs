@@ -51,10 +51,7 @@ impl Values<'_> {
             FloorQuantity::PeakDisplacementM => Some(peaks.displacement.value),
             FloorQuantity::PeakDisplacementTimeS => Some(peaks.displacement.time),
             FloorQuantity::PeakShearForceN => Some(peaks.restoring_force.value),
-            FloorQuantity::PeakDriftM => {
-                let upper = floor.storey.is_some_and(|storey| storey > 1);
-                upper.then_some(peaks.drift().value)
-            }
+            FloorQuantity::PeakDriftM => floor.is_upper().then_some(peaks.drift().value),
             FloorQuantity::ResidualDisplacementAtEndM => Some(last(index)),
             FloorQuantity::ResidualDriftAtEndM => {
                 let below = self.simulation.floors().below(index)?;

@@ -4,9 +4,10 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::column::SideBySideColumn;
-use super::number::Lanes;
+use super::number::{Lanes, Mask};
 use crate::explicit::central_difference::coefficients::Coefficients;
 use crate::explicit::central_difference::first_increment;
+use crate::model::balance::{Dashpot, damping_force};
 use crate::{Node, RestoringForce};
 
 /// A structure: what does not change, and what does from step to step.
@@ -45,11 +46,21 @@ pub(super) struct InContact<S: Simd> {
     pub(super) force_from_left: Lanes<S>,
     pub(super) force_from_right: Lanes<S>,
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] where impulsive pairs touch.
-    displacement: Lanes<S>,
+    pub(super) displacement: Lanes<S>,
     pub(super) velocity: Lanes<S>,
-    restoring_force: Lanes<S>,
+    pub(super) restoring_force: Lanes<S>,
     /// Velocity after the jumps there \[m/s\].
     pub(super) jumped: Lanes<S>,
+}
+
+/// A structure at t = 0.
+pub(super) struct AtStart<S: Simd> {
+    /// Displacement \[m\], velocity \[m/s\], and acceleration in equilibrium \[m/s²\].
+    pub(super) displacement: Lanes<S>,
+    pub(super) velocity: Lanes<S>,
+    pub(super) acceleration: Lanes<S>,
+    /// Drift of its storey \[m\].
+    pub(super) drift: Lanes<S>,
 }
 
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
@@ -57,18 +68,20 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     #[inline(always)]
     pub(super) fn new<Single: SideBySideColumn<Beside<Lanes<S>> = Column>>(
         gather: impl Fn(&dyn Fn(&Node<Single>) -> f64) -> Lanes<S>,
-        (dt, ground): (f64, f64),
+        start: &AtStart<S>,
+        dt: f64,
     ) -> Self {
         let inverse_mass = gather(&|node| node.inverse_mass);
         let damping = gather(&|node| node.damping);
         let mobile = gather(&|node| node.mobile());
         let column = Single::beside(|number| gather(&|node| number(&node.column)));
-        let displacement = gather(&|node| node.initial_displacement);
-        let velocity = gather(&|node| node.initial_velocity);
-        let response = column.loaded(displacement);
+        let AtStart {
+            displacement,
+            velocity,
+            acceleration,
+            drift,
+        } = *start;
         let zero = damping.like(0.0);
-        let force = zero - damping * velocity - response.force;
-        let acceleration = inverse_mass * force - mobile * damping.like(ground);
         let increment = first_increment([velocity, acceleration], dt);
         let mut coefficients = Coefficients::of(inverse_mass, damping, mobile, dt);
         // A wall stays where it is, whatever the acceleration: one multiplication less in every step.
@@ -83,7 +96,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 displacement,
                 increment,
                 earlier: increment,
-                memory: response.memory,
+                memory: column.loaded(drift).memory,
                 extremes: [displacement; 2],
             },
             contact: InContact {
@@ -101,29 +114,20 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     /// The step from a node at which no lane touches a neighbour.
     #[inline(always)]
     pub(super) fn step(&mut self, ground: Lanes<S>) {
-        self.constants.step(&mut self.motion, ground);
+        let apart = ground.like(0.0);
+        self.constants.step(&mut self.motion, apart, ground);
     }
 
     /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
     #[inline(always)]
     pub(super) fn step_in_contact(&mut self, ground: Lanes<S>, jumps: bool) {
-        let Constants {
-            coefficients,
-            column,
-            ..
-        } = &self.constants;
-        let (motion, contact) = (&mut self.motion, &mut self.contact);
-        let response = column.respond(motion.displacement, motion.memory);
-        let pounding = contact.force_from_left + contact.force_from_right;
-        let smooth = coefficients.smooth((pounding, response.force), ground);
-        let (displacement, increment) = (motion.displacement, motion.increment);
-        contact.is_near = false;
-        motion.go_on(coefficients, smooth);
-        motion.memory = response.memory;
+        let (displacement, pounding) = (self.motion.displacement, self.contact.pounding());
+        let force = self.constants.step(&mut self.motion, pounding, ground);
+        self.contact.is_near = false;
         if jumps {
-            contact.displacement = displacement;
-            contact.restoring_force = response.force;
-            contact.velocity = coefficients.velocity([increment, motion.increment]);
+            self.contact.displacement = displacement;
+            self.contact.restoring_force = force;
+            self.contact.velocity = self.velocity_before();
         }
     }
 
@@ -136,32 +140,76 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         self.constants.coefficients.velocity([earlier, increment])
     }
 
-    /// Lets the next displacement follow from the velocity after a jump, where there was one.
+    /// Its dashpot after the velocity jumps of a node.
+    #[inline(always)]
+    pub(super) fn dashpot(&self) -> Dashpot<Lanes<S>> {
+        Dashpot {
+            damping: self.constants.damping,
+            velocity: self.contact.jumped,
+        }
+    }
+
+    /// Lets a structure of one storey begin anew from the velocity after a jump, where there was one.
     #[inline(always)]
     pub(super) fn restart(&mut self, ground: Lanes<S>) {
-        let (contact, coefficients) = (&self.contact, &self.constants.coefficients);
-        let jumped = contact.jumped.differs(contact.velocity);
-        let pounding = contact.force_from_left + contact.force_from_right;
-        let damping = self.constants.damping * contact.jumped;
-        let force = pounding - damping - contact.restoring_force;
-        let acceleration = coefficients.inverse_mass * force - ground;
-        let time_step = coefficients.time_step;
+        let contact = &self.contact;
+        let pounding = contact.pounding() - damping_force(self.dashpot(), None, None);
+        let coefficients = &self.constants.coefficients;
+        let acceleration = coefficients.smooth((pounding, contact.restoring_force), ground);
+        self.restart_from(acceleration, contact.jumps());
+    }
+
+    /// Lets the next displacement follow from velocity and acceleration \[m/s²\] after a jump, in these lanes.
+    #[inline(always)]
+    pub(super) fn restart_from(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
+        let (contact, motion) = (&self.contact, &mut self.motion);
+        let time_step = self.constants.coefficients.time_step;
         let increment = Coefficients::restarted(time_step, contact.jumped, acceleration);
         let displacement = contact.displacement + increment;
-        let motion = &mut self.motion;
-        motion.increment = Number::select(jumped, increment, motion.increment);
-        motion.displacement = Number::select(jumped, displacement, motion.displacement);
+        motion.increment = Number::select(lanes, increment, motion.increment);
+        motion.displacement = Number::select(lanes, displacement, motion.displacement);
+    }
+}
+
+impl<S: Simd> InContact<S> {
+    /// Net pounding force \[N\].
+    #[inline(always)]
+    pub(super) fn pounding(&self) -> Lanes<S> {
+        self.force_from_left + self.force_from_right
+    }
+
+    /// Where the velocity has jumped.
+    #[inline(always)]
+    pub(super) fn jumps(&self) -> Mask<S> {
+        self.jumped.differs(self.velocity)
     }
 }
 
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
-    /// The step from a node without contact in any lane.
+    /// Force of the columns at a drift \[m\], which they remember \[N\].
     #[inline(always)]
-    pub(super) fn step(&self, motion: &mut Motion<S, Column::Memory>, ground: Lanes<S>) {
-        let response = self.column.respond(motion.displacement, motion.memory);
-        let forces = (ground.like(0.0), response.force);
-        motion.go_on(&self.coefficients, self.coefficients.smooth(forces, ground));
+    pub(super) fn respond(
+        &self,
+        motion: &mut Motion<S, Column::Memory>,
+        drift: Lanes<S>,
+    ) -> Lanes<S> {
+        let response = self.column.respond(drift, motion.memory);
         motion.memory = response.memory;
+        response.force
+    }
+
+    /// The step of a structure of one storey from a node with this net pounding force \[N\]; force of the columns there \[N\].
+    #[inline(always)]
+    pub(super) fn step(
+        &self,
+        motion: &mut Motion<S, Column::Memory>,
+        pounding: Lanes<S>,
+        ground: Lanes<S>,
+    ) -> Lanes<S> {
+        let force = self.respond(motion, motion.displacement);
+        let smooth = self.coefficients.smooth((pounding, force), ground);
+        motion.go_on(self.coefficients.next(smooth, motion.increment));
+        force
     }
 }
 
@@ -172,13 +220,13 @@ impl<S: Simd, Memory> Motion<S, Memory> {
         peak(self.extremes, self.displacement, lane)
     }
 
-    /// The next displacement under an acceleration but for damping \[m/s²\].
+    /// Goes on by the next increment \[m\].
     #[inline(always)]
-    fn go_on(&mut self, coefficients: &Coefficients<Lanes<S>>, load: Lanes<S>) {
+    pub(super) fn go_on(&mut self, increment: Lanes<S>) {
         let [least, largest] = self.extremes;
         self.extremes = [least.min(self.displacement), largest.max(self.displacement)];
         self.earlier = self.increment;
-        self.increment = coefficients.next(load, self.increment);
+        self.increment = increment;
         self.displacement = self.displacement + self.increment;
     }
 }

@@ -7,105 +7,44 @@ use super::Shaken;
 use super::body::Body;
 use super::books::Push;
 use super::column::SideBySideColumn;
+use super::frame::Frame;
 use super::jump::Jumps;
 use super::law::Law;
-use super::number::{Lanes, MOST_LANES, Mask};
+use super::number::{Lanes, Mask};
 use super::scenes::{Pair, Scenes, Structure};
-use super::tally::SceneSum;
 use crate::impact::rounds::Touching;
-use crate::{CentralDifference, Node, RestoringForce, Row};
+use crate::{CentralDifference, RestoringForce};
 
 /// Scenes of one shape under one ground motion.
 ///
 /// Structures and pairs are slices, so that code which knows how many there are gets loops of that length.
-pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn> {
+pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
     pub(super) simd: S,
-    pub(super) time_step: f64,
+    time_step: f64,
     pub(super) structures: &'a mut [Structure<S, Column>],
     /// For every structure the pair that it is the left neighbour of.
     pub(super) pairs: &'a mut [Option<Pair<S>>],
-    pub(super) jumps: Jumps<S>,
+    frame: F,
+    jumps: Jumps<S>,
     /// Whether compliant pairs that touched at the node before have their books to close.
     pub(super) busy: bool,
     /// Steps in which some lane touches.
     pub(super) touching_steps: u64,
 }
 
-/// Rows of one shape, as many as there are lanes, or fewer; lanes without one repeat the last.
-#[derive(Clone, Copy)]
-pub(super) struct Rows<'a, Column>(pub(super) &'a [&'a Row<Column>]);
-
-impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
-    /// The row of a lane.
-    pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
-        self.0[lane.min(self.0.len() - 1)]
-    }
-
-    /// A structure of all rows at t = 0, with the time step and the acceleration of the ground there.
-    #[inline(always)]
-    pub(super) fn structure<S: Simd>(
-        self,
-        simd: S,
-        node: usize,
-        start: (f64, f64),
-    ) -> Structure<S, Column> {
-        let gather = |number: &dyn Fn(&Node<Column>) -> f64| self.gather(simd, node, number);
-        Body::new(gather, start)
-    }
-
-    /// A number of a structure of all rows.
-    #[inline(always)]
-    pub(super) fn gather<S: Simd>(
-        self,
-        simd: S,
-        node: usize,
-        number: &dyn Fn(&Node<Column>) -> f64,
-    ) -> Lanes<S> {
-        let mut values = [0.0; MOST_LANES];
-        for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
-            *value = number(&self.lane(lane).nodes()[node]);
-        }
-        Lanes::new(simd, &values)
-    }
-
-    /// Both structures of rows that have two.
-    #[inline(always)]
-    pub(super) fn two<S: Simd>(self, simd: S, start: (f64, f64)) -> [Structure<S, Column>; 2] {
-        [
-            self.structure(simd, 0, start),
-            self.structure(simd, 1, start),
-        ]
-    }
-
-    /// The pair of a structure and its right neighbour, if the rows have one.
-    #[inline(always)]
-    pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
-        let mut pairs = self.0[0].pairs().iter();
-        let index = pairs.position(|pair| pair.left == left)?;
-        let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
-        let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
-        Some(Pair {
-            index,
-            lingers: false,
-            gap: Lanes::new(simd, &pairs.map(|pair| pair.gap)),
-            law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
-            deformation: Lanes::splat(simd, 0.0),
-            tally: SceneSum::new(simd),
-        })
-    }
-}
-
-impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
+impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Column, F> {
     #[inline(always)]
     pub(super) fn new(
         simd: S,
         method: &Shaken<'_, CentralDifference>,
         (structures, pairs): Scenes<'a, S, Column>,
+        frame: F,
     ) -> Self {
         Self {
             simd,
             time_step: method.time_step,
-            jumps: Jumps::new::<Column>(structures, pairs),
+            jumps: Jumps::new::<Column, F>(structures, pairs),
+            frame,
             structures,
             pairs,
             busy: false,
@@ -122,10 +61,17 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
             self.contact_step(ground);
             self.touching_steps += u64::from(touches);
         } else {
-            for structure in self.structures.iter_mut() {
-                structure.step(ground);
-            }
+            self.frame.step(self.structures, ground);
         }
+    }
+
+    /// Displacement and drift of largest magnitude of a floor in a lane \[m\], where lanes know them.
+    #[inline(always)]
+    pub(super) fn peaks(&self, node: usize, lane: usize) -> [Option<f64>; 2] {
+        [
+            self.structures[node].motion.peak(lane),
+            self.frame.peak_drift(self.structures, node, lane),
+        ]
     }
 
     /// Deformations at a node; true where some lane touches.
@@ -171,16 +117,10 @@ impl<'a, S: Simd, Column: SideBySideColumn> Group<'a, S, Column> {
             }
         }
         self.busy = busy;
-        for structure in self.structures.iter_mut() {
-            if structure.contact.is_near {
-                structure.step_in_contact(ground, jumps);
-            } else {
-                structure.step(ground);
-            }
-        }
+        self.frame.step_in_contact(self.structures, ground, jumps);
         if jumps {
             let scenes = (&mut *self.structures, &mut *self.pairs);
-            self.jumps.jump::<Column>(scenes, ground);
+            self.jumps.jump(&mut self.frame, scenes, ground);
         }
     }
 }

@@ -5,6 +5,7 @@ use pounding_contact::Number;
 
 use super::body::Body;
 use super::column::SideBySideColumn;
+use super::frame::Frame;
 use super::law::{Impulsive, Law};
 use super::number::{Lanes, Mask};
 use super::scenes::{Pair, Scenes, Structure};
@@ -19,11 +20,11 @@ pub(super) enum Jumps<S: Simd> {
 
 impl<S: Simd> Jumps<S> {
     #[inline(always)]
-    pub(super) fn new<Column: SideBySideColumn>(
+    pub(super) fn new<Column: SideBySideColumn, F: Frame<S, Column>>(
         structures: &[Structure<S, Column>],
         pairs: &[Option<Pair<S>>],
     ) -> Self {
-        if structures.len() == 2 {
+        if F::STANDS_ALONE && structures.len() == 2 {
             return Self::TwoStructures;
         }
         let mobilities = structures.iter().map(mobility).collect();
@@ -43,6 +44,7 @@ impl<S: Simd> Jumps<S> {
     #[inline(always)]
     pub(super) fn jump<Column: SideBySideColumn>(
         &mut self,
+        frame: &mut impl Frame<S, Column>,
         (structures, pairs): Scenes<'_, S, Column>,
         ground: Lanes<S>,
     ) {
@@ -60,7 +62,9 @@ impl<S: Simd> Jumps<S> {
                 }
             }
             Self::Longer(rounds) => {
-                strike_all::<S, Column>(rounds, (structures, pairs), ground);
+                if strike_all::<S, Column>(rounds, (structures, pairs)) {
+                    frame.restart(structures, rounds.links(), ground);
+                }
                 rounds.clear();
             }
         }
@@ -73,31 +77,24 @@ fn mobility<S: Simd, Column: RestoringForce<Lanes<S>>>(structure: &Body<S, Colum
     structure.constants.coefficients.inverse_mass
 }
 
-/// Strikes all pairs that touch.
+/// Strikes all pairs that touch; false where none approaches.
 #[inline(always)]
 fn strike_all<S: Simd, Column: SideBySideColumn>(
     rounds: &mut Rounds<Lanes<S>>,
     (structures, pairs): Scenes<'_, S, Column>,
-    ground: Lanes<S>,
-) {
-    if !rounds.strike_all(|node| structures[node].contact.velocity) {
-        return;
-    }
-    for (link, impulse) in rounds.struck() {
-        if let Some(pair) = &mut pairs[link.left] {
-            pair.tally.strike(impulse);
-        }
-        // One that two pairs share has begun anew with the first of them.
-        let first = if link.is_joined {
-            link.right
-        } else {
-            link.left
-        };
-        for (node, structure) in (first..).zip(&mut structures[first..=link.right]) {
-            structure.contact.jumped = rounds.velocity(node);
-            structure.restart(ground);
+) -> bool {
+    let strikes = rounds.strike_all(|node| structures[node].contact.velocity);
+    if strikes {
+        for (link, impulse) in rounds.struck() {
+            if let Some(pair) = &mut pairs[link.left] {
+                pair.tally.strike(impulse);
+            }
+            for node in [link.left, link.right] {
+                structures[node].contact.jumped = rounds.velocity(node);
+            }
         }
     }
+    strikes
 }
 
 /// Strikes a pair that is the only one of every scene, where it touches; false where none approaches.

@@ -5,8 +5,11 @@
 //! [`Number`](pounding_contact::Number), and every lane gives the bits of its scene alone. A step looks at contact laws only
 //! where some lane touches. What a run leaves is little: peaks and sums ([`SceneSums`]); who wants histories runs a scene alone.
 //!
-//! Left out: buildings of several storeys, motions that travel, sub-steps in contact, columns that yield smoothly; with the velocity
-//! Verlet method rows of one structure, and of more than two.
+//! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many (`building.rs` of the
+//! central difference method). [`Frame`](frame::Frame) decides once per run whether structures go on each for itself or by buildings.
+//!
+//! Left out: motions that travel, sub-steps in contact, columns that yield smoothly, pairs whose left neighbour is an upper level of a
+//! wall or a hall without lower floors; with the velocity Verlet method buildings, rows of one structure, and of more than two.
 
 #![expect(
     clippy::inline_always,
@@ -17,12 +20,15 @@ mod body;
 mod books;
 mod column;
 mod exact;
+mod frame;
 mod group;
 mod jump;
 mod law;
 mod number;
+mod rows;
 mod run;
 mod scenes;
+mod storeys;
 mod tallies;
 mod tally;
 #[cfg(all(test, target_arch = "x86_64"))]
@@ -36,18 +42,19 @@ use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use tallies::{PairSums, SceneSums};
 
+use crate::model::buildings::Buildings;
 use crate::record::is_plastic;
 use crate::{
     Budget, CentralDifference, Clock, Excitation, Integrator, Pair, RestoringForce, Row, RunError,
-    Support, Verlet,
+    Verlet,
 };
 
 /// The methods by which scenes run side by side with the bits of their runs alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stepping {
-    /// Central difference method without sub-steps in contact: rows of any length.
+    /// Central difference method without sub-steps in contact: rows of any length, with buildings of several storeys.
     CentralDifference(CentralDifference),
-    /// Velocity Verlet method: two structures, or one and a wall.
+    /// Velocity Verlet method: two structures of one storey, or one and a wall.
     Verlet(Verlet),
 }
 
@@ -129,8 +136,8 @@ impl SideBySide {
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
     /// cannot run side by side.
     ///
-    /// Rows of one shape have as many structures, all of one storey, and the same pairs with laws of the same kinds; the ground
-    /// motion arrives everywhere at once, and no row has more steps than the clock. By the velocity Verlet method they have two.
+    /// Rows of one shape have the same floors and pairs, with laws of the same kinds; the ground motion arrives everywhere at once, and
+    /// no row has more steps than the clock. By the velocity Verlet method they have two structures of one storey.
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
             RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
@@ -148,7 +155,7 @@ impl SideBySide {
         let reach = 1..self.ground.len();
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
         let first = rows.first().filter(|_| in_reach && are_alike(rows));
-        let Some(first) = first.filter(|row| self.stepping.takes(row.nodes().len())) else {
+        let Some(first) = first.filter(|row| self.stepping.takes(row)) else {
             tallies.begin(0, (0, 0));
             return false;
         };
@@ -206,28 +213,28 @@ impl Stepping {
         }
     }
 
-    /// Whether rows of so many structures go side by side.
-    fn takes(self, n_structures: usize) -> bool {
+    /// Whether rows like this one go side by side.
+    fn takes<Column: RestoringForce>(self, row: &Row<Column>) -> bool {
         match self {
-            Self::CentralDifference(_) => true,
-            Self::Verlet(_) => n_structures == 2,
+            Self::CentralDifference(_) => {
+                Buildings::of(row).is_none_or(|buildings| buildings.are_in_order(row.pairs()))
+            }
+            Self::Verlet(_) => row.nodes().len() == 2 && Buildings::of(row).is_none(),
         }
     }
 }
 
 /// Whether rows are of one shape that can run side by side.
 fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
-    let single = |row: &Row<Column>| {
-        let nodes = row.nodes();
-        let on_ground = nodes.iter().all(|node| node.support == Support::Ground);
-        on_ground && (0..nodes.len()).all(|node| row.arrival(node) == 0.0)
-    };
+    let at_once = |row: &Row<Column>| (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
     let alike = |row: &Row<Column>, other: &Row<Column>| {
         let mut pairs = row.pairs().iter().zip(other.pairs());
+        let mut nodes = row.nodes().iter().zip(other.nodes());
         row.nodes().len() == other.nodes().len()
+            && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
             && pairs
                 .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
     };
-    rows.iter().all(|row| single(row) && alike(row, rows[0]))
+    rows.iter().all(|row| at_once(row) && alike(row, rows[0]))
 }

@@ -7,10 +7,14 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::column::SideBySideColumn;
-use super::group::{Group, Rows};
+use super::frame::{Frame, Single};
+use super::group::Group;
 use super::number::Lanes;
+use super::rows::Rows;
+use super::scenes::{Pair, Structure};
+use super::storeys::Storeys;
 use super::{BETWEEN, SceneSums, Shaken};
-use crate::{CentralDifference, Row};
+use crate::{CentralDifference, Row, State};
 
 /// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
 /// longer rows do not wait for each other, and a second group doubles the memory in use.
@@ -33,7 +37,13 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut SceneSums,
 ) {
-    let n_groups = if rows[0].nodes().len() > SHORT { 1 } else { 2 };
+    let row = rows[0];
+    let stand_alone = (0..row.nodes().len()).all(|node| row.stands_alone(node));
+    let n_groups = if stand_alone && row.nodes().len() <= SHORT {
+        2
+    } else {
+        1
+    };
     let in_step = n_groups * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
     for (index, (rows, n_steps)) in groups.enumerate() {
@@ -59,36 +69,61 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
     let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
     // A group without scenes repeats the other one, and is not told.
     let parts = [one, if other.is_empty() { one } else { other }].map(Rows);
-    let start = (method.time_step, method.ground[0]);
-    if rows[0].nodes().len() == 2 {
-        let (mut a, mut b) = (parts[0].two(simd, start), parts[1].two(simd, start));
+    let states = parts.map(|rows| rows.states(method.ground[0]));
+    let starts = states
+        .each_ref()
+        .map(|states| (&states[..], method.time_step));
+    if let Some(storeys) = Storeys::of(simd, parts[0], method.time_step) {
+        let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0]);
+        let scenes = (&mut structures[..], &mut pairs[..]);
+        steps(
+            method,
+            &mut [Group::new(simd, method, scenes, storeys)],
+            task,
+        );
+    } else if rows[0].nodes().len() == 2 {
+        let (mut a, mut b) = (parts[0].two(simd, starts[0]), parts[1].two(simd, starts[1]));
         let (mut c, mut d) = (
             [parts[0].pair(simd, 0), None],
             [parts[1].pair(simd, 0), None],
         );
         let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
-        let mut groups = scenes.map(|scenes| Group::new(simd, method, scenes));
+        let mut groups = scenes.map(|scenes| Group::new(simd, method, scenes, Single));
         steps(method, &mut groups, task);
     } else {
-        let nodes = 0..rows[0].nodes().len();
-        let scenes = parts[..n_groups].iter().map(|rows| {
-            let structures = nodes.clone().map(|node| rows.structure(simd, node, start));
-            let pairs = nodes.clone().map(|node| rows.pair(simd, node));
-            (structures.collect(), pairs.collect())
-        });
-        let mut scenes: Vec<(Vec<_>, Vec<_>)> = scenes.collect();
+        let scenes = parts[..n_groups].iter().zip(starts);
+        let scenes = scenes.map(|(rows, start)| gathered(simd, *rows, start));
+        let mut scenes: Vec<_> = scenes.collect();
         let groups = scenes.iter_mut().map(|(structures, pairs)| {
-            Group::new(simd, method, (&mut structures[..], &mut pairs[..]))
+            Group::new(simd, method, (&mut structures[..], &mut pairs[..]), Single)
         });
         steps(method, &mut groups.collect::<Vec<_>>(), task);
     }
 }
 
+/// The structures and pairs of some rows.
+type Gathered<S, Column> = (Vec<Structure<S, Column>>, Vec<Option<Pair<S>>>);
+
+#[inline(always)]
+fn gathered<S: Simd, Column: SideBySideColumn>(
+    simd: S,
+    rows: Rows<'_, Column>,
+    start: (&[Vec<State>], f64),
+) -> Gathered<S, Column> {
+    let nodes = 0..rows.lane(0).nodes().len();
+    let structures = nodes.clone().map(|node| rows.structure(simd, node, start));
+    let structures = structures.collect();
+    (
+        structures,
+        nodes.map(|node| rows.pair(simd, node)).collect(),
+    )
+}
+
 /// All steps of some groups; what happened in a scene is told at its end.
 #[inline(always)]
-fn steps<S: Simd, Column: SideBySideColumn>(
+fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
     method: &Shaken<'_, CentralDifference>,
-    groups: &mut [Group<'_, S, Column>],
+    groups: &mut [Group<'_, S, Column, F>],
     Task {
         rows,
         n_steps,
@@ -104,13 +139,14 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         }
         let ground = &method.ground[..=(*end).min(step + between)];
         while step < ground.len() {
-            if let [one, other] = groups
+            if F::STANDS_ALONE
+                && let [one, other] = groups
                 && !(one.busy || other.busy)
             {
                 let groups = [one, other];
                 step = match groups[0].structures.len() {
-                    2 => go_apart::<S, Column, 2>(groups, ground, step),
-                    SHORT => go_apart::<S, Column, SHORT>(groups, ground, step),
+                    2 => go_apart::<S, Column, F, 2>(groups, ground, step),
+                    SHORT => go_apart::<S, Column, F, SHORT>(groups, ground, step),
                     _ => step,
                 };
             }
@@ -128,8 +164,8 @@ fn steps<S: Simd, Column: SideBySideColumn>(
         {
             let group = &groups[lane / Lanes::<S>::N];
             let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
-            for (node, structure) in group.structures.iter().enumerate() {
-                tallies.take_structure(scene, node, structure.motion.peak(lane));
+            for node in 0..group.structures.len() {
+                tallies.take_floor(scene, node, group.peaks(node, lane));
             }
             for pair in group.pairs.iter().flatten() {
                 tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
@@ -148,14 +184,14 @@ fn steps<S: Simd, Column: SideBySideColumn>(
 
 /// Goes on from a node while no lane touches, with the motions of so many structures at hand; the node at which one does.
 #[inline(always)]
-fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
-    [one, other]: [&mut Group<'_, S, Column>; 2],
+fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usize>(
+    [one, other]: [&mut Group<'_, S, Column, F>; 2],
     ground: &[f64],
     step: usize,
 ) -> usize {
     let simd = one.simd;
     let zero = Lanes::splat(simd, 0.0);
-    let motion = |group: &Group<'_, S, Column>, index: usize| group.structures[index].motion;
+    let motion = |group: &Group<'_, S, Column, F>, index: usize| group.structures[index].motion;
     let mut motions: [[_; N]; 2] = [
         std::array::from_fn(|index| motion(one, index)),
         std::array::from_fn(|index| motion(other, index)),
@@ -177,7 +213,7 @@ fn go_apart<S: Simd, Column: SideBySideColumn, const N: usize>(
         let ground = Lanes::splat(simd, *acceleration);
         for (group, motions) in [&*one, &*other].into_iter().zip(&mut motions) {
             for (index, motion) in motions.iter_mut().enumerate() {
-                group.structures[index].constants.step(motion, ground);
+                group.structures[index].constants.step(motion, zero, ground);
             }
         }
         node += 1;

@@ -16,7 +16,8 @@ pub struct PairSums {
 pub struct SceneSums {
     pub(super) n_structures: usize,
     pub(super) n_pairs: usize,
-    pub(super) displacements: Vec<f64>,
+    displacements: Vec<f64>,
+    drifts: Vec<f64>,
     pub(super) pairs: Vec<PairSums>,
     pub(super) told: Vec<bool>,
     doubted: Vec<bool>,
@@ -27,9 +28,14 @@ pub struct SceneSums {
 }
 
 impl SceneSums {
-    /// Displacement of the largest magnitude of a structure \[m\], with its sign.
+    /// Displacement of the largest magnitude of a structure, or of a floor of a building \[m\], with its sign.
     pub fn displacement(&self, scene: usize, structure: usize) -> f64 {
         self.displacements[scene * self.n_structures + structure]
+    }
+
+    /// Drift of the largest magnitude of the storey below a floor \[m\], with its sign; on the ground it is the displacement.
+    pub fn drift(&self, scene: usize, floor: usize) -> f64 {
+        self.drifts[scene * self.n_structures + floor]
     }
 
     /// What happened to a pair.
@@ -37,8 +43,9 @@ impl SceneSums {
         self.pairs[scene * self.n_pairs + pair]
     }
 
-    /// Whether what happened in a scene is known. It is not where numbers have grown without bound, or a structure has gone as far
-    /// to the left as to the right, so that only the order tells the sign of its displacement: a run of the scene alone says.
+    /// Whether what happened in a scene is known. It is not where numbers have grown without bound, or a floor or
+    /// a storey has gone as far to the left as to the right, so that only the order tells the sign of its peak: a run of the scene alone
+    /// says.
     pub fn is_told(&self, scene: usize) -> bool {
         self.told[scene]
     }
@@ -61,6 +68,8 @@ impl SceneSums {
         (self.n_structures, self.n_pairs) = (n_structures, n_pairs);
         self.displacements.clear();
         self.displacements.resize(n_scenes * n_structures, 0.0);
+        self.drifts.clear();
+        self.drifts.resize(n_scenes * n_structures, 0.0);
         self.pairs.clear();
         self.pairs.resize(n_scenes * n_pairs, PairSums::default());
         self.told.clear();
@@ -70,11 +79,14 @@ impl SceneSums {
         (self.steps, self.touching_steps) = (0, 0);
     }
 
-    /// Takes the displacement of largest magnitude of a structure of a scene \[m\]; without one the scene is not told.
-    pub(super) fn take_structure(&mut self, scene: usize, node: usize, peak: Option<f64>) {
-        self.displacements[scene * self.n_structures + node] = peak.unwrap_or(f64::NAN);
+    /// Takes displacement and drift of largest magnitude of a floor of a scene \[m\]; without one of them the scene is not told.
+    pub(super) fn take_floor(&mut self, scene: usize, node: usize, peaks: [Option<f64>; 2]) {
+        let [displacement, drift] = peaks.map(|peak| peak.unwrap_or(f64::NAN));
+        self.displacements[scene * self.n_structures + node] = displacement;
+        self.drifts[scene * self.n_structures + node] = drift;
         // The first of a scene says, and any other may take it back.
-        self.told[scene] = peak.is_some() && (node == 0 || self.told[scene]);
+        let known = peaks.iter().all(Option::is_some);
+        self.told[scene] = known && (node == 0 || self.told[scene]);
     }
 
     /// Takes what happened to a pair of a scene.

@@ -5,8 +5,8 @@ use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomec
 
 use super::{ExactSideBySide, RowsOf, SceneSums, SideBySide, Stepping};
 use crate::{
-    CentralDifference, Clock, Elastic, Exact, Excitation, Node, Pair, Row, SimultaneousImpacts,
-    Verlet, VerletImpacts,
+    CentralDifference, Clock, Elastic, Exact, Excitation, Floor, Node, Pair, Row,
+    SimultaneousImpacts, Verlet, VerletImpacts,
 };
 
 const CLOCK: Clock = Clock {
@@ -16,8 +16,8 @@ const CLOCK: Clock = Clock {
 /// No whole number of groups of any width.
 const SCENES: usize = 13;
 
-/// Structures of other periods in every scene.
-fn rows(law: ContactLaw, structures: usize) -> Vec<Row<Elastic>> {
+/// Structures of other periods in every scene, so many, of so many storeys.
+fn rows(law: ContactLaw, (structures, storeys): (usize, usize)) -> Vec<Row<Elastic>> {
     let row = |scene: usize| {
         let node = |index: usize| {
             let shift = if index.is_multiple_of(2) {
@@ -26,7 +26,15 @@ fn rows(law: ContactLaw, structures: usize) -> Vec<Row<Elastic>> {
                 6.6e6
             };
             let stiffness = 2e6 + 4e5 * index as f64 + shift;
-            Node::structure(1e5, 2e4, Elastic { stiffness })
+            let node = Node::structure(1e5, 2e4, Elastic { stiffness });
+            let on_floor = |below| {
+                let ground_damping = 1e4;
+                node.on_floor(Floor {
+                    below,
+                    ground_damping,
+                })
+            };
+            index.checked_sub(structures).map_or(node, on_floor)
         };
         let pair = |left: usize| Pair {
             left,
@@ -34,8 +42,10 @@ fn rows(law: ContactLaw, structures: usize) -> Vec<Row<Elastic>> {
             gap: 0.002,
             law,
         };
-        let pairs = (0..structures - 1).map(pair).collect();
-        Row::new((0..structures).map(node).collect(), pairs).expect("valid")
+        let floors = structures * storeys;
+        let lefts = (0..floors).filter(|left| (left + 1) % structures > 0);
+        let pairs = lefts.map(pair).collect();
+        Row::new((0..floors).map(node).collect(), pairs).expect("valid")
     };
     (0..SCENES).map(row).collect()
 }
@@ -83,10 +93,10 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
     for law in laws() {
         let [mut one, mut other] = [SceneSums::default(), SceneSums::default()];
         // Two structures have code of their own, up to three go two groups in step.
-        let shapes =
-            [2, 3, 5].map(|structures| (Stepping::from(CentralDifference::default()), structures));
-        for (method, structures) in shapes.into_iter().chain([(verlet.into(), 2)]) {
-            let rows = rows(law, structures);
+        let shapes = [(2, 1), (3, 1), (5, 1), (2, 3)];
+        let shapes = shapes.map(|shape| (Stepping::from(CentralDifference::default()), shape));
+        for (method, shape) in shapes.into_iter().chain([(verlet.into(), (2, 1))]) {
+            let (rows, structures) = (rows(law, shape), shape.0);
             let mut wide = SideBySide::new(method, excitation, CLOCK).expect("valid");
             let all: Vec<_> = rows.iter().collect();
             let n_steps = [CLOCK.n_steps; SCENES];
@@ -97,7 +107,7 @@ fn limit_two_lanes_give_the_bits_of_as_many_as_there_are() {
             assert_eq!(one, other, "{structures} with {}", law.name());
         }
 
-        let rows = rows(law, 2);
+        let rows = rows(law, (2, 1));
         let mut wide = ExactSideBySide::new(exact, excitation, CLOCK).expect("valid");
         let all: Vec<_> = rows.iter().enumerate().collect();
         one.begin(SCENES, (2, 1));

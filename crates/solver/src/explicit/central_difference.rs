@@ -10,13 +10,14 @@
 //! equation, so that a restart costs no accuracy.
 //!
 //! Floors that stand on floors share M/Δt² + C/2Δt through the dashpots between them: a tridiagonal system for every
-//! building (`storeys.rs`). Rows of structures of one storey keep a loop of their own.
+//! building (`building.rs`). Rows of structures of one storey keep a loop of their own.
 
 #![expect(
     clippy::inline_always,
     reason = "instructions on lanes exist only inside the function that found the machine to have them"
 )]
 
+pub(crate) mod building;
 pub(crate) mod coefficients;
 mod contact;
 mod storeys;

@@ -87,7 +87,13 @@ impl<N: Number> Rounds<N> {
         self.velocities[node]
     }
 
-    /// The pairs taken, each with its impulse \[N·s\].
+    /// The pairs taken.
+    #[inline(always)]
+    pub(crate) fn links(&self) -> &[Link] {
+        &self.together.links
+    }
+
+    /// The same, each with its impulse \[N·s\].
     #[inline(always)]
     pub(crate) fn struck(&self) -> impl Iterator<Item = (Link, N)> {
         let links = self.together.links.iter();

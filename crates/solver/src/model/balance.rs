@@ -1,9 +1,52 @@
 //! Drifts and forces of the floors of a row.
 
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
+
 use crate::model::ground::Ground;
 use crate::model::support::{Floor, Support};
 use crate::span::Load;
 use crate::{Motion, Node, RestoringForce, Row, State};
+
+/// The dashpot of a storey below a floor.
+#[derive(Clone, Copy)]
+pub(crate) struct Dashpot<N> {
+    /// Its coefficient \[N·s/m\].
+    pub(crate) damping: N,
+    /// Velocity of the floor \[m/s\].
+    pub(crate) velocity: N,
+}
+
+/// What lies below a floor that stands on another one.
+#[derive(Clone, Copy)]
+pub(crate) struct Below<N> {
+    /// Damping coefficient of the floor against the ground \[N·s/m\], besides that of its storey.
+    pub(crate) ground_damping: N,
+    /// Velocity of the floor below \[m/s\].
+    pub(crate) velocity: N,
+}
+
+/// Damping force \[N\] against the motion of a floor, of its own storey and the one above, in one scene or several side by side.
+#[inline(always)]
+pub(crate) fn damping_force<N: Number>(
+    floor: Dashpot<N>,
+    below: Option<Below<N>>,
+    above: Option<Dashpot<N>>,
+) -> N {
+    let Dashpot { damping, velocity } = floor;
+    let own = match below {
+        None => damping * velocity,
+        Some(below) => damping * (velocity - below.velocity) + below.ground_damping * velocity,
+    };
+    match above {
+        None => own,
+        Some(above) => own - above.damping * (above.velocity - velocity),
+    }
+}
 
 impl<Column: RestoringForce> Row<Column> {
     /// Whether a node is a structure of one storey, or a wall: it stands on the ground and nothing stands on it.
@@ -31,20 +74,21 @@ impl<Column: RestoringForce> Row<Column> {
     /// The same at velocities \[m/s\] of any kind.
     #[inline]
     pub(crate) fn damping_at(&self, node: usize, velocity: impl Fn(usize) -> f64) -> f64 {
-        let own = match self.nodes()[node].support {
-            Support::Ground => self.nodes()[node].damping * velocity(node),
+        let dashpot = |index: usize| Dashpot {
+            damping: self.nodes()[index].damping,
+            velocity: velocity(index),
+        };
+        let below = match self.nodes()[node].support {
+            Support::Ground => None,
             Support::Floor(Floor {
                 below,
                 ground_damping,
-            }) => {
-                self.nodes()[node].damping * (velocity(node) - velocity(below))
-                    + ground_damping * velocity(node)
-            }
+            }) => Some(Below {
+                ground_damping,
+                velocity: velocity(below),
+            }),
         };
-        match self.above(node) {
-            None => own,
-            Some(above) => own - self.nodes()[above].damping * (velocity(above) - velocity(node)),
-        }
+        damping_force(dashpot(node), below, self.above(node).map(dashpot))
     }
 
     /// Restoring force \[N\] against a displacement of a node to the right, of its own storey and the one above.

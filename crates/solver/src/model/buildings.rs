@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::{RestoringForce, Row};
+use crate::{Pair, RestoringForce, Row};
 
 /// The floors of a row building by building, from left to right, each from the ground up.
 #[derive(Debug)]
@@ -39,9 +39,26 @@ impl Buildings {
         &self.floors
     }
 
+    /// Place of a node among them.
+    pub(crate) fn place(&self, node: usize) -> Option<usize> {
+        self.floors.iter().position(|floor| *floor == node)
+    }
+
     /// Where among the floors each building lies.
     pub(crate) fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
+    }
+
+    /// Storeys of the tallest building.
+    pub(crate) fn tallest(&self) -> usize {
+        self.ranges.iter().map(Range::len).max().unwrap_or(0)
+    }
+
+    /// Whether of every pair the building of the left neighbour comes before that of the right one. An upper level of a wall, or
+    /// a hall without lower floors, comes after the building on its right.
+    pub(crate) fn are_in_order(&self, pairs: &[Pair]) -> bool {
+        let of = |node: usize| self.each().position(|floors| floors.contains(&node));
+        pairs.iter().all(|pair| of(pair.left) < of(pair.right))
     }
 
     /// The floors of each building.

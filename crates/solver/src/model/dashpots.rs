@@ -5,20 +5,27 @@
 //! follows from the ground up. What is left of a diagonal element is a sum of positive terms, so that dashpots of any
 //! strength lose no digits.
 
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
 use std::ops::Range;
+
+use pounding_contact::Number;
 
 use crate::model::buildings::Buildings;
 use crate::{RestoringForce, Row};
 
 /// Damping coefficients of a floor over its mass \[1/s\].
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct DampingRates {
+pub(crate) struct DampingRates<N = f64> {
     /// Of its own storey.
-    pub(crate) storey: f64,
+    pub(crate) storey: N,
     /// Against the ground, besides that of a storey which stands there.
-    pub(crate) ground: f64,
+    pub(crate) ground: N,
     /// Of the storey above; 0 where there is none.
-    pub(crate) above: f64,
+    pub(crate) above: N,
 }
 
 impl DampingRates {
@@ -31,11 +38,13 @@ impl DampingRates {
             above: row.above(index).map_or(0.0, above),
         }
     }
+}
 
+impl<N: Number> DampingRates<N> {
     /// What velocities \[m/s\] of the floor below, of this one and of the floor above take from its acceleration
     /// \[m/s²\]; the ground has none, and that of a floor which is not there means nothing.
-    #[inline]
-    pub(crate) fn deceleration(&self, [below, own, above]: [f64; 3]) -> f64 {
+    #[inline(always)]
+    pub(crate) fn deceleration(&self, [below, own, above]: [N; 3]) -> N {
         self.storey * (own - below) + self.ground * own - self.above * (above - own)
     }
 }

@@ -8,7 +8,7 @@ use crate::common::{
 };
 use crate::watch::Watch;
 use pounding_solver::{
-    CentralDifference, Elastic, Excitation, Ledger, Node, Peaks, Row, RowsOf, SceneSums,
+    CentralDifference, Elastic, Excitation, Floor, Ledger, Node, Peaks, Row, RowsOf, SceneSums,
     SideBySide, Stepping, TransferredMomentum, Verlet, VerletImpacts,
 };
 
@@ -84,21 +84,29 @@ fn limit_a_step_side_by_side_allocates_nothing() {
     let verlet = Verlet {
         impacts: VerletImpacts::Located,
     };
-    let methods = [
-        (Stepping::from(CentralDifference::default()), 5),
-        (verlet.into(), 2),
-    ];
+    let central = Stepping::from(CentralDifference::default());
+    // Storeys of every structure, and structures.
+    let methods = [(central, 1, 5), (central, 3, 2), (verlet.into(), 1, 2)];
     let laws = [STEREOMECHANICAL, VISCOELASTIC];
-    for ((method, n), law) in methods
+    for ((method, storeys, n), law) in methods
         .into_iter()
         .flat_map(|one| laws.map(|law| (one, law)))
     {
         let row = |scene: usize| {
             let node = |index: usize| {
                 let stiffness = 2e6 * (1.0 + 2.0 * (index % 2) as f64 + 0.05 * scene as f64);
-                Node::structure(1e5, 2e4, Elastic { stiffness })
+                let node = Node::structure(1e5, 2e4, Elastic { stiffness });
+                let on_floor = |below| {
+                    node.on_floor(Floor {
+                        below,
+                        ground_damping: 1e4,
+                    })
+                };
+                index.checked_sub(n).map_or(node, on_floor)
             };
-            Row::new((0..n).map(node).collect(), pairs(n, 0.002, law)).unwrap()
+            let mut all = pairs(n * storeys, 0.002, law);
+            all.retain(|pair| pair.right % n > 0);
+            Row::new((0..n * storeys).map(node).collect(), all).unwrap()
         };
         let rows: Vec<_> = (0..9).map(row).collect();
         let rows: Vec<_> = rows.iter().collect();

@@ -24,7 +24,7 @@ pub(crate) const SETTINGS: CentralDifference = CentralDifference {
 };
 
 /// The same kind of law with other numbers.
-fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
+pub(crate) fn stiffer(law: ContactLaw, factor: f64) -> ContactLaw {
     if let ContactLaw::Stereomechanical(mut law) = law {
         law.restitution /= factor;
         return ContactLaw::Stereomechanical(law);
@@ -61,8 +61,8 @@ fn steps(scene: usize) -> usize {
     CLOCK.n_steps - 7 * (scene % 3)
 }
 
-/// Displacements and pairs of a scene alone, and whether its ledger refuses it.
-type Alone = Result<(Vec<f64>, Vec<PairSums>, bool), RunError>;
+/// Displacements and drifts, pairs of a scene alone, and whether its ledger refuses it.
+type Alone = Result<(Vec<[f64; 2]>, Vec<PairSums>, bool), RunError>;
 
 fn alone<Column: Hysteretic>(
     (stepping, n_steps): (Stepping, usize),
@@ -83,8 +83,12 @@ fn alone<Column: Hysteretic>(
         tally.impulse += one.impulse;
         tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
     }
-    let displacements = (0..n).map(|node| peaks.of(node).displacement.value);
-    Ok((displacements.collect(), tallies, ledger.verdict().is_err()))
+    let floor = |node| {
+        let peaks = peaks.of(node);
+        [peaks.displacement, peaks.drift()].map(|peak| peak.value)
+    };
+    let floors = (0..n).map(floor).collect();
+    Ok((floors, tallies, ledger.verdict().is_err()))
 }
 
 pub(crate) fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
@@ -111,15 +115,14 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     );
     prop_assert_eq!(found.len(), rows.len());
     for (scene, row) in rows.iter().enumerate() {
-        let Ok((displacements, pairs, is_refused)) =
-            alone((stepping, steps(scene)), row, excitation)
+        let Ok((floors, pairs, is_refused)) = alone((stepping, steps(scene)), row, excitation)
         else {
             prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
             continue;
         };
         // The velocity Verlet method leaves to runs alone what goes further than structures do.
         let far = matches!(stepping, Stepping::Verlet(_))
-            && displacements.iter().any(|peak| peak.abs() >= 1e3);
+            && floors.iter().any(|[peak, _]| peak.abs() >= 1e3);
         // Rest after an impact with e = 0 is told by runs alone.
         let may_rest = pairs.iter().zip(row.pairs()).any(|(tally, pair)| {
             let law = pair.law.impulsive();
@@ -132,15 +135,10 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
         if is_refused {
             prop_assert!(found.is_doubted(scene), "{} breaks a law unseen", scene);
         }
-        for (structure, displacement) in displacements.iter().enumerate() {
-            let lane = found.displacement(scene, structure);
-            prop_assert_eq!(
-                lane.to_bits(),
-                displacement.to_bits(),
-                "{} {}",
-                scene,
-                structure
-            );
+        for (floor, wanted) in floors.iter().enumerate() {
+            let lane = [found.displacement(scene, floor), found.drift(scene, floor)];
+            let bits = |peaks: [f64; 2]| peaks.map(f64::to_bits);
+            prop_assert_eq!(bits(lane), bits(*wanted), "{} {}", scene, floor);
         }
         for (pair, wanted) in pairs.iter().enumerate() {
             let bits = |tally: &PairSums| {

@@ -2,10 +2,11 @@
 
 use pounding_contact::{ContactLaw, KelvinVoigt, LinearSpring};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, Excitation, Integrator, Ledger, LedgerError, Node, Pair,
-    Row, RowsOf, SceneSums, SideBySide, Stepping, Verlet, VerletImpacts,
+    Bilinear, CentralDifference, Clock, Elastic, Excitation, Hysteretic, Integrator, Ledger,
+    LedgerError, Node, Pair, Row, RowsOf, SceneSums, SideBySide, Stepping, Verlet, VerletImpacts,
 };
 
+use crate::towers::{self, Rayleigh, uniform};
 use crate::watch::Watch;
 
 /// Two structures that approach each other, and touch for about a hundredth of a second.
@@ -30,10 +31,43 @@ fn row(scene: usize, law: ContactLaw) -> Row<Elastic> {
     Row::new(nodes, vec![pair]).expect("valid")
 }
 
+/// Two towers that yield and do the same.
+fn tower_row(scene: usize, law: ContactLaw) -> Row<Bilinear> {
+    let column = |stiffness: f64| Bilinear {
+        stiffness,
+        yield_force: 0.01 * stiffness,
+        hardening: 0.1,
+    };
+    let shift = 1.0 + 0.01 * scene as f64;
+    let towers = [
+        uniform(3, 1e5, column(3e7 * shift)),
+        uniform(2, 1e5, column(5e7)),
+    ];
+    let damping = Rayleigh {
+        alpha: 0.3,
+        beta: 1e-3,
+    };
+    let (row, levels) = towers::row(&towers, damping, |_, _, [left, right]| {
+        Some(Pair {
+            left,
+            right,
+            gap: 0.01 * shift,
+            law,
+        })
+    });
+    let velocity = |node| if levels.place(node).0 == 0 { 0.4 } else { -0.3 };
+    let nodes = row.nodes().iter().enumerate().map(|(index, node)| Node {
+        initial_velocity: velocity(index),
+        ..*node
+    });
+    Row::new(nodes.collect(), row.pairs().to_vec()).expect("valid")
+}
+
+const CENTRAL: Stepping = Stepping::CentralDifference(CentralDifference {
+    contact_substeps: 1,
+});
 const METHODS: [Stepping; 2] = [
-    Stepping::CentralDifference(CentralDifference {
-        contact_substeps: 1,
-    }),
+    CENTRAL,
     Stepping::Verlet(Verlet {
         impacts: VerletImpacts::Located,
     }),
@@ -41,19 +75,34 @@ const METHODS: [Stepping; 2] = [
 const SCENES: usize = 40;
 const END: f64 = 3.0;
 
+/// Names the columns of rows.
+type Kind<Column> = for<'a> fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
+
+fn elastic<'a>(rows: &'a [&'a Row<Elastic>]) -> RowsOf<'a> {
+    RowsOf::Elastic(rows)
+}
+
+fn bilinear<'a>(rows: &'a [&'a Row<Bilinear>]) -> RowsOf<'a> {
+    RowsOf::Bilinear(rows)
+}
+
 /// How many scenes the ledger of a run alone refuses, and how many of the others are doubted side by side.
-fn refused_and_doubted(stepping: Stepping, law: ContactLaw, n_steps: u32) -> (usize, usize) {
+fn refused_and_doubted<Column: Hysteretic>(
+    stepping: Stepping,
+    (row, kind): (impl Fn(usize) -> Row<Column>, Kind<Column>),
+    n_steps: u32,
+) -> (usize, usize) {
     let ground: Vec<f64> = (0..300)
         .map(|n| 4.0 * libm::sin(0.11 * f64::from(n)))
         .collect();
     let excitation = Excitation::new(0.01, &ground).expect("valid");
     let (time_step, n_steps) = (END / f64::from(n_steps), n_steps as usize);
     let clock = Clock { time_step, n_steps };
-    let rows: Vec<_> = (0..SCENES).map(|scene| row(scene, law)).collect();
+    let rows: Vec<_> = (0..SCENES).map(row).collect();
     let together = SideBySide::new(stepping, excitation, clock).expect("valid");
     let mut found = SceneSums::default();
     let all: Vec<_> = rows.iter().collect();
-    let ran = together.run(RowsOf::Elastic(&all), &[n_steps; SCENES], &mut found);
+    let ran = together.run(kind(&all), &[n_steps; SCENES], &mut found);
     assert!(ran, "the rows are of one shape");
     let (mut refused, mut doubted) = (0, 0);
     for (scene, row) in rows.iter().enumerate() {
@@ -79,9 +128,13 @@ fn limit_what_a_ledger_refuses_is_doubted() {
         impact_stiffness: 5e9,
     });
     for stepping in METHODS {
-        let (refused, _) = refused_and_doubted(stepping, spring, 500);
+        let rows = (|scene| row(scene, spring), elastic as Kind<_>);
+        let (refused, _) = refused_and_doubted(stepping, rows, 500);
         assert!(refused > 0, "{stepping:?}: the test sees nothing");
     }
+    let towers = (|scene| tower_row(scene, spring), bilinear as Kind<_>);
+    let (refused, _) = refused_and_doubted(CENTRAL, towers, 500);
+    assert!(refused > 0, "towers: the test sees nothing");
 }
 
 /// Steps that resolve it are not doubted.
@@ -95,7 +148,14 @@ fn limit_ordinary_scenes_are_not_doubted() {
     });
     for stepping in METHODS {
         for law in [damped, spring] {
-            assert_eq!(refused_and_doubted(stepping, law, 3000), (0, 0), "{law:?}");
+            let rows = (|scene| row(scene, law), elastic as Kind<_>);
+            let found = refused_and_doubted(stepping, rows, 3000);
+            assert_eq!(found, (0, 0), "{law:?}");
         }
+    }
+    for law in [damped, spring] {
+        let towers = (|scene| tower_row(scene, law), bilinear as Kind<_>);
+        let found = refused_and_doubted(CENTRAL, towers, 3000);
+        assert_eq!(found, (0, 0), "towers: {law:?}");
     }
 }

@@ -3,6 +3,7 @@
 mod accuracy;
 mod checked;
 mod parts;
+mod towers;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -185,15 +185,14 @@ impl<S: Simd> Group<S> {
     /// Tells what happened in a lane, as that scene.
     #[inline(always)]
     fn tell(&self, lane: usize, scene: &Scene, (place, tallies): (usize, &mut SceneSums)) {
-        let mut told = self.lost >> lane & 1 == 0;
         for (node, flyer) in self.flyers.iter().enumerate() {
             let [least, largest] = flyer.extremes.map(|extreme| extreme.lane(lane));
             let peak = if -least > largest { least } else { largest };
             let differ = (-least).total_cmp(&largest).is_ne() || flyer.rests(lane);
-            tallies.displacements[2 * place + node] = peak;
-            told &= differ && flyer.displacement.lane(lane).is_finite();
+            let known = differ && flyer.displacement.lane(lane).is_finite();
+            tallies.take_floor(place, node, [known.then_some(peak); 2]);
         }
         tallies.pairs[place] = scene.tally();
-        tallies.told[place] = told;
+        tallies.told[place] &= self.lost >> lane & 1 == 0;
     }
 }

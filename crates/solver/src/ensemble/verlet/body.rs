@@ -6,8 +6,8 @@ use pounding_contact::Number;
 use crate::RestoringForce;
 use crate::ensemble::body::peak;
 use crate::ensemble::column::{MemoryOf, SideBySideColumn};
-use crate::ensemble::group::Rows;
 use crate::ensemble::number::{Lanes, Mask};
+use crate::ensemble::rows::Rows;
 use crate::explicit::verlet::formulas::Length;
 
 /// What does not change of a structure.

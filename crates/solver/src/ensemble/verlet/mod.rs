@@ -13,8 +13,8 @@ use pounding_contact::Number;
 
 use self::group::Group;
 use super::column::SideBySideColumn;
-use super::group::Rows;
 use super::number::Lanes;
+use super::rows::Rows;
 use super::{BETWEEN, SceneSums, Shaken};
 use crate::{Row, Verlet};
 
@@ -73,7 +73,7 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             let group = &groups[index / Lanes::<S>::N];
             let (lane, scene) = (index % Lanes::<S>::N, first + index);
             for (node, motion) in group.motions.iter().enumerate() {
-                tallies.take_structure(scene, node, motion.peak(lane));
+                tallies.take_floor(scene, node, [motion.peak(lane); 2]);
             }
             if let Some(pair) = &group.pair {
                 tallies.take_pair(scene, pair.index, pair.tally.lane(lane));

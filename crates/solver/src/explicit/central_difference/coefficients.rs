@@ -7,9 +7,7 @@
 
 use pounding_contact::Number;
 
-use crate::model::buildings::Buildings;
-use crate::model::dashpots::{DampingRates, Eliminated};
-use crate::{Node, RestoringForce, Row};
+use crate::Node;
 
 /// Constants of one structure's equation (3), divided by its mass.
 pub(crate) struct Coefficients<N = f64> {
@@ -74,54 +72,5 @@ impl<N: Number> Coefficients<N> {
 impl Coefficients {
     pub(crate) fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
         Self::of(node.inverse_mass, node.damping, node.mobile(), dt)
-    }
-}
-
-/// Constants of the equation of a floor that is joined to the floors below and above.
-pub(super) struct FloorCoefficients {
-    /// With c of all its dashpots; what it solves is less by what the elimination of the floors above took.
-    pub(super) own: Coefficients,
-    pub(super) rates: DampingRates,
-    /// c/(2mΔt) of the dashpot to the floor below, m the mass of this floor.
-    pub(super) below: f64,
-    /// The same of that to the floor above.
-    pub(super) above: f64,
-    /// What of the next increment of the floor below is added to that of this one.
-    pub(super) share: f64,
-}
-
-impl FloorCoefficients {
-    /// Of all floors, building by building, for steps of this length \[s\].
-    pub(super) fn of<Column: RestoringForce>(
-        row: &Row<Column>,
-        buildings: &Buildings,
-        dt: f64,
-    ) -> Vec<Self> {
-        let (inertia, weigh) = (1.0 / (dt * dt), |rate: f64| 0.5 * rate / dt);
-        let mut all = Vec::with_capacity(row.nodes().len());
-        for building in buildings.each() {
-            let (first, mut above) = (all.len(), None);
-            for index in building.iter().rev() {
-                let rates = DampingRates::new(row, *index);
-                let parts = (&rates, *index == building[0]);
-                let equation = Eliminated::new(parts, above.as_ref(), inertia, weigh);
-                let solve = 1.0 / equation.pivot;
-                let half = weigh(rates.storey) + weigh(rates.ground) + weigh(rates.above);
-                all.push(Self {
-                    own: Coefficients {
-                        solve,
-                        carry: inertia - half,
-                        ..Coefficients::new(&row.nodes()[*index], dt)
-                    },
-                    rates,
-                    below: equation.below,
-                    above: equation.above,
-                    share: equation.below * solve,
-                });
-                above = Some(equation);
-            }
-            all[first..].reverse();
-        }
-        all
     }
 }

@@ -1,15 +1,14 @@
 //! The equations of a node of the run in a row in which floors stand on floors.
 //!
-//! The dashpots between floors join the next increments of a building: what the equation of a floor says of its increment
-//! is found from the top floor down, the increments then from the ground up. All that follows is done from the top down
-//! once more: what a floor needs of the one above is carried along, and the one below has not gone on yet.
+//! The equations are solved by `building.rs`. All that follows is done from the top down once more: what a floor needs of the one
+//! above is carried along, and the one below has not gone on yet.
 
-use super::coefficients::FloorCoefficients;
+use super::building::{FloorCoefficients, Floors, solve};
 use super::{Body, Instant, Run};
 use crate::model::buildings::Buildings;
 use crate::model::dashpots::Dashpots;
 use crate::span::Load;
-use crate::{Floor, Motion, Recorder, RestoringForce, Row, RunError, Span, State, Support};
+use crate::{Motion, Recorder, RestoringForce, Row, RunError, Span, State};
 
 /// What only rows in which floors stand on floors need; all of it building by building.
 pub(super) struct Storeys {
@@ -17,6 +16,8 @@ pub(super) struct Storeys {
     /// For whole steps and sub-steps.
     coefficients: [Vec<FloorCoefficients>; 2],
     solutions: Vec<Solution>,
+    /// Room for the increments of the tallest building.
+    increments: Vec<f64>,
     /// Share a velocity that is given back among the floors of a building.
     dashpots: Dashpots,
 }
@@ -24,7 +25,7 @@ pub(super) struct Storeys {
 /// What the equation of a floor says at a node.
 #[derive(Clone, Copy, Default)]
 struct Solution {
-    /// The next increment \[m\]; on the way down without what the floor below adds to it.
+    /// The next increment \[m\].
     increment: f64,
     /// Central-difference velocity, before a jump \[m/s\].
     velocity: f64,
@@ -39,6 +40,7 @@ impl Storeys {
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>, steps: [f64; 2]) -> Option<Self> {
         let buildings = Buildings::of(row)?;
         Some(Self {
+            increments: vec![0.0; buildings.tallest()],
             coefficients: steps.map(|dt| FloorCoefficients::of(row, &buildings, dt)),
             solutions: vec![Solution::default(); row.nodes().len()],
             dashpots: Dashpots::new(row, &buildings),
@@ -65,17 +67,20 @@ impl<Column: RestoringForce> Run<'_, Column> {
             if node.fine && !fine {
                 continue;
             }
+            let coefficients = &storeys.coefficients[usize::from(fine)][range.clone()];
             let mut building = Building {
                 row: self.row,
                 floors,
                 bodies: &mut self.bodies,
-                coefficients: &storeys.coefficients[usize::from(fine)][range.clone()],
+                coefficients,
                 solutions: &mut storeys.solutions[range.clone()],
+                is_finite: true,
             };
             // All floors of a building stand on one ground.
             let ground = node.ground.under(floors[0]);
-            building.eliminate(ground);
-            if let Some(structure) = building.substitute() {
+            let increments = &mut storeys.increments[..floors.len()];
+            solve(&mut building, coefficients, increments, ground);
+            if let Some(structure) = building.diverged() {
                 return Err(RunError::Diverged {
                     structure,
                     time: node.next,
@@ -103,6 +108,8 @@ struct Building<'a, Column: RestoringForce> {
     bodies: &'a mut [Body<Column::Memory>],
     coefficients: &'a [FloorCoefficients],
     solutions: &'a mut [Solution],
+    /// Whether all next displacements are finite numbers.
+    is_finite: bool,
 }
 
 /// What is carried down from the floor above; all 0 above the top floor.
@@ -114,57 +121,51 @@ struct Above {
     forces: [(f64, f64); 2],
 }
 
+impl<Column: RestoringForce> Floors<f64> for Building<'_, Column> {
+    #[inline]
+    fn motion(&self, level: usize) -> [f64; 2] {
+        let body = &self.bodies[self.floors[level]];
+        [body.displacement, body.increment]
+    }
+
+    #[inline]
+    fn pounding(&self, level: usize) -> f64 {
+        let body = &self.bodies[self.floors[level]];
+        body.force_from_left + body.force_from_right
+    }
+
+    #[inline]
+    fn respond(&mut self, level: usize, drift: f64) -> f64 {
+        let index = self.floors[level];
+        let body = &mut self.bodies[index];
+        let response = self.row.nodes()[index].column.respond(drift, body.memory);
+        body.memory = response.memory;
+        self.solutions[level].restoring_force = response.force;
+        response.force
+    }
+
+    #[inline]
+    fn accelerate(&mut self, level: usize, acceleration: f64) {
+        self.solutions[level].acceleration = acceleration;
+    }
+
+    #[inline]
+    fn go_on(&mut self, level: usize, increment: f64) {
+        let body = &self.bodies[self.floors[level]];
+        let solution = &mut self.solutions[level];
+        solution.increment = increment;
+        let own = &self.coefficients[level].own;
+        solution.velocity = own.velocity([body.increment, increment]);
+        self.is_finite &= (body.displacement + increment).abs() <= f64::MAX;
+    }
+}
+
 impl<Column: RestoringForce> Building<'_, Column> {
-    /// From the top down: forces, and what is known of the increments.
-    fn eliminate(&mut self, ground: f64) {
-        let (mut carried, mut increments) = (0.0, 0.0);
-        let floors = self.floors.iter().zip(self.coefficients);
-        for ((&index, constants), solution) in floors.zip(self.solutions.iter_mut()).rev() {
-            let floor = &self.row.nodes()[index];
-            let (below_displacement, below_increment) = match floor.support {
-                Support::Ground => (0.0, 0.0),
-                Support::Floor(Floor { below, .. }) => (
-                    self.bodies[below].displacement,
-                    self.bodies[below].increment,
-                ),
-            };
-            let own = &constants.own;
-            let body = &mut self.bodies[index];
-            let drift = body.displacement - below_displacement;
-            let response = floor.column.respond(drift, body.memory);
-            body.memory = response.memory;
-            let pounding_force = body.force_from_left + body.force_from_right;
-            let force = pounding_force - (response.force - carried);
-            let smooth = own.inverse_mass * force - own.mobile * ground;
-            let before = own.carry * body.increment + constants.below * below_increment;
-            let increment = own.solve * (smooth + (before + constants.above * increments));
-            *solution = Solution {
-                increment,
-                velocity: 0.0,
-                acceleration: smooth,
-                restoring_force: response.force,
-            };
-            carried = response.force;
-            increments = body.increment + increment;
-        }
-    }
-
-    /// From the ground up: increments and velocities; a floor whose next displacement is no longer a finite number.
-    fn substitute(&mut self) -> Option<usize> {
-        let (mut below, mut finite) = (0.0, true);
-        let floors = self.floors.iter().zip(self.coefficients);
-        for ((&index, constants), solution) in floors.zip(self.solutions.iter_mut()) {
-            let body = &self.bodies[index];
-            solution.increment += constants.share * below;
-            below = solution.increment;
-            let central = solution.increment + body.increment;
-            solution.velocity = central / (2.0 * constants.own.time_step);
-            finite &= (body.displacement + solution.increment).abs() <= f64::MAX;
-        }
-        if finite { None } else { self.diverged() }
-    }
-
+    /// A floor whose next displacement is no longer a finite number.
     fn diverged(&self) -> Option<usize> {
+        if self.is_finite {
+            return None;
+        }
         let next = |(index, solution): (&usize, &Solution)| {
             let displacement = self.bodies[*index].displacement + solution.increment;
             (!displacement.is_finite()).then_some(*index)

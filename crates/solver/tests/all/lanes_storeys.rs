@@ -1,0 +1,238 @@
+//! Buildings of several storeys side by side: every lane gives the bits of its scene alone.
+
+use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_solver::{
+    Bilinear, Elastic, ElastoPlastic, Excitation, Floor, Hysteretic, Levels, Node, Pair, Row,
+    RowsOf, SceneSums, SideBySide, Storey, Verlet, VerletImpacts,
+};
+use proptest::prelude::*;
+
+use crate::lanes::{CLOCK, SCENES, SETTINGS, all, compare, stiffer};
+use crate::random_rows::{any_law, config, stereomechanical};
+
+/// A building, or a wall.
+#[derive(Debug, Clone)]
+struct Building {
+    /// Levels of its floors.
+    floors: Vec<usize>,
+    /// Mass of a floor \[kg\], period of a storey alone \[s\], drift at yielding \[m\].
+    storey: [f64; 3],
+    /// Rayleigh damping, α \[1/s\] and β \[s\].
+    damping: [f64; 2],
+    /// Velocity of all floors at t = 0 \[m/s\], and their displacement per level \[m\].
+    moves: [f64; 2],
+    is_wall: bool,
+}
+
+/// A row of them under a record.
+#[derive(Debug, Clone)]
+struct Case {
+    buildings: Vec<Building>,
+    /// Gap \[m\] between buildings, and laws of their levels, in turn.
+    contacts: Vec<(f64, Vec<ContactLaw>)>,
+    /// Samples every 0.01 s \[m/s²\].
+    ground: Vec<f64>,
+}
+
+fn power_of_ten(exponents: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    exponents.prop_map(|exponent| libm::pow(10.0, exponent))
+}
+
+/// From the ground up, with every level or every second one.
+fn building() -> impl Strategy<Value = Building> {
+    let storey = (
+        power_of_ten(4.0..6.0),
+        power_of_ten(-1.1..0.0),
+        prop_oneof![Just(f64::INFINITY), power_of_ten(-4.0..-2.0)],
+    );
+    let damping = (
+        prop_oneof![Just(0.0), 0.0..2.0_f64],
+        prop_oneof![Just(0.0), 0.0..0.01_f64],
+    );
+    let moves = prop_oneof![3 => Just([0.0; 2]), 1 => prop::array::uniform2(-0.3..0.3_f64)];
+    let shape = (1..=8_usize, prop_oneof![4 => Just(1_usize), 1 => Just(2)]);
+    let all = (shape, storey, damping, moves, 0..6_u32);
+    all.prop_map(
+        |((storeys, rise), storey, damping, [velocity, lean], kind)| Building {
+            floors: (0..storeys).map(|floor| floor * rise).collect(),
+            storey: storey.into(),
+            damping: damping.into(),
+            moves: [velocity, -0.001 * lean.abs()],
+            is_wall: kind == 0,
+        },
+    )
+}
+
+fn cases(law: fn() -> BoxedStrategy<ContactLaw>) -> impl Strategy<Value = Case> {
+    let gap = prop_oneof![Just(0.01), power_of_ten(-5.0..-2.0), 0.0..0.05_f64];
+    let contact = (gap, prop::collection::vec(law(), 1..3));
+    let record = prop::collection::vec(-8.0..8.0_f64, 2..60);
+    (2..=4_usize).prop_flat_map(move |n| {
+        let buildings = prop::collection::vec(building(), n);
+        let contacts = prop::collection::vec(contact.clone(), n - 1);
+        (buildings, contacts, record.clone()).prop_map(|(mut buildings, contacts, ground)| {
+            let last = buildings.len() - 1;
+            for (index, building) in buildings.iter_mut().enumerate() {
+                // A wall on the left of a tower runs alone.
+                building.is_wall &= index == last || (index == 0 && building.floors.len() == 1);
+            }
+            // Two walls have nothing to do with each other.
+            buildings[0].is_wall &= !buildings[1].is_wall;
+            // All lean alike, so that none meets its neighbour at t = 0; beside a wall none leans.
+            let walls = buildings.iter().any(|building| building.is_wall);
+            let lean = if walls { 0.0 } else { buildings[0].moves[1] };
+            for building in &mut buildings {
+                building.moves[1] = lean;
+            }
+            Case {
+                buildings,
+                contacts,
+                ground,
+            }
+        })
+    })
+}
+
+/// The same row with other numbers; one scene that no step of the clock can follow must not disturb the others.
+fn row<Column: Hysteretic>(
+    case: &Case,
+    scene: usize,
+    column: impl Fn(f64, f64) -> Column,
+) -> Row<Column> {
+    let factor = 1.0 + 0.03 * scene as f64;
+    let floors: Vec<_> = case
+        .buildings
+        .iter()
+        .map(|one| one.floors.clone())
+        .collect();
+    let levels = Levels::at(&floors);
+    let node = |index: usize| -> Node<Column> {
+        let (place, _) = levels.place(index);
+        let building = &case.buildings[place];
+        let [mass, mut period, yields] = building.storey;
+        period *= if place % 2 == 0 { factor } else { 1.0 };
+        if scene == 5 && place == 0 {
+            period = 1e-3;
+        }
+        let omega = 2.0 * std::f64::consts::PI / period;
+        let stiffness = mass * omega * omega;
+        let column = column(stiffness, stiffness * yields * factor);
+        if building.is_wall {
+            return Node::wall(column);
+        }
+        let [alpha, beta] = building.damping;
+        let storey = Storey {
+            mass: mass * factor,
+            damping: beta * stiffness,
+            ground_damping: alpha * mass,
+            column,
+        };
+        Node {
+            initial_velocity: building.moves[0] / factor,
+            initial_displacement: building.moves[1] * levels.level(index) as f64,
+            ..levels.floor(index, storey)
+        }
+    };
+    let mut pairs = Vec::new();
+    for (left, (gap, laws)) in case.contacts.iter().enumerate() {
+        for (level, (one, other)) in levels.facing(left).enumerate() {
+            pairs.push(Pair {
+                left: one,
+                right: other,
+                gap: gap * (2.0 - factor),
+                law: stiffer(laws[level % laws.len()], factor),
+            });
+        }
+    }
+    pairs.sort_by_key(|pair| pair.left);
+    let nodes = (0..levels.n_nodes()).map(node).collect();
+    Row::new(nodes, pairs).expect("the row is valid")
+}
+
+/// Holds so many scenes like this one to themselves alone, with every kind of columns.
+fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
+    let elastic = |stiffness, _| Elastic { stiffness };
+    let rows: Vec<_> = (0..count).map(|scene| row(case, scene, elastic)).collect();
+    compare(SETTINGS, (&all(&rows), RowsOf::Elastic), &case.ground)?;
+    let plastic = |stiffness, yield_force| ElastoPlastic {
+        stiffness,
+        yield_force,
+    };
+    let rows: Vec<_> = (0..count).map(|scene| row(case, scene, plastic)).collect();
+    compare(SETTINGS, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
+    let bilinear = |stiffness, yield_force| Bilinear {
+        stiffness,
+        yield_force,
+        hardening: 0.1,
+    };
+    let rows: Vec<_> = (0..count).map(|scene| row(case, scene, bilinear)).collect();
+    compare(SETTINGS, (&all(&rows), RowsOf::Bilinear), &case.ground)
+}
+
+proptest! {
+    #![proptest_config(config(200))]
+
+    #[test]
+    fn limit_a_lane_gives_the_bits_of_its_scene_alone(
+        case in cases(any_law),
+        count in prop::sample::select(SCENES.to_vec()),
+    ) {
+        compare_columns(&case, count)?;
+    }
+
+    #[test]
+    fn limit_impacts_of_storeys_give_the_bits_of_a_scene_alone(case in cases(stereomechanical)) {
+        compare_columns(&case, SCENES[0])?;
+    }
+}
+
+fn elastic(mass: f64) -> Node<Elastic> {
+    Node::structure(mass, 1e4, Elastic { stiffness: 1e7 })
+}
+
+fn on(node: Node<Elastic>, below: usize) -> Node<Elastic> {
+    node.on_floor(Floor {
+        below,
+        ground_damping: 1e3,
+    })
+}
+
+fn impact(left: usize) -> Pair {
+    let law = Stereomechanical { restitution: 0.5 };
+    Pair {
+        left,
+        right: left + 1,
+        gap: 0.01,
+        law: ContactLaw::Stereomechanical(law),
+    }
+}
+
+#[test]
+fn limit_rows_of_other_storeys_are_not_taken() {
+    let excitation = Excitation::new(1.0, &[0.0]).expect("valid");
+    let mut found = SceneSums::default();
+    let together = SideBySide::new(SETTINGS, excitation, CLOCK).expect("valid");
+    let row = |nodes, pairs| Row::new(nodes, pairs).expect("valid");
+    let tower = row(vec![elastic(1e5), on(elastic(1e5), 0)], vec![]);
+    let houses = row(vec![elastic(1e5), elastic(1e5)], vec![]);
+    let mut takes = |rows: &[&Row<Elastic>]| {
+        let n_steps = vec![9; rows.len()];
+        together.run(RowsOf::Elastic(rows), &n_steps, &mut found)
+    };
+    assert!(takes(&[&tower]), "a tower");
+    assert!(takes(&[&houses]), "two houses");
+    assert!(!takes(&[&tower, &houses]), "a tower beside two houses");
+    // A hall whose base stands at the second level of the tower on its right.
+    let nodes = || vec![elastic(1e5), elastic(1e5), on(elastic(1e5), 0)];
+    assert!(takes(&[&row(nodes(), vec![])]), "they cannot touch");
+    assert!(
+        !takes(&[&row(nodes(), vec![impact(1)])]),
+        "the tower goes first"
+    );
+    let settings = Verlet {
+        impacts: VerletImpacts::Located,
+    };
+    let verlet = SideBySide::new(settings, excitation, CLOCK).expect("valid");
+    let ran = verlet.run(RowsOf::Elastic(&[&tower]), &[9], &mut found);
+    assert!(!ran, "a tower by velocity Verlet");
+}
