@@ -4,7 +4,6 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use pounding_files::{Existing, Length};
-use pounding_scene::FloorQuantity;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -89,12 +88,7 @@ struct Versioned {
 impl Manifest {
     pub(super) fn of(sweep: &Sweep) -> Self {
         let runs = sweep.n_runs();
-        // Ductility and drifts are asked of columns that yield, which by the exact method run alone, and take long.
-        let structures = &sweep.outputs.structures;
-        let plain = structures
-            .iter()
-            .all(|one| *one == FloorQuantity::PeakDisplacementM);
-        let cut = if plain && sweep.asks_for_tallies() {
+        let cut = if sweep.asks_for_tallies() {
             BESIDE
         } else {
             ALONE

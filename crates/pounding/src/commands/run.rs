@@ -161,15 +161,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     } else {
         prepared
     };
-    let failed = |error| {
-        let message = refused(error);
-        // JSON has parts of one refusal; `check --json` has what is unusual.
-        if args.shown.json {
-            message
-        } else {
-            with_doubts(message, &prepared)
-        }
-    };
+    let failed = |error| with_doubts(args, refused(error), &prepared);
     let measure = !args.model.no_error;
     let _waiting = Waiting::new("running");
     let effects = args.effects.then(|| Effects::of(&prepared));
@@ -214,12 +206,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 
 /// Why a run failed, with what looks wrong in its scene: that may be the reason.
-fn with_doubts(message: String, prepared: &Simulation) -> String {
+fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> String {
     let mut doubts = prepared.doubts();
     // A short run is no reason to fail.
     doubts.retain(|doubt| doubt.place != "duration_s");
     let doubts = Implausible::lines(&doubts);
-    if doubts.is_empty() {
+    // JSON has the parts of one refusal; `check --json` has what is unusual.
+    if doubts.is_empty() || args.shown.json {
         message
     } else {
         format!("{message}; unusual in this scene: {}", doubts.join("; "))
