@@ -8,13 +8,14 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::error::MANIFEST;
+use super::summary::Form;
 use super::{Sweep, SweepError};
 
 /// Name of the file when the table is on disk, and what is left of the parts is to be deleted.
 pub(super) const JOINED: &str = "joined.json";
 
 /// Version of the form of parts and manifests. Raise it with every change of either.
-const SCHEMA_VERSION: u32 = 1;
+const SCHEMA_VERSION: u32 = 2;
 
 /// Its longest: the columns of some thousand floors.
 const LONGEST: Length = Length::new(64 << 20, "it is none that a sweep wrote");
@@ -42,8 +43,26 @@ const BESIDE: Cut = Cut {
     most: 16_384,
 };
 
+/// Most runs of a part that is summed up: it is as small, however many they are, and lost with a kill.
+const SUMMED: u64 = 1 << 22;
+
+impl Cut {
+    fn of(sweep: &Sweep) -> Self {
+        if sweep.asks_for_tallies() {
+            BESIDE
+        } else {
+            ALONE
+        }
+    }
+
+    /// Runs of a part, of as many parts as wanted; a power of two, so that parts are whole batches.
+    fn of_runs(&self, runs: u64) -> u64 {
+        (runs / self.parts).next_power_of_two()
+    }
+}
+
 /// Of what a folder holds parts.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Manifest {
     schema_version: u32,
@@ -55,6 +74,9 @@ pub(super) struct Manifest {
     pub(super) runs_per_part: u64,
     /// The row that names the columns.
     pub(super) header: String,
+    /// Of what the summary is made, where one is asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub(super) summary: Option<Form>,
     /// SHA-256 of all that stands above.
     sha256: String,
 }
@@ -67,22 +89,33 @@ struct Versioned {
 
 impl Manifest {
     pub(super) fn of(sweep: &Sweep) -> Self {
-        let runs = sweep.n_runs();
-        let cut = if sweep.asks_for_tallies() {
-            BESIDE
-        } else {
-            ALONE
+        let (runs, cut) = (sweep.n_runs(), Cut::of(sweep));
+        let most = match sweep.without_rows() {
+            Some(_) => SUMMED,
+            None => cut.most,
         };
-        let part = (runs / cut.parts).next_power_of_two();
         Self {
             schema_version: SCHEMA_VERSION,
             sweep: sweep.sha256().into(),
             runs,
-            runs_per_part: part.clamp(cut.least, cut.most),
+            runs_per_part: cut.of_runs(runs).clamp(cut.least, most),
             header: String::from_utf8_lossy(&sweep.header()).into_owned(),
+            summary: sweep.summary.clone(),
             sha256: String::new(),
         }
         .signed()
+    }
+
+    /// How many runs of a sweep are made at a time: which go side by side is in the bits of the exact method, so that they are the same
+    /// with rows and without.
+    pub(super) fn runs_per_batch(sweep: &Sweep) -> u64 {
+        let cut = Cut::of(sweep);
+        cut.of_runs(sweep.n_runs()).clamp(cut.least, cut.most)
+    }
+
+    /// What parts hold in place of rows.
+    pub(super) fn without_rows(&self) -> Option<&Form> {
+        self.summary.as_ref().filter(|form| !form.rows)
     }
 
     fn signed(self) -> Self {
@@ -101,6 +134,7 @@ impl Manifest {
             runs,
             runs_per_part,
             header: "run,failed\n".into(),
+            summary: None,
             sha256: String::new(),
         }
         .signed()
@@ -114,9 +148,11 @@ impl Manifest {
             runs,
             runs_per_part,
             header,
+            summary,
             sha256: _,
         } = self;
-        let text = format!("{schema_version}\n{sweep}\n{runs}\n{runs_per_part}\n{header}");
+        let summary = serde_json::to_string(summary).unwrap_or_default();
+        let text = format!("{schema_version}\n{sweep}\n{runs}\n{runs_per_part}\n{header}{summary}");
         pounding_scene::hexadecimal(&Sha256::digest(text))
     }
 
