@@ -76,77 +76,76 @@ fn extreme_a_summary_of_runs_that_fail() {
 #[test]
 fn limit_a_summary_is_that_of_the_rows() {
     let folder = with_sweep("summary_rows", &summed(1000, true));
-    printed(&pounding(
-        &folder,
-        &["sweep", "sweep.json", "--out", "runs.csv"],
-    ));
-    fs::write(folder.join("alone.json"), summed(1000, false).to_string()).expect("a file");
-    printed(&pounding(
-        &folder,
-        &["sweep", "alone.json", "--out", "alone.csv"],
-    ));
+    let arguments = ["sweep", "sweep.json", "--out", "runs.csv"];
+    printed(&pounding(&folder, &arguments));
+    let alone = summed(1000, false).to_string();
+    fs::write(folder.join("alone.json"), alone).expect("a file");
+    let arguments = ["sweep", "alone.json", "--out", "alone.csv"];
+    printed(&pounding(&folder, &arguments));
     let summary = bytes(&folder, "alone.csv");
     assert!(
         summary == bytes(&folder, "runs.summary.csv"),
         "rows change a summary"
     );
 
-    // Magnitudes of the left structure at the first gap, row by row.
-    let mut rows = csv::Reader::from_path(folder.join("runs.csv")).expect("a table");
-    let rows = rows.records().map(|row| row.expect("a row"));
-    let mut peaks: Vec<f64> = rows
-        .filter(|row| &row[3] == "0.005")
-        .map(|row| row[5].parse::<f64>().expect("a peak").abs())
-        .collect();
-    peaks.sort_by(f64::total_cmp);
+    let (peaks, told) = (peaks(&folder.join("runs.csv")), told(&summary));
     assert_eq!(peaks.len(), 1000);
-    let mut table = csv::Reader::from_reader(&summary[..]);
-    let mut told: BTreeMap<String, [Option<f64>; 3]> = BTreeMap::new();
-    for line in table.records().map(|line| line.expect("a line")) {
-        if &line[0] == "0.005"
-            && &line[1] == "abs(left: peak_displacement_m)"
-            && &line[2] != "histogram"
-        {
-            let key = format!("{} {}", &line[2], &line[3]);
-            told.insert(
-                key.trim().into(),
-                [4, 5, 6].map(|place| line[place].parse().ok()),
-            );
-        }
-    }
-    let value = |key: &str| told[key][0].unwrap_or_else(|| panic!("{key} in {told:?}"));
     let mean = peaks.iter().sum::<f64>() / 1000.0;
-    let scatter = peaks
-        .iter()
-        .map(|peak| (peak - mean) * (peak - mean))
-        .sum::<f64>();
+    let scatter = peaks.iter().map(|peak| (peak - mean) * (peak - mean));
+    let above = peaks.iter().filter(|peak| **peak > 0.05).count();
     for (key, wanted, allowed) in [
         ("numbers", 1000.0, 0.0),
         ("without_number", 0.0, 0.0),
         ("least", peaks[0], 0.0),
         ("largest", peaks[999], 0.0),
         ("mean", mean, 1e-13),
-        ("standard_deviation", (scatter / 999.0).sqrt(), 1e-13),
         (
-            "exceedance 0.05",
-            peaks.iter().filter(|peak| **peak > 0.05).count() as f64 / 1000.0,
-            0.0,
+            "standard_deviation",
+            (scatter.sum::<f64>() / 999.0).sqrt(),
+            1e-13,
         ),
+        ("exceedance 0.05", above as f64 / 1000.0, 0.0),
         ("quantile 0.5", peaks[499], 0.5 / 64.0),
         ("quantile 0.99", peaks[989], 0.5 / 64.0),
     ] {
-        let found = value(key);
+        let [found, low, high] = told[key];
+        let found = found.unwrap_or_else(|| panic!("{key} in {told:?}"));
         assert!(
             (found - wanted).abs() <= allowed * wanted,
             "{key}: {found}, wanted {wanted}"
         );
-        if let [_, Some(low), Some(high)] = told[key] {
-            assert!(
-                (low..=high).contains(&wanted),
-                "{key}: {wanted} in {low} to {high}"
-            );
-        }
+        let within = low.is_none_or(|low| low <= wanted) && high.is_none_or(|high| wanted <= high);
+        assert!(within, "{key}: {wanted} in {low:?} to {high:?}");
     }
+}
+
+/// Magnitudes of the left structure at the first gap in the table of rows, in rising order.
+fn peaks(rows: &Path) -> Vec<f64> {
+    let mut rows = csv::Reader::from_path(rows).expect("a table");
+    let rows = rows.records().map(|row| row.expect("a row"));
+    let mut peaks: Vec<f64> = rows
+        .filter(|row| &row[3] == "0.005")
+        .map(|row| row[5].parse::<f64>().expect("a peak").abs())
+        .collect();
+    peaks.sort_by(f64::total_cmp);
+    peaks
+}
+
+/// What a summary says of them: value and bounds by the statistic and what it is at.
+fn told(summary: &[u8]) -> BTreeMap<String, [Option<f64>; 3]> {
+    let mut table = csv::Reader::from_reader(summary);
+    let lines = table.records().map(|line| line.expect("a line"));
+    let lines = lines.filter(|line| {
+        &line[0] == "0.005"
+            && &line[1] == "abs(left: peak_displacement_m)"
+            && &line[2] != "histogram"
+    });
+    let told = lines.map(|line| {
+        let key = format!("{} {}", &line[2], &line[3]);
+        let numbers = [4, 5, 6].map(|place: usize| line[place].parse().ok());
+        (key.trim().to_owned(), numbers)
+    });
+    told.collect()
 }
 
 /// One thread or two, whole or in shards, killed or not.

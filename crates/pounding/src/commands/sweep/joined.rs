@@ -10,6 +10,18 @@ use crate::text::{NONE, paragraph, short, table};
 /// Columns that are printed of a summary, and exceedances.
 const MOST: usize = 12;
 
+/// Columns of what is printed of every column of a summary, and of its exceedances.
+const NUMBERS: [[&str; 1]; 7] = [
+    [""],
+    ["numbers"],
+    ["mean"],
+    ["deviation"],
+    ["median"],
+    ["84 %"],
+    ["largest"],
+];
+const EXCEEDANCES: [[&str; 1]; 5] = [[""], ["above"], ["probability"], ["from"], ["to"]];
+
 /// What is printed of a table. Of one without any result it is a failure.
 pub(in crate::commands) fn answer(printed: String, joined: &Joined) -> Result<String, Failure> {
     if joined.failed < joined.runs || joined.runs == 0 {
@@ -49,42 +61,33 @@ pub(in crate::commands) fn result(joined: &Joined, out: &Path) -> String {
 
 /// A few numbers of every column.
 fn told(summary: &SummaryTable) -> String {
-    let mut said = String::new();
-    let reasons: Vec<String> = summary
-        .first_failed()
+    let mut said = Vec::new();
+    let reasons = summary.first_failed();
+    let reasons: Vec<String> = reasons
         .map(|(run, reason)| format!("run {run}: {reason}"))
         .collect();
     if !reasons.is_empty() {
-        said += &paragraph("Failed", &reasons.join("\n"));
+        said.push(paragraph("Failed", &reasons.join("\n")));
     }
     if summary.n_cells() > 1 {
         let text = format!(
             "{}, in the table one by one, here all together",
             summary.n_cells()
         );
-        said += &paragraph("Cells", &text);
+        said.push(paragraph("Cells", &text));
     }
     let columns = summary.whole();
     let rows: Vec<Vec<String>> = columns.iter().take(MOST).map(row).collect();
-    let header = [
-        "",
-        "numbers",
-        "mean",
-        "deviation",
-        "median",
-        "84 %",
-        "largest",
-    ];
-    said += &format!("\n{}", table(&header.map(|name| [name]), &rows));
+    said.extend(["\n".into(), table(&NUMBERS, &rows)]);
     let exceedances: Vec<Vec<String>> = columns.iter().flat_map(exceedances).take(MOST).collect();
     if !exceedances.is_empty() {
-        let header = ["", "above", "probability", "from", "to"];
-        said += &format!("\n{}", table(&header.map(|name| [name]), &exceedances));
+        said.extend(["\n".into(), table(&EXCEEDANCES, &exceedances)]);
     }
     if columns.len() > MOST {
-        said += &format!("\nand {} more columns in the table\n", columns.len() - MOST);
+        let more = columns.len() - MOST;
+        said.push(format!("\nand {more} more columns in the table\n"));
     }
-    said
+    said.concat()
 }
 
 fn row(column: &SummedColumn) -> Vec<String> {
