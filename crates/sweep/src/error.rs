@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::place::PlaceError;
-use super::summary::SummaryError;
+use super::summary_file::SummaryError;
 use pounding_files::LockError;
 use pounding_scene::{Error, Fault};
 

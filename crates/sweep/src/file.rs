@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::distribution::{LogNormal, Normal};
 use super::range::RangeError;
 use super::spread::{Between, Grid, Spread};
-use super::summary::Summary;
+use super::summary_file::Summary;
 use pounding_scene::{Error, FloorQuantity, PairQuantity, RunBudget};
 
 /// A sweep: one scene, run again and again with other values of its fields, under one record or many.

@@ -56,6 +56,7 @@ mod sampling;
 mod shard;
 mod spread;
 mod summary;
+mod summary_file;
 mod table;
 mod trial;
 
@@ -81,7 +82,8 @@ pub use place::PlaceError;
 use plan::Plan;
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
-pub use summary::{Exceedance, Summary, SummaryError, SummaryTable, SummedColumn};
+pub use summary::{Exceedance, SummaryTable, SummedColumn};
+pub use summary_file::{Summary, SummaryError};
 use trial::Row;
 
 use pounding_scene::{Error, Method, PairQuantity, Scene};

@@ -6,13 +6,10 @@ mod octaves;
 mod of_sweep;
 mod table;
 mod tally;
-mod words;
 
 #[cfg(test)]
 mod tests;
 
 pub(super) use form::Form;
-pub use form::SummaryError;
 pub use table::{Exceedance, SummaryTable, SummedColumn};
 pub(super) use tally::Tally;
-pub use words::Summary;

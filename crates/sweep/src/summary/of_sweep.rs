@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 
 use super::form::{Form, Listed, Summed};
 use super::tally::Tally;
-use super::words::Summary;
 use crate::rows::name;
+use crate::summary_file::Summary;
 use crate::{Sweep, SweepError};
 
 impl Sweep {

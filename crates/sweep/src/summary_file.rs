@@ -1,4 +1,4 @@
-//! What a user writes of a summary.
+//! What a user writes of a summary, and what of it does not fit a sweep.
 
 use std::collections::BTreeMap;
 
@@ -85,5 +85,53 @@ impl TryFrom<SummaryFile> for Summary {
             exceedance: words.exceedance,
             rows: words.rows,
         })
+    }
+}
+
+/// What of a summary does not fit its sweep.
+#[derive(Debug, thiserror::Error)]
+pub enum SummaryError {
+    /// A field that has no listed values.
+    #[error(
+        "summary.by: found `{found}`, allowed are what has listed values: {allowed}; give the field a `grid` or `values` in `vary`"
+    )]
+    By {
+        /// What is named.
+        found: String,
+        /// What may be.
+        allowed: String,
+    },
+    /// A field that is named twice.
+    #[error("summary.by: found `{0}` a second time, allowed is once; delete one")]
+    Twice(String),
+    /// More cells than are summed up.
+    #[error(
+        "summary.by: found {found} cells, allowed are up to {allowed}; leave one out of `by`, or take fewer values"
+    )]
+    Cells {
+        /// Their number.
+        found: u64,
+        /// Most of them.
+        allowed: u64,
+    },
+    /// A threshold of nothing that comes out.
+    #[error(
+        "summary.exceedance: found `{found}`, allowed are {allowed}, and names of columns; add the quantity to `outputs`, or name one of these"
+    )]
+    Column {
+        /// What is named.
+        found: String,
+        /// Quantities that may be.
+        allowed: String,
+    },
+}
+
+impl SummaryError {
+    /// The entry of the file to blame.
+    pub(super) fn place(&self) -> &'static str {
+        match self {
+            Self::By { .. } | Self::Twice(_) | Self::Cells { .. } => "summary.by",
+            Self::Column { .. } => "summary.exceedance",
+        }
     }
 }
