@@ -41,6 +41,7 @@ mod judge;
 mod quantity;
 mod simulation;
 mod spectrum;
+mod statistics;
 mod suite;
 
 pub use accuracy::errors::{
@@ -102,6 +103,7 @@ pub use spectrum::{
     SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
     response_spectrum_watched, scaled_to_sa,
 };
+pub use statistics::wilson;
 pub use suite::events::events;
 pub use suite::lines;
 pub use suite::{Motion, Orientation, files_in};

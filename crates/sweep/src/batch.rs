@@ -29,7 +29,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    fn of(runs: Range<u64>, n_columns: usize) -> Self {
+    pub(super) fn of(runs: Range<u64>, n_columns: usize) -> Self {
         let n = usize::try_from(runs.end - runs.start).expect("a batch fits into memory");
         Self {
             runs,

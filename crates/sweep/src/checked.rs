@@ -42,6 +42,13 @@ impl Checked {
             Self::Both => "both",
         }
     }
+
+    /// The one of this name.
+    pub(super) fn of(name: &str) -> Option<Self> {
+        [Self::No, Self::Ledger, Self::Beside, Self::Both]
+            .into_iter()
+            .find(|one| one.name() == name)
+    }
 }
 
 /// The numbers of a scene, one for each column.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::place::PlaceError;
+use super::summary_file::SummaryError;
 use pounding_files::LockError;
 use pounding_scene::{Error, Fault};
 
@@ -129,6 +130,12 @@ pub enum SweepError {
     /// No record that shakes.
     #[error("records: found no record in {0}, allowed is a folder with one or more, or a file")]
     NoRecord(String),
+    /// A summary of what the sweep does not have.
+    #[error(transparent)]
+    Summary(#[from] SummaryError),
+    /// A file beside the table that is there already.
+    #[error("{}: is there already, allowed is a new file; name another table or add --overwrite", .0.display())]
+    ThereAlready(PathBuf),
     /// A part of a whole that there is not.
     #[error("found the shard {index} of {count}, allowed are 1 to {count}, such as 1/{count}")]
     NoShard {
@@ -295,9 +302,11 @@ impl SweepError {
             Self::TooManyAxes { .. } => "samples.method",
             Self::TooManyRuns(_) | Self::Accuracy => "vary",
             Self::NoSuchRecord(_) | Self::NoRecord(_) => "records",
+            Self::Summary(error) => error.place(),
             Self::Scene(_)
             | Self::InFile { .. }
             | Self::NoShard { .. }
+            | Self::ThereAlready(_)
             | Self::File { .. }
             | Self::OtherSweep(_)
             | Self::NoParts(_)

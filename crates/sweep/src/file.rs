@@ -9,6 +9,7 @@ use serde_json::Value;
 use super::distribution::{LogNormal, Normal};
 use super::range::RangeError;
 use super::spread::{Between, Grid, Spread};
+use super::summary_file::Summary;
 use pounding_scene::{Error, FloorQuantity, PairQuantity, RunBudget};
 
 /// A sweep: one scene, run again and again with other values of its fields, under one record or many.
@@ -40,6 +41,9 @@ pub struct SweepFile {
     /// What every run may cost before it is given up, which then is a row with the reason; without it as the scene says.
     #[serde(default)]
     pub budget: Option<RunBudget>,
+    /// What is told of all runs together: counts, means, quantiles, exceedances; rows are then written where it asks for them.
+    #[serde(default)]
+    pub summary: Option<Summary>,
 }
 
 /// Deserialisers are large: they are compiled here once, and not with every program that reads a sweep.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use pounding_files::{Existing, Lock, NewFile, Users};
 use rayon::prelude::*;
@@ -13,19 +14,39 @@ use super::SweepError;
 use super::error::MANIFEST;
 use super::manifest::{Manifest, path_of};
 use super::part::{self, Part, length_of_line};
+use super::summary::{SummaryTable, Tally};
 
 /// A table that was joined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Joined {
-    /// Its rows, the one with the names of the columns left out.
+    /// Its runs, a row each, or summed up.
     pub runs: u64,
-    /// Rows of runs that failed.
+    /// Those of them that failed.
     pub failed: u64,
+    /// The summary, where one is asked for.
+    pub summary: Option<SummaryTable>,
+    /// Whether the table has a row for each run.
+    pub has_rows: bool,
 }
 
 /// Whether a table of this name is compressed (Zstandard): one that ends in `.zst`.
 pub fn compresses(out: &Path) -> bool {
     out.extension().is_some_and(|ending| ending == "zst")
+}
+
+/// A file beside a table: its name with this ending in place of its own.
+pub fn beside_table(out: &Path, ending: &str) -> PathBuf {
+    let table = if compresses(out) {
+        out.with_extension("")
+    } else {
+        out.to_path_buf()
+    };
+    table.with_extension(ending)
+}
+
+/// Where the summary of a table goes that has rows.
+pub fn summary_beside(out: &Path) -> PathBuf {
+    beside_table(out, "summary.csv")
 }
 
 /// Joins the parts of one sweep, wherever they lie, to a table: the same bytes whoever made which part. The table is on disk when
@@ -81,8 +102,25 @@ impl Sources {
 /// Makes the table, and puts it on disk. Call it under a lock.
 pub(super) fn put(out: &Path, sources: &Sources, existing: Existing) -> Result<Joined, SweepError> {
     let (file, joined) = made(out, sources)?;
+    if let Some(summary) = joined.summary.as_ref().filter(|_| joined.has_rows) {
+        put_beside(&summary_beside(out), &summary.csv(), existing)?;
+    }
     file.put(existing).map_err(SweepError::file(out))?;
     Ok(joined)
+}
+
+/// Puts a file beside a table that goes to its place next; one of the same text may be of a process that was ended in between.
+fn put_beside(path: &Path, text: &str, existing: Existing) -> Result<(), SweepError> {
+    if fs::read(path).is_ok_and(|found| found == text.as_bytes()) {
+        return Ok(());
+    }
+    pounding_files::write(path, text.as_bytes(), existing).map_err(|error| {
+        if error.kind() == io::ErrorKind::AlreadyExists {
+            SweepError::ThereAlready(path.to_path_buf())
+        } else {
+            SweepError::file(path)(error)
+        }
+    })
 }
 
 /// Whether a table has the bytes that these parts make.
@@ -112,12 +150,58 @@ fn made(out: &Path, sources: &Sources) -> Result<(NewFile, Joined), SweepError> 
         fs::remove_file(&left).map_err(SweepError::file(&left))?;
     }
     let file = NewFile::beside(out).map_err(SweepError::file(out))?;
-    let joined = if compresses(out) {
-        compress(sources, file.path())
-    } else {
-        place(sources, file.path())
+    let summary = summed_up(sources)?;
+    let (has_rows, manifest) = (sources.manifest.without_rows().is_none(), &sources.manifest);
+    let failed = match &summary {
+        Some(summary) if !has_rows => {
+            let text = summary.csv();
+            if compresses(out) {
+                encode(text.as_bytes(), file.path())
+            } else {
+                fs::write(file.path(), text)
+            }
+            .map_err(SweepError::file(file.path()))?;
+            summary.n_failed()
+        }
+        Some(_) | None if compresses(out) => compress(sources, file.path())?,
+        Some(_) | None => place(sources, file.path())?,
     };
-    Ok((file, joined?))
+    let joined = Joined {
+        runs: manifest.runs,
+        failed,
+        summary,
+        has_rows,
+    };
+    Ok((file, joined))
+}
+
+/// The parts summed up, with all threads; nothing where no summary is asked for.
+fn summed_up(sources: &Sources) -> Result<Option<SummaryTable>, SweepError> {
+    let Sources { manifest, parts } = sources;
+    let Some(form) = &manifest.summary else {
+        return Ok(None);
+    };
+    let whole = Mutex::new(Tally::default());
+    let add = |(index, path): (usize, &PathBuf)| {
+        let part = part::read(manifest, index as u64, path)?;
+        let tally = if form.rows {
+            let (runs, mut tally) = (manifest.runs_of(index as u64), Tally::default());
+            tally.add_rows(form, runs, part.rows()).then_some(tally)
+        } else {
+            Tally::of_line(form, part.rows())
+        };
+        let tally = tally.ok_or_else(|| SweepError::Damaged {
+            path: path.clone(),
+            found: "something else than this program writes",
+        })?;
+        whole.lock().expect("no thread panics").merge(&tally);
+        Ok(())
+    };
+    let added: Vec<Result<(), SweepError>> = parts.par_iter().enumerate().map(add).collect();
+    // In order: of several damaged parts the first is named.
+    added.into_iter().collect::<Result<(), SweepError>>()?;
+    let whole = whole.into_inner().expect("no thread panics");
+    Ok(Some(SummaryTable::new(form.clone(), whole)))
 }
 
 /// First and last run of every gap.
@@ -133,8 +217,8 @@ fn missing(manifest: &Manifest, there: &BTreeMap<u64, PathBuf>) -> Vec<(u64, u64
     gaps
 }
 
-/// Puts every part where it belongs in the table, with all threads.
-fn place(sources: &Sources, path: &Path) -> Result<Joined, SweepError> {
+/// Puts every part where it belongs in the table, with all threads; how many runs failed.
+fn place(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     let Sources { manifest, parts } = sources;
     let header = manifest.header.as_bytes();
     fs::write(path, header).map_err(SweepError::file(path))?;
@@ -167,17 +251,11 @@ fn place(sources: &Sources, path: &Path) -> Result<Joined, SweepError> {
     let written = places.into_par_iter().with_max_len(1).map(write);
     // In order: of several damaged parts the first is named.
     let written: Vec<Result<u64, SweepError>> = written.collect();
-    let failed = written.into_iter().sum::<Result<u64, SweepError>>()?;
-    Ok(Joined {
-        runs: manifest.runs,
-        failed,
-    })
+    written.into_iter().sum()
 }
 
-/// Compresses the table, one part after the other.
-fn compress(sources: &Sources, path: &Path) -> Result<Joined, SweepError> {
-    let file = OpenOptions::new().write(true).open(path);
-    let file = file.map_err(SweepError::file(path))?;
+/// Compresses the table, one part after the other; how many runs failed.
+fn compress(sources: &Sources, path: &Path) -> Result<u64, SweepError> {
     let manifest = &sources.manifest;
     let mut table = Table {
         header: manifest.header.as_bytes(),
@@ -188,23 +266,25 @@ fn compress(sources: &Sources, path: &Path) -> Result<Joined, SweepError> {
         failed: 0,
         refused: None,
     };
-    let mut drain = Drain {
-        file: BufWriter::new(file),
-        refused: None,
-    };
-    let mut encoder = FrameCompressor::new(CompressionLevel::Fastest);
-    encoder.set_source(&mut table);
-    encoder.set_drain(&mut drain);
-    encoder.compress();
+    let encoded = encode(&mut table, path);
     if let Some(error) = table.refused {
         return Err(error);
     }
-    let failed = table.failed;
-    drain.end().map_err(SweepError::file(path))?;
-    Ok(Joined {
-        runs: manifest.runs,
-        failed,
-    })
+    encoded.map_err(SweepError::file(path))?;
+    Ok(table.failed)
+}
+
+/// Compresses bytes into a file that is there.
+fn encode(bytes: impl Read, path: &Path) -> io::Result<()> {
+    let mut drain = Drain {
+        file: BufWriter::new(OpenOptions::new().write(true).open(path)?),
+        refused: None,
+    };
+    let mut encoder = FrameCompressor::new(CompressionLevel::Fastest);
+    encoder.set_source(bytes);
+    encoder.set_drain(&mut drain);
+    encoder.compress();
+    drain.end()
 }
 
 /// The bytes of a table, part after part. The encoder panics on errors: they are kept, and the table ends.

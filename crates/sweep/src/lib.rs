@@ -27,7 +27,7 @@
 //!
 //! Where to start:
 //!
-//! - [`SweepFile`], with [`Vary`], [`Spread`], [`Samples`] and [`Outputs`]: the words of a file.
+//! - [`SweepFile`], with [`Vary`], [`Spread`], [`Samples`] and [`Outputs`] and [`Summary`]: the words of a file.
 //! - [`Sweep::batch`] for runs in memory; [`Parts::open`], [`Parts::fill`] and [`merge`] for a table on disk.
 //! - `beside.rs` in the source: which runs go side by side in SIMD lanes.
 
@@ -35,6 +35,7 @@ mod accuracy;
 mod batch;
 mod beside;
 mod checked;
+mod column;
 mod distribution;
 mod error;
 mod file;
@@ -54,6 +55,8 @@ mod rows;
 mod sampling;
 mod shard;
 mod spread;
+mod summary;
+mod summary_file;
 mod table;
 mod trial;
 
@@ -65,12 +68,13 @@ use sha2::{Digest, Sha256};
 pub use accuracy::{ColumnErrors, SweepAccuracy};
 pub use batch::Batch;
 pub use checked::Checked;
+pub use column::SweepColumn;
 pub use distribution::{LogNormal, Normal};
 pub use error::{RefusedScene, SweepError};
 pub use file::{
     Directions, Outputs, Records, SampleMethod, Samples, SceneOf, SweepFile, Vary, sweep_schema,
 };
-pub use join::{Joined, compresses, merge};
+pub use join::{Joined, beside_table, compresses, merge, summary_beside};
 use motions::Motions;
 pub use parts::Parts;
 use place::Place;
@@ -78,7 +82,8 @@ pub use place::PlaceError;
 use plan::Plan;
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
-pub use table::SweepColumn;
+pub use summary::{Exceedance, SummaryTable, SummedColumn};
+pub use summary_file::{Summary, SummaryError};
 use trial::Row;
 
 use pounding_scene::{Error, Method, PairQuantity, Scene};
@@ -98,6 +103,8 @@ pub struct Sweep {
     closings: bool,
     /// What chose the method, where the scene asks for an accuracy.
     accuracy: Option<SweepAccuracy>,
+    /// Of what the summary is made, where one is asked for.
+    summary: Option<summary::Form>,
     /// SHA-256 of everything that the rows depend on.
     sha256: String,
     /// Files that were read.
@@ -169,6 +176,7 @@ impl Sweep {
             plan,
             motions,
             accuracy: None,
+            summary: None,
             sha256,
             inputs,
         };
@@ -179,6 +187,10 @@ impl Sweep {
             Some(row) => row,
             None => Row::of(&scene)?,
         };
+        if let Some(words) = &file.summary {
+            let directions = file.directions.map_or(1, |all| all.reversed().len());
+            sweep.summary = Some(sweep.form(words, directions)?);
+        }
         if let Some(asked) = asked {
             sweep.choose(asked);
         }
@@ -188,6 +200,16 @@ impl Sweep {
     /// Number of runs.
     pub fn n_runs(&self) -> u64 {
         self.plan.n_runs()
+    }
+
+    /// Of what the summary is made that stands in place of rows.
+    fn without_rows(&self) -> Option<&summary::Form> {
+        self.summary.as_ref().filter(|form| !form.rows)
+    }
+
+    /// Whether a summary goes beside the table, which has rows.
+    pub fn has_summary_beside(&self) -> bool {
+        self.summary.is_some() && self.without_rows().is_none()
     }
 
     /// Records that are left out, each with the reason.

@@ -8,13 +8,14 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::error::MANIFEST;
+use super::summary::Form;
 use super::{Sweep, SweepError};
 
 /// Name of the file when the table is on disk, and what is left of the parts is to be deleted.
 pub(super) const JOINED: &str = "joined.json";
 
 /// Version of the form of parts and manifests. Raise it with every change of either.
-const SCHEMA_VERSION: u32 = 1;
+const SCHEMA_VERSION: u32 = 2;
 
 /// Its longest: the columns of some thousand floors.
 const LONGEST: Length = Length::new(64 << 20, "it is none that a sweep wrote");
@@ -33,19 +34,20 @@ struct Cut {
 /// ten. Who stops a sweep loses no more.
 pub(super) const PRICES: [f64; 2] = [5e5, 5e7];
 
-impl Cut {
-    /// Runs of a part, of so many that cost this much each.
-    fn runs_per_part(&self, runs: u64, price: f64) -> u64 {
-        // Powers of two fill lanes.
-        let affordable = |most: f64, limit: u64| {
-            let halves = std::iter::successors(Some(limit), |count| Some(count / 2));
-            let mut halves = halves.take_while(|count| *count > 1);
-            let found = halves.find(|count| *count as f64 * price <= most);
-            found.unwrap_or(1)
-        };
-        let least = affordable(PRICES[0], self.least);
-        let most = affordable(PRICES[1], self.most);
-        (runs / self.parts).next_power_of_two().clamp(least, most)
+/// The runs of a file or a batch: so many at most, which cost so much at most.
+#[derive(Clone, Copy)]
+struct Most {
+    runs: u64,
+    price: f64,
+}
+
+impl Most {
+    /// How many that is, of runs that cost this much each: a power of two, which fills lanes and divides all larger ones.
+    fn of(self, price: f64) -> u64 {
+        let halves = std::iter::successors(Some(self.runs), |count| Some(count / 2));
+        let mut halves = halves.take_while(|count| *count > 1);
+        let found = halves.find(|count| *count as f64 * price <= self.price);
+        found.unwrap_or(1)
     }
 }
 
@@ -62,8 +64,42 @@ const BESIDE: Cut = Cut {
     most: 16_384,
 };
 
+/// Of a part that is summed up: it is as small, however many they are, and lost with a kill.
+const SUMMED: Most = Most {
+    runs: 1 << 22,
+    price: 8.0 * PRICES[1],
+};
+
+impl Cut {
+    fn of(sweep: &Sweep) -> Self {
+        if sweep.asks_for_tallies() {
+            BESIDE
+        } else {
+            ALONE
+        }
+    }
+
+    /// Of a part with rows.
+    fn with_rows(&self) -> Most {
+        Most {
+            runs: self.most,
+            price: PRICES[1],
+        }
+    }
+
+    /// Runs of a part, of so many that cost this much each.
+    fn of_runs(&self, runs: u64, price: f64, most: Most) -> u64 {
+        let least = Most {
+            runs: self.least,
+            price: PRICES[0],
+        };
+        let wanted = (runs / self.parts).next_power_of_two();
+        wanted.clamp(least.of(price), most.of(price))
+    }
+}
+
 /// Of what a folder holds parts.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Manifest {
     schema_version: u32,
@@ -75,6 +111,9 @@ pub(super) struct Manifest {
     pub(super) runs_per_part: u64,
     /// The row that names the columns.
     pub(super) header: String,
+    /// Of what the summary is made, where one is asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub(super) summary: Option<Form>,
     /// SHA-256 of all that stands above.
     sha256: String,
 }
@@ -87,21 +126,33 @@ struct Versioned {
 
 impl Manifest {
     pub(super) fn of(sweep: &Sweep) -> Self {
-        let runs = sweep.n_runs();
-        let cut = if sweep.asks_for_tallies() {
-            BESIDE
-        } else {
-            ALONE
+        let (runs, cut) = (sweep.n_runs(), Cut::of(sweep));
+        let most = match sweep.without_rows() {
+            Some(_) => SUMMED,
+            None => cut.with_rows(),
         };
         Self {
             schema_version: SCHEMA_VERSION,
             sweep: sweep.sha256().into(),
             runs,
-            runs_per_part: cut.runs_per_part(runs, sweep.expected_price()),
+            runs_per_part: cut.of_runs(runs, sweep.expected_price(), most),
             header: String::from_utf8_lossy(&sweep.header()).into_owned(),
+            summary: sweep.summary.clone(),
             sha256: String::new(),
         }
         .signed()
+    }
+
+    /// How many runs of a sweep are made at a time: which go side by side is in the bits of the exact method, so that they are the same
+    /// with rows and without.
+    pub(super) fn runs_per_batch(sweep: &Sweep) -> u64 {
+        let cut = Cut::of(sweep);
+        cut.of_runs(sweep.n_runs(), sweep.expected_price(), cut.with_rows())
+    }
+
+    /// What parts hold in place of rows.
+    pub(super) fn without_rows(&self) -> Option<&Form> {
+        self.summary.as_ref().filter(|form| !form.rows)
     }
 
     fn signed(self) -> Self {
@@ -120,6 +171,7 @@ impl Manifest {
             runs,
             runs_per_part,
             header: "run,failed\n".into(),
+            summary: None,
             sha256: String::new(),
         }
         .signed()
@@ -133,9 +185,11 @@ impl Manifest {
             runs,
             runs_per_part,
             header,
+            summary,
             sha256: _,
         } = self;
-        let text = format!("{schema_version}\n{sweep}\n{runs}\n{runs_per_part}\n{header}");
+        let summary = serde_json::to_string(summary).unwrap_or_default();
+        let text = format!("{schema_version}\n{sweep}\n{runs}\n{runs_per_part}\n{header}{summary}");
         pounding_scene::hexadecimal(&Sha256::digest(text))
     }
 
@@ -211,17 +265,23 @@ pub(super) fn is_own(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{BESIDE, is_own};
+    use super::{BESIDE, SUMMED, is_own};
 
     /// 256 runs of towers were one part: a sweep that was stopped after minutes had nothing, and small ones only one shard.
     #[test]
     fn issue_a_part_costs_seconds() {
-        let part = |runs, price| BESIDE.runs_per_part(runs, price);
+        let part = |runs, price| BESIDE.of_runs(runs, price, BESIDE.with_rows());
         assert_eq!(part(200_000, 2e3), 2048, "two structures of one storey");
         assert_eq!(part(20, 2e3), 128, "a file takes longer than fewer of them");
         assert_eq!(part(80, 1e6), 1);
         assert_eq!(part(1_000_000, 1e6), 32);
         assert_eq!(part(1_000_000, 1e12), 1);
+        for price in [0.0, 2e3, 1e6, 1e12] {
+            for runs in [1, 80, 1_000_000, 100_000_000] {
+                let (summed, batch) = (BESIDE.of_runs(runs, price, SUMMED), part(runs, price));
+                assert_eq!(summed % batch, 0, "{runs} of {price}: whole batches");
+            }
+        }
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! A part as a file: a line that says of which sweep, which part and which runs, with a checksum, then the rows.
+//! A part as a file: a line that says of which sweep, which part and which runs, with a checksum, then the rows, or a line with the
+//! tally of the runs.
 
 use std::path::Path;
 
@@ -55,7 +56,7 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// The rows.
+    /// The rows, or the tally.
     pub(super) fn rows(&self) -> &[u8] {
         &self.bytes[self.line..]
     }

@@ -236,7 +236,7 @@ impl Parts {
         parts.map(|part| self.manifest.n_runs_of(part)).sum()
     }
 
-    /// Runs what is missing of the shard, with all threads; `done` is told of every part how many runs it has. When somebody says
+    /// Runs what is missing of the shard, with all threads; `done` is told how many runs were made. When somebody says
     /// stop, runs that have begun end, and parts that are not whole are left out. Returns how many runs of the shard are there then.
     ///
     /// A part that took half a second is on disk at once, the others are when this returns: a power failure before may empty parts of the
@@ -258,13 +258,12 @@ impl Parts {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
-            let Some(batch) = sweep.batch_until(self.manifest.runs_of(*part), stop) else {
+            let Some(body) = self.body(sweep, *part, (stop, done)) else {
                 return Ok(None);
             };
-            let bytes = sealed(&self.manifest, *part, &sweep.rows(&batch));
+            let bytes = sealed(&self.manifest, *part, &body);
             let is_synced = begin.elapsed() > LONG;
             self.write(*part, &bytes, is_synced)?;
-            done(self.manifest.n_runs_of(*part));
             Ok(Some((*part, is_synced)))
         });
         let made = made.collect::<Result<Vec<_>, SweepError>>()?;
@@ -274,6 +273,24 @@ impl Parts {
             self.sync(&made)?;
         }
         Ok(there)
+    }
+
+    /// The rows of a part, or its runs summed up; nothing where somebody says stop.
+    fn body(
+        &self,
+        sweep: &Sweep,
+        part: u64,
+        (stop, done): (&'static AtomicBool, &(dyn Fn(u64) + Sync)),
+    ) -> Option<Vec<u8>> {
+        let runs = self.manifest.runs_of(part);
+        if let Some(form) = self.manifest.without_rows() {
+            let runs = (runs, Manifest::runs_per_batch(sweep));
+            let tally = sweep.summed_up(form, runs, stop, done)?;
+            return Some(tally.line().into_bytes());
+        }
+        let batch = sweep.batch_until(runs, stop)?;
+        done(self.manifest.n_runs_of(part));
+        Some(sweep.rows(&batch))
     }
 
     fn write(&self, part: u64, bytes: &[u8], is_synced: bool) -> Result<(), SweepError> {

@@ -149,12 +149,17 @@ fn check_samples(
 impl Axis {
     /// Its value at a place in the order of a motion's runs.
     fn setting(&self, place: u64, coordinate: impl FnOnce() -> f64) -> Setting {
-        let index = self.stride.zip(self.spread.count());
-        let Some(index) = index.map(|(stride, count)| place / stride % count) else {
+        let turns = self.turns();
+        let Some(index) = turns.map(|(stride, count)| place / stride % count) else {
             let sampled = "an axis without a stride is sampled";
             return Setting::Number(self.spread.sample(coordinate()).expect(sampled));
         };
         self.spread.at(index)
+    }
+
+    /// Of grids and lists, how many runs have a value before the next comes, and how many values there are.
+    pub(super) fn turns(&self) -> Option<(u64, u64)> {
+        self.stride.zip(self.spread.count())
     }
 
     /// Puts a value where the scene has the field; whether that is possible.

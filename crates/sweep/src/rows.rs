@@ -153,7 +153,7 @@ impl Rows {
 }
 
 /// Name of a quantity, as files spell it.
-fn name(quantity: &impl Serialize) -> String {
+pub(super) fn name(quantity: &impl Serialize) -> String {
     let name = serde_json::to_value(quantity).unwrap_or_default();
     name.as_str().unwrap_or_default().into()
 }

@@ -1,38 +1,60 @@
 //! A sweep as columns in memory, for a program that works on with them.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
+use super::column::SweepColumn;
 use super::manifest::Manifest;
 use super::plan::{Axis, Setting};
 use super::sampling::Point;
+use super::summary::{Form, SummaryTable, Tally};
 use super::{Batch, Sweep};
-
-/// A column of a sweep, with a value for each run.
-#[derive(Debug, Clone, PartialEq)]
-pub enum SweepColumn {
-    /// Numbers of runs.
-    Counts(Vec<u64>),
-    /// Whether something holds.
-    Flags(Vec<bool>),
-    /// Numbers; NaN where a run has none.
-    Numbers(Vec<f64>),
-    /// Texts; nothing where a run has none.
-    Texts(Vec<Option<String>>),
-}
 
 impl Sweep {
     /// Runs the whole sweep with all threads; its columns with the names of [`columns`](Self::columns), and the numbers of a table on
-    /// disk. `done` is told of every batch how many runs it has. `None` if somebody sets `stop` before all are done.
+    /// disk; of a sweep that writes no rows, those of its summary. `done` is told of every batch how many runs it has. `None` if somebody
+    /// sets `stop` before all are done.
     pub fn table(
+        &self,
+        stop: &'static AtomicBool,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Option<Vec<(String, SweepColumn)>> {
+        match self.without_rows() {
+            Some(form) => Some(self.summed(form, stop, done)?.columns()),
+            None => self.table_of_rows(stop, done),
+        }
+    }
+
+    /// Runs the whole sweep and sums it up.
+    fn summed(
+        &self,
+        form: &Form,
+        stop: &'static AtomicBool,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Option<SummaryTable> {
+        let (n_runs, batch) = (self.n_runs(), Manifest::runs_per_batch(self));
+        let whole = Mutex::new(Tally::default());
+        let batches: Vec<u64> = (0..n_runs.div_ceil(batch)).collect();
+        let made = batches.into_par_iter().with_max_len(1).map(|index| {
+            let runs = index * batch..n_runs.min((index + 1) * batch);
+            let tally = self.summed_up(form, (runs, batch), stop, done)?;
+            whole.lock().ok()?.merge(&tally);
+            Some(())
+        });
+        made.collect::<Option<()>>()?;
+        Some(SummaryTable::new(form.clone(), whole.into_inner().ok()?))
+    }
+
+    fn table_of_rows(
         &self,
         stop: &'static AtomicBool,
         done: &(dyn Fn(u64) + Sync),
     ) -> Option<Vec<(String, SweepColumn)>> {
         let n_runs = self.n_runs();
         // As in the parts of a table on disk: which runs go side by side is in the bits of the exact method.
-        let part = Manifest::of(self).runs_per_part;
+        let part = Manifest::runs_per_batch(self);
         let batches: Vec<u64> = (0..n_runs.div_ceil(part)).collect();
         let made = batches.into_par_iter().with_max_len(1).map(|batch| {
             if stop.load(Ordering::Relaxed) {

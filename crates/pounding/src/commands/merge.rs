@@ -44,5 +44,5 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     };
     let joined = merge(out, &folders, new_file::existing(args.overwrite));
     let joined = joined.map_err(|error| error.to_string())?;
-    answer(result(joined, out), joined)
+    answer(result(&joined, out), &joined)
 }

@@ -1,5 +1,6 @@
 //! `pounding sweep`: a scene again and again, with other values of its fields.
 
+mod joined;
 mod task;
 
 use std::fs;
@@ -8,8 +9,10 @@ use std::sync::atomic::Ordering;
 
 use pounding::scene::Method;
 use pounding::sweep::{
-    ColumnErrors, Joined, Parts, Shard, Sweep, SweepAccuracy, SweepError, compresses,
+    ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside,
 };
+
+pub(super) use joined::{answer, result};
 
 use super::Failure;
 use super::suite::{STOPPED, said_of_untold, stop_when_asked};
@@ -30,6 +33,9 @@ records. docs/reference/sweep.md lists its fields.
 The table has a row for each run, in SI units; a run that fails is a row with
 the reason in its last column. A name that ends in .zst is compressed
 (Zstandard). The same bytes come out whatever the threads and shards.
+
+With `summary` in the sweep, means, quantiles and exceedances of all runs stand
+in place of the rows.
 
 Rows are kept in parts beside the table, in OUT.parts. Killed or stopped by
 Ctrl-C, the same command goes on and runs only what is missing. Pressed again,
@@ -103,6 +109,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     let sweep = Sweep::read(&args.sweep).map_err(words)?;
     new_file::keep(&out, sweep.inputs())?;
     keep_errors(&sweep, &out, args.overwrite)?;
+    keep_summary(&sweep, &out, args.overwrite)?;
     let opened = Parts::open(&sweep, &out, shard, args.overwrite).map_err(words)?;
     let Some(parts) = opened else {
         return Ok(finished(&out));
@@ -155,8 +162,8 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
     }
     let joined = parts.join(new_file::existing(args.overwrite));
     let joined = joined.map_err(|error| error.to_string())?;
-    lines.push(result(joined, out));
-    answer(lines.concat(), joined)
+    lines.push(result(&joined, out));
+    answer(lines.concat(), &joined)
 }
 
 /// The table of a sweep that names none: beside it, with its whole name, so that no two sweeps share one.
@@ -175,15 +182,6 @@ fn finished(out: &Path) -> String {
     paragraph("Results", &text)
 }
 
-/// What is printed of a table. Of one without any result it is a failure.
-pub(super) fn answer(printed: String, joined: Joined) -> Result<String, Failure> {
-    if joined.failed < joined.runs || joined.runs == 0 {
-        return Ok(printed);
-    }
-    let message = format!("all {} runs failed: the last column says why", joined.runs);
-    Err(Failure { printed, message })
-}
-
 /// How many runs there are.
 fn runs(sweep: &Sweep, parts: &Parts) -> String {
     let (all, n_runs, shard) = (sweep.n_runs(), parts.n_runs(), parts.shard());
@@ -196,12 +194,16 @@ fn runs(sweep: &Sweep, parts: &Parts) -> String {
 
 /// Where the errors of all columns go.
 fn errors_beside(out: &Path) -> PathBuf {
-    let table = if compresses(out) {
-        out.with_extension("")
-    } else {
-        out.to_path_buf()
-    };
-    table.with_extension("accuracy.csv")
+    beside_table(out, "accuracy.csv")
+}
+
+/// Refuses a summary beside a table that is there already, unless an earlier process of this sweep was ended behind it.
+fn keep_summary(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String> {
+    if !sweep.has_summary_beside() {
+        return Ok(());
+    }
+    let is_ours = overwrite || Parts::are_begun(out);
+    new_file::check(&summary_beside(out), sweep.inputs(), is_ours)
 }
 
 /// Refuses a table of errors that is there already, unless it is that of this sweep.
@@ -264,14 +266,4 @@ fn chosen(accuracy: &SweepAccuracy) -> String {
         Some(step) => format!("{asked} asked: {name} with steps of {}", milliseconds(step)),
         None => format!("{asked} asked: {name}"),
     }
-}
-
-/// What is said of a table.
-pub(super) fn result(joined: Joined, out: &Path) -> String {
-    let failed = match joined.failed {
-        0 => "none failed".into(),
-        failed => format!("{failed} failed: the last column says why"),
-    };
-    let text = format!("{}: {} rows, {failed}", out.display(), joined.runs);
-    paragraph("Results", &text)
 }

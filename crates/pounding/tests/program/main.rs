@@ -27,6 +27,7 @@ mod scenes;
 mod schema;
 mod storeys;
 mod suites;
+mod summaries;
 mod sweep_refusals;
 mod sweeps;
 

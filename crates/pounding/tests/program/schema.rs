@@ -168,7 +168,12 @@ fn limit_sweeps_keep_to_their_schema() {
     inline["scene"] = crate::good_scene();
     inline["records"] = json!(["a.csv", "folder"]);
     assert_eq!(schema.faults(&inline), [""; 0]);
+    inline["summary"] =
+        json!({"by": ["record"], "exceedance": {"peak_force_n": [1e6]}, "rows": true});
+    assert_eq!(schema.faults(&inline), [""; 0]);
     for (place, value) in [
+        ("/summary", json!({"quantile": [0.5]})),
+        ("/summary", json!({"exceedance": {"peak_force_n": 1e6}})),
         ("/scene", json!(3)),
         ("/scene", json!({"name": "x"})),
         ("/vary/0/grid/spacing", json!("cubic")),

@@ -76,6 +76,36 @@ fn wrong_words() -> Vec<(&'static str, &'static str, Value)> {
             "/outputs",
             json!({"pairs": ["colisions"]}),
         ),
+        (
+            "a summary by what is random",
+            "/summary",
+            json!({"by": ["contacts[0].gap_m"]}),
+        ),
+        (
+            "a summary by the same twice",
+            "/summary",
+            json!({"by": ["record", "record"]}),
+        ),
+        (
+            "a threshold of nothing",
+            "/summary",
+            json!({"exceedance": {"peak_forc_n": [1e6]}}),
+        ),
+        (
+            "no threshold",
+            "/summary",
+            json!({"exceedance": {"peak_force_n": []}}),
+        ),
+        (
+            "a quantile beyond all runs",
+            "/summary",
+            json!({"quantiles": [50.0]}),
+        ),
+        (
+            "a word that a summary has not",
+            "/summary",
+            json!({"row": true}),
+        ),
     ]
 }
 

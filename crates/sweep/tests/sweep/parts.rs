@@ -141,8 +141,8 @@ fn issue_an_edited_manifest_is_refused() {
         ("\"runs\": 10", "\"runs\": 1000000000000000000"),
         ("\"runs_per_part\": 1", "\"runs_per_part\": 0"),
         ("first_start_s", "first_impact_s"),
-        ("\"schema_version\": 1", "\"schema_version\": 2"),
-        ("  \"schema_version\": 1,\n", ""),
+        ("\"schema_version\": 2", "\"schema_version\": 3"),
+        ("  \"schema_version\": 2,\n", ""),
     ] {
         let edited = whole.replacen(from, to, 1);
         assert_ne!(edited, whole);

@@ -3,11 +3,10 @@
 use super::cases::{Case, each, rows, with_gap};
 use super::{Files, csv, drawn};
 use crate::paper::figures::capital;
-use crate::statistics::wilson;
 use crate::study::surveys::Fragility;
 use crate::{StudyError, StudyFile};
 use pounding_plot::{Axis, Curve, Figure, Kind, Legend, Mark, Panel, Shade};
-use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source};
+use pounding_scene::{Generated, GroundMotion, RecordUse, Scene, Source, wilson};
 use pounding_text::digits;
 
 /// What one motion does at one intensity and gap: peak displacements over those alone, where the pair touches.
@@ -146,7 +145,7 @@ impl Counts<'_> {
             for (gap, width) in self.settings.gaps_m.iter().enumerate() {
                 for (index, pga) in self.settings.pga_m_per_s2.iter().enumerate() {
                     let count = self.count(event, index, gap);
-                    let (from, to) = wilson(count, self.n());
+                    let (from, to) = wilson(count as u64, self.n() as u64);
                     let mut row = vec![event.words(self.names), digits(*width), digits(*pga)];
                     row.extend([self.n(), count].map(|count| count.to_string()));
                     let share = count as f64 / self.n() as f64;
@@ -175,7 +174,7 @@ impl Counts<'_> {
                 let (mut lower, mut upper) = (Vec::new(), Vec::new());
                 for (place, pga) in self.settings.pga_m_per_s2.iter().enumerate() {
                     let count = self.count(event, place, gap);
-                    let (from, to) = wilson(count, self.n());
+                    let (from, to) = wilson(count as u64, self.n() as u64);
                     line.push((*pga, count as f64 / self.n() as f64));
                     lower.push((*pga, from));
                     upper.push((*pga, to));

@@ -1,0 +1,179 @@
+//! Of what a summary is made: cells and columns, so that folders of parts tell it without the sweep.
+
+use serde::{Deserialize, Serialize};
+
+use crate::summary_file::{Summary, SummaryError};
+
+/// Most cells: each holds some fifteen kilobytes for each of its columns.
+const MOST_CELLS: u64 = 1000;
+
+/// The cells and columns of a summary.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Form {
+    pub(super) by: Vec<By>,
+    pub(super) columns: Vec<Summed>,
+    pub(super) quantiles: Vec<f64>,
+    /// Whether rows are written, too.
+    pub(crate) rows: bool,
+}
+
+/// Values of a sweep that take turns.
+#[derive(Debug)]
+pub(super) struct Listed {
+    /// Name of their column.
+    pub(super) name: String,
+    /// How many there are.
+    pub(super) count: u64,
+    /// How many runs have the same one before the next comes.
+    pub(super) runs: u64,
+}
+
+/// What cells differ in: one of several values that take turns.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct By {
+    /// Name of its column.
+    pub(super) name: String,
+    /// Its values, as tables say them.
+    pub(super) values: Vec<String>,
+    /// How many runs have the same one before the next comes.
+    pub(super) runs: u64,
+}
+
+/// A column that is summed up.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Summed {
+    /// Its name.
+    pub(super) name: String,
+    /// Of what it is a number, as files spell it.
+    pub(super) quantity: String,
+    /// Whether its sign is no more than a direction, and its magnitude counts.
+    pub(super) is_peak: bool,
+    /// Numbers above which runs are counted, in rising order.
+    pub(super) thresholds: Vec<f64>,
+}
+
+impl Form {
+    /// Of a sweep in which these values take turns, each a text by name and place, and with these columns without thresholds.
+    ///
+    /// # Errors
+    /// What of the words does not fit them.
+    pub(super) fn of(
+        words: &Summary,
+        (listed, value): (&[Listed], impl Fn(&str, u64) -> String),
+        mut columns: Vec<Summed>,
+    ) -> Result<Self, SummaryError> {
+        let chosen = chosen(&words.by, listed)?;
+        for (found, thresholds) in &words.exceedance {
+            count_above(found, thresholds, &mut columns)?;
+        }
+        let by = chosen.into_iter().map(|one| By {
+            name: one.name.clone(),
+            values: (0..one.count)
+                .map(|place| value(&one.name, place))
+                .collect(),
+            runs: one.runs,
+        });
+        Ok(Self {
+            by: by.collect(),
+            columns,
+            quantiles: words.quantiles.clone(),
+            rows: words.rows,
+        })
+    }
+
+    /// The cell of a run.
+    pub(super) fn cell_of(&self, run: u64) -> u64 {
+        self.by.iter().fold(0, |cell, by| {
+            let count = by.values.len() as u64;
+            cell * count + run / by.runs % count
+        })
+    }
+
+    /// The first run behind this one that may have another cell; nothing where all have the same.
+    pub(super) fn next_cell(&self, run: u64) -> Option<u64> {
+        let runs = self.by.iter().map(|by| by.runs).min()?;
+        Some((run / runs + 1) * runs)
+    }
+
+    /// What a cell has of everything in which cells differ.
+    pub(super) fn values_of(&self, cell: u64) -> Vec<&str> {
+        let mut rest = cell;
+        let mut values: Vec<&str> = Vec::with_capacity(self.by.len());
+        for by in self.by.iter().rev() {
+            let count = by.values.len() as u64;
+            let place = usize::try_from(rest % count).expect("below the length of a list");
+            values.push(&by.values[place]);
+            rest /= count;
+        }
+        values.reverse();
+        values
+    }
+}
+
+/// Those of what takes turns that make cells.
+fn chosen<'l>(by: &[String], listed: &'l [Listed]) -> Result<Vec<&'l Listed>, SummaryError> {
+    let mut chosen: Vec<&Listed> = Vec::new();
+    for found in by {
+        let is_named =
+            |one: &&Listed| one.name == *found || one.name.split(" = ").any(|part| part == found);
+        let one = listed
+            .iter()
+            .find(is_named)
+            .ok_or_else(|| SummaryError::By {
+                found: found.clone(),
+                allowed: listing(listed.iter().map(|one| &one.name)),
+            })?;
+        if chosen.iter().any(|other| other.name == one.name) {
+            return Err(SummaryError::Twice(found.clone()));
+        }
+        chosen.push(one);
+    }
+    let cells = chosen
+        .iter()
+        .map(|one| one.count)
+        .fold(1, u64::saturating_mul);
+    if cells > MOST_CELLS {
+        return Err(SummaryError::Cells {
+            found: cells,
+            allowed: MOST_CELLS,
+        });
+    }
+    Ok(chosen)
+}
+
+/// Sets thresholds of a quantity, or of a column.
+fn count_above(
+    found: &str,
+    thresholds: &[f64],
+    columns: &mut [Summed],
+) -> Result<(), SummaryError> {
+    let is_named = |column: &&mut Summed| column.quantity == found || column.name == found;
+    let mut is_known = false;
+    for column in columns.iter_mut().filter(is_named) {
+        is_known = true;
+        column.thresholds.extend(thresholds);
+        column.thresholds.sort_by(f64::total_cmp);
+        column.thresholds.dedup_by(|a, b| a.total_cmp(b).is_eq());
+    }
+    if is_known {
+        return Ok(());
+    }
+    Err(SummaryError::Column {
+        found: found.into(),
+        allowed: listing(columns.iter().map(|column| &column.quantity)),
+    })
+}
+
+/// Names in words, each once.
+fn listing(names: impl Iterator<Item: AsRef<str>>) -> String {
+    let mut listed: Vec<String> = Vec::new();
+    for name in names.map(|name| format!("`{}`", name.as_ref())) {
+        if !listed.contains(&name) {
+            listed.push(name);
+        }
+    }
+    listed.join(", ")
+}

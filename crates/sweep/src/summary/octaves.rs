@@ -1,0 +1,271 @@
+//! Numbers by their size: exact counts and sums that no order of adding changes.
+//!
+//! The bits of a number are its place. Its sign and exponent name an octave, the first six bits of its fraction one of 64 bins in it, so
+//! no logarithm is taken, and no machine puts a number elsewhere. All that is kept are whole numbers: they add up to the same whatever
+//! the order.
+//!
+//! Our own: `xsum` sums exactly, but gives nobody its state to keep or to merge; sketches of quantiles (`sketches-ddsketch`) take the
+//! logarithm of the platform, and give up bins in the order in which they come.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// Bits of the fraction that choose a bin: its middle is no further off than half its width, 1/128 of the number.
+const BIN_BITS: u32 = 6;
+/// Bins of an octave.
+const BINS: usize = 1 << BIN_BITS;
+/// Bits of the fraction of a number.
+const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
+/// The bit of a key that negative numbers have.
+const NEGATIVE: u16 = 1 << 11;
+
+/// Finite numbers by their size.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Octaves(BTreeMap<u16, Box<Octave>>);
+
+/// The numbers of one sign between two powers of two, by the 52 bits of their fractions.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(into = "Kept", try_from = "Kept")]
+pub(super) struct Octave {
+    /// Sum of the fractions.
+    pub(super) sum: u128,
+    /// Sum of their squares, and how often 2¹²⁸ of it was carried.
+    pub(super) squares: (u128, u64),
+    bins: [Bin; BINS],
+}
+
+/// The numbers of a bin: how many, and the least and the largest fraction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Bin {
+    count: u64,
+    least: u64,
+    largest: u64,
+}
+
+const EMPTY: Bin = Bin {
+    count: 0,
+    least: u64::MAX,
+    largest: 0,
+};
+
+impl Bin {
+    fn merge(&mut self, other: &Self) {
+        self.count += other.count;
+        self.least = self.least.min(other.least);
+        self.largest = self.largest.max(other.largest);
+    }
+}
+
+impl Octave {
+    const EMPTY: Self = Self {
+        sum: 0,
+        squares: (0, 0),
+        bins: [EMPTY; BINS],
+    };
+
+    fn add(&mut self, fraction: u64) {
+        let one = Bin {
+            count: 1,
+            least: fraction,
+            largest: fraction,
+        };
+        self.bins[bin_of(fraction)].merge(&one);
+        let fraction = u128::from(fraction);
+        self.sum += fraction;
+        self.carry((fraction * fraction, 0));
+    }
+
+    fn carry(&mut self, squares: (u128, u64)) {
+        let (low, carried) = self.squares.0.overflowing_add(squares.0);
+        self.squares = (low, self.squares.1 + squares.1 + u64::from(carried));
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for (bin, other) in self.bins.iter_mut().zip(&other.bins) {
+            bin.merge(other);
+        }
+        self.sum += other.sum;
+        self.carry(other.squares);
+    }
+
+    pub(super) fn count(&self) -> u64 {
+        self.bins.iter().map(|bin| bin.count).sum()
+    }
+}
+
+fn bin_of(fraction: u64) -> usize {
+    usize::try_from(fraction >> (FRACTION_BITS - BIN_BITS)).expect("a fraction has 52 bits")
+}
+
+/// An octave as a file keeps it: bins that have numbers alone, each as its place, count, least and largest fraction.
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Kept {
+    sum: u128,
+    squares: (u128, u64),
+    bins: Vec<(usize, u64, u64, u64)>,
+}
+
+impl From<Octave> for Kept {
+    fn from(octave: Octave) -> Self {
+        let bins = octave.bins.iter().enumerate();
+        let bins = bins.filter(|(_, bin)| bin.count > 0);
+        Self {
+            sum: octave.sum,
+            squares: octave.squares,
+            bins: bins
+                .map(|(place, bin)| (place, bin.count, bin.least, bin.largest))
+                .collect(),
+        }
+    }
+}
+
+impl TryFrom<Kept> for Octave {
+    type Error = &'static str;
+
+    fn try_from(kept: Kept) -> Result<Self, Self::Error> {
+        let mut octave = Self {
+            sum: kept.sum,
+            squares: kept.squares,
+            ..Self::EMPTY
+        };
+        for (place, count, least, largest) in kept.bins {
+            let bin = octave.bins.get_mut(place).ok_or("a bin beyond an octave")?;
+            *bin = Bin {
+                count,
+                least,
+                largest,
+            };
+        }
+        Ok(octave)
+    }
+}
+
+/// Numbers that lie in one bin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Filled {
+    pub(super) count: u64,
+    /// The least and the largest of them.
+    pub(super) least: f64,
+    pub(super) largest: f64,
+}
+
+impl Octaves {
+    /// Adds a finite number; a negative zero counts as zero.
+    pub(super) fn add(&mut self, number: f64) {
+        let bits = (number + 0.0).to_bits();
+        let key = u16::try_from(bits >> FRACTION_BITS).expect("sign and exponent have 12 bits");
+        self.octave(key).add(bits & FRACTION);
+    }
+
+    pub(super) fn merge(&mut self, other: &Self) {
+        for (key, octave) in &other.0 {
+            self.octave(*key).merge(octave);
+        }
+    }
+
+    fn octave(&mut self, key: u16) -> &mut Octave {
+        let octave = self.0.entry(key);
+        octave.or_insert_with(|| Box::new(Octave::EMPTY))
+    }
+
+    /// How many numbers there are.
+    pub(super) fn count(&self) -> u64 {
+        self.0.values().map(|octave| octave.count()).sum()
+    }
+
+    /// The octaves: whether their numbers are negative, the exponent that their bits hold, and what is kept of them.
+    pub(super) fn each(&self) -> impl Iterator<Item = (bool, u32, &Octave)> {
+        let octaves = self.0.iter();
+        octaves.map(|(key, octave)| (key & NEGATIVE != 0, u32::from(key & !NEGATIVE), &**octave))
+    }
+
+    /// Bins that have numbers, in rising order.
+    pub(super) fn filled(&self) -> impl Iterator<Item = Filled> {
+        let negative = self.0.range(NEGATIVE..).rev();
+        let negative = negative.flat_map(|(key, octave)| {
+            let bins = octave.bins.iter().rev();
+            bins.map(|bin| filled(*key, bin.count, [bin.largest, bin.least]))
+        });
+        let positive = self.0.range(..NEGATIVE).flat_map(|(key, octave)| {
+            let bins = octave.bins.iter();
+            bins.map(|bin| filled(*key, bin.count, [bin.least, bin.largest]))
+        });
+        negative.chain(positive).filter(|bin| bin.count > 0)
+    }
+
+    /// The least and the largest number; nothing of none.
+    pub(super) fn ends(&self) -> Option<(f64, f64)> {
+        let mut filled = self.filled();
+        let first = filled.next()?;
+        let last = filled.last().unwrap_or(first);
+        Some((first.least, last.largest))
+    }
+
+    /// Bounds of the least number that at least this part of all, 0 to 1, do not exceed; nothing of none.
+    pub(super) fn quantile(&self, part: f64) -> Option<(f64, f64)> {
+        let wanted = part * self.count() as f64;
+        let mut below = 0;
+        self.filled().find_map(|bin| {
+            let first = below + 1;
+            below += bin.count;
+            if (below as f64) < wanted {
+                return None;
+            }
+            // Whichever of the bin it is: its first is the least, and its last the largest.
+            if first as f64 >= wanted {
+                Some((bin.least, bin.least))
+            } else if ((below - 1) as f64) < wanted {
+                Some((bin.largest, bin.largest))
+            } else {
+                Some((bin.least, bin.largest))
+            }
+        })
+    }
+
+    /// Counts over eighths of octaves, in rising order, of those that have numbers: bounds towards and away from zero, and the count. What
+    /// is too small for an octave is one bar, and has no width where all of it is zero.
+    pub(super) fn histogram(&self) -> Vec<(f64, f64, u64)> {
+        let mut bars: Vec<(f64, f64, u64)> = Vec::new();
+        for bin in self.filled() {
+            let [near, far] = bar_of(&bin);
+            match bars.last_mut() {
+                Some((last, end, count)) if last.total_cmp(&near).is_eq() => {
+                    *count += bin.count;
+                    if far.abs() > end.abs() {
+                        *end = far;
+                    }
+                }
+                _ => bars.push((near, far, bin.count)),
+            }
+        }
+        bars
+    }
+}
+
+/// Bounds, towards and away from zero, of the bar in which a bin lies.
+fn bar_of(bin: &Filled) -> [f64; 2] {
+    const STEP: u64 = 1 << (FRACTION_BITS - 3);
+    let furthest = bin.least.abs().max(bin.largest.abs());
+    let bounds = if furthest >= f64::MIN_POSITIVE {
+        let edge = furthest.to_bits() & !(STEP - 1);
+        [edge, edge + STEP].map(f64::from_bits)
+    } else if furthest > 0.0 {
+        [0.0, f64::MIN_POSITIVE]
+    } else {
+        [0.0, 0.0]
+    };
+    bounds.map(|bound| bound * bin.least.signum())
+}
+
+fn filled(key: u16, count: u64, ends: [u64; 2]) -> Filled {
+    let number = |fraction| f64::from_bits((u64::from(key) << FRACTION_BITS) | fraction);
+    let [least, largest] = ends.map(|fraction| number(fraction & FRACTION));
+    Filled {
+        count,
+        least,
+        largest,
+    }
+}

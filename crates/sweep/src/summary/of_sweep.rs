@@ -1,0 +1,100 @@
+//! The summary of a sweep: what it is made of, and its runs summed up.
+
+use std::ops::Range;
+use std::sync::atomic::AtomicBool;
+
+use super::form::{Form, Listed, Summed};
+use super::tally::Tally;
+use crate::rows::name;
+use crate::summary_file::Summary;
+use crate::{Sweep, SweepError};
+
+impl Sweep {
+    /// Of what a summary in these words is made, where each record shakes in so many directions.
+    pub(crate) fn form(&self, words: &Summary, n_directions: usize) -> Result<Form, SweepError> {
+        let (listed, axes) = (self.listed(n_directions), self.plan.axes());
+        let value = |name: &str, place: u64| {
+            if let Some(axis) = axes.iter().find(|axis| axis.name == name) {
+                return axis.text(axis.spread.at(place));
+            }
+            let place = usize::try_from(place).expect("below the number of motions");
+            if name == REVERSED {
+                self.motions.all[place].is_reversed().to_string()
+            } else {
+                self.motions.all[place * n_directions].name.clone()
+            }
+        };
+        Ok(Form::of(words, (&listed, value), self.summed_columns())?)
+    }
+
+    /// What cells may differ in: the motion, and everything with values that can be listed.
+    fn listed(&self, n_directions: usize) -> Vec<Listed> {
+        let n_directions = n_directions as u64;
+        let n_motions = self.motions.all.len() as u64;
+        let under_one = self.n_runs() / n_motions;
+        let record = Listed {
+            name: RECORD.into(),
+            count: n_motions / n_directions,
+            runs: under_one * n_directions,
+        };
+        let reversed = Listed {
+            name: REVERSED.into(),
+            count: n_directions,
+            runs: under_one,
+        };
+        let axes = self.plan.axes().iter().filter_map(|axis| {
+            let (runs, count) = axis.turns()?;
+            Some(Listed {
+                name: axis.name.clone(),
+                count,
+                runs,
+            })
+        });
+        [record, reversed].into_iter().chain(axes).collect()
+    }
+
+    /// Its columns of numbers, without thresholds.
+    fn summed_columns(&self) -> Vec<Summed> {
+        let structures = self.outputs.structures.iter();
+        let structures: Vec<_> = structures.map(|one| (name(one), one.is_peak())).collect();
+        let pairs = self.outputs.pairs.iter();
+        let pairs: Vec<_> = pairs.map(|one| (name(one), false)).collect();
+        let of_floors = self.row.floors.iter().flat_map(|_| &structures);
+        let of_pairs = self.row.pairs.iter().flat_map(|_| &pairs);
+        let columns = self
+            .columns_of_numbers()
+            .into_iter()
+            .zip(of_floors.chain(of_pairs));
+        let summed = columns.map(|(name, (quantity, is_peak))| Summed {
+            name,
+            quantity: quantity.clone(),
+            is_peak: *is_peak,
+            thresholds: Vec::new(),
+        });
+        summed.collect()
+    }
+
+    /// Runs a range of runs, so many at a time, and sums them up; nothing where somebody sets `stop` before they are done. `done` is told
+    /// how many runs each time were.
+    pub(crate) fn summed_up(
+        &self,
+        form: &Form,
+        (runs, at_a_time): (Range<u64>, u64),
+        stop: &'static AtomicBool,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Option<Tally> {
+        let mut tally = Tally::default();
+        let mut run = runs.start;
+        while run < runs.end {
+            let next = (run + at_a_time).min(runs.end);
+            tally.add_batch(form, &self.batch_until(run..next, stop)?);
+            done(next - run);
+            run = next;
+        }
+        Some(tally)
+    }
+}
+
+/// Names of what motions differ in, as columns have them.
+const RECORD: &str = "record";
+const REVERSED: &str = "reversed";

@@ -1,0 +1,267 @@
+//! What is told of runs that were summed up: a tidy table, and a few numbers of it for people.
+
+use pounding_scene::wilson;
+use pounding_text::{Cell, csv_text};
+
+use super::exact::Sums;
+use super::form::{Form, Summed};
+use super::octaves::Octaves;
+use super::tally::{CellTally, ColumnTally, Tally};
+use crate::column::SweepColumn;
+
+/// Names of the columns behind those that tell cells apart.
+const COLUMNS: [&str; 6] = ["column", "statistic", "at", "value", "low", "high"];
+/// What stands in `column` where runs are counted.
+const RUN: &str = "run";
+
+/// A summary of runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummaryTable {
+    form: Form,
+    tally: Tally,
+}
+
+/// A column of all cells together, for people.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummedColumn {
+    /// Its name, in `abs(…)` where magnitudes are summed up.
+    pub name: String,
+    /// Runs that have such a number.
+    pub numbers: u64,
+    /// Mean; `None` of no numbers.
+    pub mean: Option<f64>,
+    /// Standard deviation, with n − 1; `None` of fewer than two numbers.
+    pub standard_deviation: Option<f64>,
+    /// Bounds of the number that half of the numbers do not exceed.
+    pub median: Option<(f64, f64)>,
+    /// Bounds of the number that 84 % of the numbers do not exceed.
+    pub p84: Option<(f64, f64)>,
+    /// The largest number.
+    pub largest: Option<f64>,
+    /// How probable each threshold's exceedance is.
+    pub exceedances: Vec<Exceedance>,
+}
+
+/// How often a threshold was exceeded.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exceedance {
+    /// The threshold, in the unit of its column.
+    pub threshold: f64,
+    /// Share of the runs that did not fail \[–\].
+    pub probability: f64,
+    /// The 95 % bounds of the probability, of runs that are independent \[–\].
+    pub bounds: (f64, f64),
+}
+
+/// A line of the table, without its cell.
+struct Line {
+    column: String,
+    statistic: &'static str,
+    at: Option<f64>,
+    value: Option<f64>,
+    bounds: Option<(f64, f64)>,
+}
+
+impl SummaryTable {
+    pub(crate) fn new(form: Form, tally: Tally) -> Self {
+        Self { form, tally }
+    }
+
+    /// The table as CSV: a row for every statistic of every column of every cell.
+    pub fn csv(&self) -> String {
+        let header: Vec<&str> = self.header().collect();
+        let rows = self.lines().map(|(cell, line)| {
+            let mut row: Vec<Cell> = self
+                .form
+                .values_of(cell)
+                .into_iter()
+                .map(Cell::from)
+                .collect();
+            let (low, high) = line.bounds.unzip();
+            row.extend([line.column.into(), line.statistic.into()]);
+            row.extend([line.at, line.value, low, high].map(Cell::exact));
+            row
+        });
+        csv_text(&header, rows)
+    }
+
+    /// The same as columns.
+    pub(crate) fn columns(&self) -> Vec<(String, SweepColumn)> {
+        let n_cells = self.form.by.len();
+        let mut texts: Vec<Vec<Option<String>>> = vec![Vec::new(); n_cells + 2];
+        let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); 4];
+        for (cell, line) in self.lines() {
+            let values = self.form.values_of(cell).into_iter().map(String::from);
+            let of_line = [line.column, line.statistic.into()];
+            for (column, text) in texts.iter_mut().zip(values.chain(of_line)) {
+                column.push(Some(text));
+            }
+            let (low, high) = line.bounds.unzip();
+            for (column, number) in numbers.iter_mut().zip([line.at, line.value, low, high]) {
+                column.push(number.unwrap_or(f64::NAN));
+            }
+        }
+        let texts = texts.into_iter().enumerate().map(|(index, texts)| {
+            let parsed = texts.iter().map(|text| text.as_ref()?.parse().ok());
+            match parsed.collect::<Option<Vec<f64>>>() {
+                Some(numbers) if index < n_cells => SweepColumn::Numbers(numbers),
+                _ => SweepColumn::Texts(texts),
+            }
+        });
+        let columns = texts.chain(numbers.into_iter().map(SweepColumn::Numbers));
+        self.header().map(String::from).zip(columns).collect()
+    }
+
+    fn header(&self) -> impl Iterator<Item = &str> {
+        let by = self.form.by.iter().map(|by| by.name.as_str());
+        by.chain(COLUMNS)
+    }
+
+    /// The lines of all cells, each with its cell.
+    fn lines(&self) -> impl Iterator<Item = (u64, Line)> {
+        self.tally.cells.iter().flat_map(|(cell, tally)| {
+            let mut lines = of_runs(tally);
+            for (of, column) in self.form.columns.iter().zip(&tally.columns) {
+                self.of_column(tally, (of, column), &mut lines);
+            }
+            lines.into_iter().map(|line| (*cell, line))
+        })
+    }
+
+    fn of_column(
+        &self,
+        cell: &CellTally,
+        (of, column): (&Summed, &ColumnTally),
+        to: &mut Vec<Line>,
+    ) {
+        let name = name_of(of);
+        let mut line = |statistic, at, value, bounds| {
+            to.push(Line {
+                column: name.clone(),
+                statistic,
+                at,
+                value,
+                bounds,
+            });
+        };
+        let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
+        let count = numbers.count();
+        let ends = numbers.ends();
+        line("numbers", None, Some(count as f64), None);
+        let without = cell.runs - cell.failed - count;
+        line("without_number", None, Some(without as f64), None);
+        line("least", None, ends.map(|ends| ends.0), None);
+        line("largest", None, ends.map(|ends| ends.1), None);
+        line("mean", None, sums.mean(), None);
+        line("standard_deviation", None, sums.deviation(), None);
+        for part in &self.form.quantiles {
+            let bounds = numbers.quantile(*part);
+            line("quantile", Some(*part), bounds.map(middle), bounds);
+        }
+        for one in exceedances(cell, of, column) {
+            let Exceedance {
+                threshold,
+                probability,
+                bounds,
+            } = one;
+            line(
+                "exceedance",
+                Some(threshold),
+                Some(probability),
+                Some(bounds),
+            );
+        }
+        for (near, far, count) in numbers.histogram() {
+            let bounds = Some((near.min(far), near.max(far)));
+            line("histogram", None, Some(count as f64), bounds);
+        }
+    }
+
+    /// Number of runs that were summed up.
+    pub fn n_runs(&self) -> u64 {
+        self.tally.cells.values().map(|cell| cell.runs).sum()
+    }
+
+    /// Number of them that failed.
+    pub fn n_failed(&self) -> u64 {
+        self.tally.n_failed()
+    }
+
+    /// Number of cells that have runs.
+    pub fn n_cells(&self) -> usize {
+        self.tally.cells.len()
+    }
+
+    /// Number and reason of the first runs that failed.
+    pub fn first_failed(&self) -> impl Iterator<Item = (u64, &str)> {
+        let reasons = self.tally.reasons.iter();
+        reasons.map(|(run, reason)| (*run, reason.as_str()))
+    }
+
+    /// Every column, of all cells together.
+    pub fn whole(&self) -> Vec<SummedColumn> {
+        let whole = self.tally.whole(&self.form);
+        let columns = self.form.columns.iter().zip(&whole.columns);
+        let summed = |(of, column): (&Summed, &ColumnTally)| {
+            let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
+            SummedColumn {
+                name: name_of(of),
+                numbers: numbers.count(),
+                mean: sums.mean(),
+                standard_deviation: sums.deviation(),
+                median: numbers.quantile(0.5),
+                p84: numbers.quantile(0.84),
+                largest: numbers.ends().map(|ends| ends.1),
+                exceedances: exceedances(&whole, of, column),
+            }
+        };
+        columns.map(summed).collect()
+    }
+}
+
+/// How many runs a cell has, and how they went.
+fn of_runs(cell: &CellTally) -> Vec<Line> {
+    let counts = [
+        ("runs", cell.runs),
+        ("failed", cell.failed),
+        ("checked_ledger", cell.ledger),
+        ("checked_beside", cell.beside),
+        ("checked_both", cell.both),
+    ];
+    let line = |(statistic, count): (&'static str, u64)| Line {
+        column: RUN.into(),
+        statistic,
+        at: None,
+        value: Some(count as f64),
+        bounds: None,
+    };
+    counts.map(line).into()
+}
+
+/// How often each threshold was exceeded; a run without the number does not. Nothing where no run has one, or all failed.
+fn exceedances(cell: &CellTally, of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
+    if column.numbers == Octaves::default() {
+        return Vec::new();
+    }
+    let runs = cell.runs - cell.failed;
+    let above = of.thresholds.iter().zip(&column.above);
+    let exceedance = |(threshold, above): (&f64, &u64)| Exceedance {
+        threshold: *threshold,
+        probability: *above as f64 / runs as f64,
+        bounds: wilson(*above, runs),
+    };
+    above.map(exceedance).collect()
+}
+
+fn name_of(column: &Summed) -> String {
+    if column.is_peak {
+        format!("abs({})", column.name)
+    } else {
+        column.name.clone()
+    }
+}
+
+/// The middle of bounds; the number itself where they are the same.
+pub(crate) fn middle((low, high): (f64, f64)) -> f64 {
+    low + 0.5 * (high - low)
+}
