@@ -239,7 +239,7 @@ fn extreme_a_changed_digit_of_a_part_is_found() {
         format!("{}{digit}{}", &text[..place], &text[place + 1..]),
     )
     .expect("a file");
-    assert_snapshot!(refusal(&pounding(&folder, &["merge", "shards.csv"])), @"error: shards.csv.parts/part-000000003.csv: found other bytes than were written, allowed is the file as it was written; start the sweep again, which runs this part anew");
+    assert_snapshot!(refusal(&pounding(&folder, &["merge", "shards.csv"])), @"error: shards.csv.parts/part-000000003.csv: found other bytes than were written, allowed is the file as it was written; start the sweep again, or the shard that made it, which runs this part anew");
     let ended = pounding(&folder, &["sweep", "sweep.json", "--out", "shards.csv"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let again = "run again: shards.csv.parts/part-000000003.csv: found other bytes";
