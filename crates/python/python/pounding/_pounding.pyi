@@ -269,7 +269,8 @@ def words_of(text: str, path: str | PathLike[str]) -> str:
     The words of a JSON or TOML file as JSON, whatever they say.
     """
 
-def write_files(folder: str | PathLike[str], files: dict[str, SupportsGetItem[int, SupportsIndex]], overwrite: bool) -> None:
+def write_files(folder: str | PathLike[str], files: dict[str, SupportsGetItem[int, SupportsIndex]], overwrite: bool, inputs: SupportsGetItem[int, str | PathLike[str]]) -> None:
     """
-    Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay.
+    Writes a report into a folder: whole and on disk when this returns. One that holds other things is refused, or they stay; results of an
+    earlier run are replaced, but for files that were read.
     """
