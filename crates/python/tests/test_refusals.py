@@ -91,7 +91,8 @@ def test_issue_a_report_replaces_results_and_no_input(tmp_path) -> None:
     row.run(pulse).report(out, both=False, overwrite=True)
     assert (out / "notes.txt").read_text(encoding="utf-8") == "mine"
     inside = out / "history.csv"
-    read = pounding.read(inside, unit="m_per_s2", column="ground_acceleration_m_per_s2")
+    inside.write_text("time_s,acceleration_m_per_s2\n0,1\n0.1,-2\n0.2,1\n0.3,0\n", encoding="utf-8")
+    read = pounding.read(inside)
     before = inside.read_bytes()
     with pytest.raises(pounding.Refused, match="cannot be made again"):
         row.run(read).report(out, both=False, overwrite=True)
