@@ -138,6 +138,17 @@ fn limit_a_soft_bumper_in_a_wide_gap_takes_the_force() {
     for one in bumper["bumpers"].as_array().expect("bumpers") {
         assert!((one["thickness_m"].as_f64().expect("a width") - 0.05).abs() < 1e-12);
     }
+    let proposals = |all: &Value| all["proposals"].to_string();
+    assert!(!proposals(&all).contains("help"), "{}", proposals(&all));
+    // In the narrow gap there is no room for a soft one, and a stiff one is no bumper.
+    let narrow = workplace("assess_no_bumper", TOWERS);
+    for (bumper, says) in [
+        ("proposed", "No bumper helps in this gap"),
+        ("k=90000MN/m", "The bumpers given do not help"),
+    ] {
+        let all = found(&narrow, &["--scale", "pga=1.2g", "--bumper", bumper]);
+        assert!(proposals(&all).contains(says), "{}", proposals(&all));
+    }
     assert!(
         found(&work, &[])["bumper"].is_null(),
         "none unless asked for"

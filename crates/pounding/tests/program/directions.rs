@@ -1,0 +1,62 @@
+//! Both directions of shaking: what `run`, `check` and the report say of each.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::assess::{TOWERS, workplace};
+use crate::pounding;
+
+/// "They touch at 1 of 7 gaps", where the reversed shaking hits six.
+#[test]
+fn issue_a_run_tells_of_both_directions() {
+    let work = workplace("assess_both", TOWERS);
+    let run = pounding(&work, &["run", "scene.toml", "--no-error"]);
+    let first: Vec<&str> = run.stdout.lines().take(6).collect();
+    let first = first.join("\n");
+    assert!(
+        first.contains("as recorded:") && first.contains("reversed:"),
+        "{first}"
+    );
+    let one = pounding(
+        &work,
+        &["run", "scene.toml", "--no-error", "--one-direction"],
+    );
+    assert!(!one.stdout.contains("reversed:"), "{}", one.stdout);
+}
+
+/// "never" and "not needed", told from one direction; reversed all pairs hit.
+#[test]
+fn issue_check_looks_in_both_directions() {
+    let work = workplace("check_both", TOWERS);
+    let said = pounding(&work, &["check", "scene.toml"]).stdout;
+    assert!(
+        !said.contains("never") && !said.contains("not needed"),
+        "{said}"
+    );
+    let json = pounding(&work, &["check", "scene.toml", "--json"]).stdout;
+    let plan: Value = serde_json::from_str(&json).expect("JSON");
+    let pairs = plan["pairs"].as_array().expect("pairs");
+    assert!(
+        pairs
+            .iter()
+            .all(|pair| pair["touches_reversed"].is_boolean()),
+        "{json}"
+    );
+}
+
+/// The headline of a report told of one direction, whichever the record had.
+#[test]
+fn issue_the_report_of_a_run_shows_both_directions() {
+    let work = workplace("run_both", TOWERS);
+    let ended = pounding(&work, &["run", "scene.toml", "--no-error", "--out", "out"]);
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""));
+    let page = fs::read_to_string(work.join("out/report.html")).expect("a page");
+    let first = page.find("<strong>").expect("a headline");
+    let headline = &page[first..first + 400];
+    assert!(
+        headline.contains("as recorded:") && headline.contains("reversed:"),
+        "{headline}"
+    );
+    assert!(work.join("out/profiles.png").is_file());
+}
