@@ -29,6 +29,12 @@ fn bytes(folder: &Path, name: &str) -> Vec<u8> {
     fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
+/// Runs a share of the sweep into `shards.csv`.
+fn run_shard(folder: &Path, shard: &str) {
+    let arguments = ["sweep", "sweep.json", "--out", "shards.csv", "--shard"];
+    printed(&pounding(folder, &[&arguments[..], &[shard]].concat()));
+}
+
 /// The program with so many threads; whether it ends well.
 fn runs(folder: &Path, arguments: &[&str], threads: &str) -> bool {
     Command::new(assert_cmd::cargo::cargo_bin!("pounding"))
@@ -164,15 +170,7 @@ fn limit_the_same_summary_whatever_happens_on_the_way() {
     assert!(whole == bytes(&folder, "2.csv"), "threads change bytes");
 
     for shard in ["3/3", "1/3", "2/3"] {
-        let arguments = [
-            "sweep",
-            "sweep.json",
-            "--out",
-            "shards.csv",
-            "--shard",
-            shard,
-        ];
-        printed(&pounding(&folder, &arguments));
+        run_shard(&folder, shard);
     }
     printed(&pounding(&folder, &["merge", "shards.csv"]));
     assert!(whole == bytes(&folder, "shards.csv"), "shards change bytes");
@@ -214,15 +212,7 @@ fn extreme_a_changed_digit_of_a_part_is_found() {
         &["sweep", "sweep.json", "--out", "whole.csv"],
     ));
     for shard in ["1/2", "2/2"] {
-        let arguments = [
-            "sweep",
-            "sweep.json",
-            "--out",
-            "shards.csv",
-            "--shard",
-            shard,
-        ];
-        printed(&pounding(&folder, &arguments));
+        run_shard(&folder, shard);
     }
     let part = folder.join("shards.csv.parts/part-000000003.csv");
     let text = fs::read_to_string(&part).expect("a part");

@@ -8,8 +8,8 @@
 //! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many (`building.rs` of the
 //! central difference method). [`Frame`](frame::Frame) decides once per run whether structures go on each for itself or by buildings.
 //!
-//! Left out: motions that travel, sub-steps in contact, columns that yield smoothly, pairs whose left neighbour is an upper level of a
-//! wall or a hall without lower floors; with the velocity Verlet method buildings, rows of one structure, and of more than two.
+//! Left out: motions that travel, sub-steps in contact, columns that yield smoothly; with the velocity Verlet method buildings, rows of
+//! one structure, and of more than two.
 
 #![expect(
     clippy::inline_always,
@@ -216,9 +216,7 @@ impl Stepping {
     /// Whether rows like this one go side by side.
     fn takes<Column: RestoringForce>(self, row: &Row<Column>) -> bool {
         match self {
-            Self::CentralDifference(_) => {
-                Buildings::of(row).is_none_or(|buildings| buildings.are_in_order(row.pairs()))
-            }
+            Self::CentralDifference(_) => true,
             Self::Verlet(_) => row.nodes().len() == 2 && Buildings::of(row).is_none(),
         }
     }

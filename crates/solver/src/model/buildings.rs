@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::{Pair, RestoringForce, Row};
+use crate::{RestoringForce, Row};
 
 /// The floors of a row building by building, from left to right, each from the ground up.
 #[derive(Debug)]
@@ -52,13 +52,6 @@ impl Buildings {
     /// Storeys of the tallest building.
     pub(crate) fn tallest(&self) -> usize {
         self.ranges.iter().map(Range::len).max().unwrap_or(0)
-    }
-
-    /// Whether of every pair the building of the left neighbour comes before that of the right one. An upper level of a wall, or
-    /// a hall without lower floors, comes after the building on its right.
-    pub(crate) fn are_in_order(&self, pairs: &[Pair]) -> bool {
-        let of = |node: usize| self.each().position(|floors| floors.contains(&node));
-        pairs.iter().all(|pair| of(pair.left) < of(pair.right))
     }
 
     /// The floors of each building.

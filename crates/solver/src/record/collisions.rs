@@ -36,8 +36,8 @@ pub struct Collision {
 pub struct Collisions {
     /// For each node, the pair it is the left neighbour of.
     pair_of_left: Vec<Option<usize>>,
-    /// For each node, when and where it was last seen.
-    seen: Vec<(f64, f64)>,
+    /// For each node, when and where its last two spans ended, the last one first: of two neighbours either may be told first.
+    seen: Vec<[(f64, f64); 2]>,
     /// Gap of every pair.
     gaps: Vec<f64>,
     /// How the ground motion travels; nothing where all are shaken at once.
@@ -62,7 +62,7 @@ impl Collisions {
         }
         Self {
             pair_of_left,
-            seen: vec![(0.0, 0.0); n_structures],
+            seen: vec![[(0.0, 0.0); 2]; n_structures],
             gaps: pairs.iter().map(|pair| pair.gap).collect(),
             travel: None,
             open: vec![None; pairs.len()],
@@ -88,8 +88,11 @@ impl Collisions {
     ///
     /// Where both have not been seen at that instant they are apart: what touches is followed at common instants.
     fn overlaps(&self, pair: usize, span: &Span<'_>) -> bool {
-        let (time, displacement) = self.seen[span.structure + 1];
-        let together = time.total_cmp(&span.start_time).is_eq();
+        let ends = self.seen[span.structure + 1].into_iter();
+        let mut together = ends.filter(|(time, _)| time.total_cmp(&span.start_time).is_eq());
+        let Some((time, displacement)) = together.next() else {
+            return false;
+        };
         let ahead = span.start.displacement - displacement;
         let ahead = match &self.travel {
             None => ahead,
@@ -98,7 +101,7 @@ impl Collisions {
                 ahead + travel.opening(nodes, time).displacement
             }
         };
-        together && ahead - self.gaps[pair] > 0.0
+        ahead - self.gaps[pair] > 0.0
     }
 
     /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
@@ -114,7 +117,8 @@ impl Collisions {
 impl Recorder for Collisions {
     #[inline]
     fn span(&mut self, span: &Span<'_>) {
-        self.seen[span.structure] = (span.end_time, span.end.displacement);
+        let seen = &mut self.seen[span.structure];
+        *seen = [(span.end_time, span.end.displacement), seen[0]];
         let Some(pair) = self.pair_of_left[span.structure] else {
             return;
         };
