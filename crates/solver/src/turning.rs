@@ -1,60 +1,78 @@
-//! Where a motion that is known between its ends turns inside a span.
+//! Where a motion that is known as series turns inside a span.
 
-use crate::span::Expansion;
-use crate::{Path, Series, Span};
+use crate::exact::roots::{CAPACITY, first_root, shift};
 
-/// Steps after which a search is ended; it needs about ten.
-const MOST_STEPS: u32 = 100;
-
-impl Span<'_> {
-    /// The instant inside the span at which a quantity passes through zero that has opposite signs at its ends; nothing
-    /// in a step, of which only the ends are known.
-    ///
-    /// Regula falsi (Illinois) to the rounding of the time.
-    pub(crate) fn crossing(
-        &self,
-        [mut low, mut high]: [f64; 2],
-        quantity: impl Fn(f64) -> f64,
-    ) -> Option<f64> {
-        let same = low == 0.0 || high == 0.0 || (low < 0.0) == (high < 0.0);
-        if same || matches!(self.path, Path::Cubic(_)) {
-            return None;
+/// Tells every x above the first and below the last at which a polynomial changes its sign, in their order.
+///
+/// By bounds, so that two changes between two looks are not missed.
+pub(crate) fn sign_changes(
+    coefficients: &[f64],
+    [first, last]: [f64; 2],
+    mut each: impl FnMut(f64),
+) {
+    let mut local = [0.0; CAPACITY];
+    let local = &mut local[..coefficients.len()];
+    local.copy_from_slice(coefficients);
+    shift(local, first);
+    let mut origin = first;
+    // A polynomial has no more zeros than coefficients.
+    for _ in 0..coefficients.len() {
+        if local.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0) {
+            local.iter_mut().for_each(|c| *c = -*c);
         }
-        let (mut from, mut to) = (self.start_time, self.end_time);
-        for _ in 0..MOST_STEPS {
-            let time = from + (to - from) * (low / (low - high));
-            let value = quantity(time);
-            if value == 0.0 || time <= from.min(to) || time >= from.max(to) {
-                return Some(time);
-            }
-            if (value < 0.0) == (high < 0.0) {
-                low *= 0.5;
-            } else {
-                (from, low) = (to, high);
-            }
-            (to, high) = (time, value);
+        let Some(x) = first_root(local, last - origin) else {
+            return;
+        };
+        origin += x;
+        if origin >= last {
+            return;
         }
-        Some(to)
-    }
-
-    /// Rate at which the absolute acceleration changes, on ground whose acceleration changes at `slope` \[m/s³\], but for a
-    /// positive factor; nothing in a step.
-    pub(crate) fn jerk(&self, time: f64, slope: f64) -> f64 {
-        match self.path {
-            Path::Cubic(_) => 0.0,
-            Path::Series(series) => series.jerk(self.x(series, time), slope),
-            Path::Flight(_) => self.expanded(&mut Expansion::default()).jerk(time, slope),
-        }
+        each(origin);
+        shift(local, x);
+        // What rounding leaves of this zero is no other one.
+        local[0] = 0.0;
     }
 }
 
-impl Series<'_> {
-    /// d(acceleration)/dx of the floor on ground whose acceleration changes at `slope` \[m/s³\].
-    fn jerk(&self, x: f64, slope: f64) -> f64 {
-        let terms = self.acceleration.iter().enumerate().skip(1).rev();
-        let own = terms.fold(0.0, |sum, (n, coefficient)| {
-            sum * x + n as f64 * coefficient
-        });
-        own + slope * self.power.rate(x)
+/// What the terms of a polynomial but the first sum up to at most on 0 ..= x.
+pub(crate) fn reach(coefficients: impl DoubleEndedIterator<Item = f64>, x: f64) -> f64 {
+    coefficients.rev().fold(0.0, |sum, c| (sum + c.abs()) * x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(coefficients: &[f64], range: [f64; 2]) -> Vec<f64> {
+        let mut all = Vec::new();
+        sign_changes(coefficients, range, |x| all.push(x));
+        all
+    }
+
+    /// (x − 1)(x − 2)(x − 3), and squares, which touch zero without a change of sign.
+    #[test]
+    fn reference_zeros_of_known_polynomials() {
+        let cubic = [-6.0, 11.0, -6.0, 1.0];
+        let close = |found: &[f64], wanted: &[f64]| {
+            assert_eq!(found.len(), wanted.len(), "{found:?}, {wanted:?}");
+            for (found, wanted) in found.iter().zip(wanted) {
+                assert!((found - wanted).abs() < 1e-14, "{found}, {wanted}");
+            }
+        };
+        close(&found(&cubic, [0.0, 4.0]), &[1.0, 2.0, 3.0]);
+        close(&found(&cubic.map(|c| -c), [0.0, 4.0]), &[1.0, 2.0, 3.0]);
+        close(&found(&cubic, [1.5, 2.5]), &[2.0]);
+        close(&found(&cubic, [0.0, 0.5]), &[]);
+        // Two changes of sign between ends of the same sign.
+        close(&found(&[0.1875, -1.0, 1.0], [0.0, 1.0]), &[0.25, 0.75]);
+        close(&found(&[0.0, 1.0], [0.0, 1.0]), &[]);
+        close(&found(&[0.0; 4], [0.0, 1.0]), &[]);
+    }
+
+    #[test]
+    fn limit_no_value_is_beyond_the_reach() {
+        let coefficients = [0.3, -2.0, 1.5, 4.0];
+        let reach = reach(coefficients[1..].iter().copied(), 0.5);
+        assert!((reach - (1.0 + 0.375 + 0.5)).abs() < 1e-15, "{reach}");
     }
 }

@@ -1,17 +1,15 @@
-//! Free flight of a whole row from sample to sample by closed form, as long as nothing happens but turns.
+//! Free flight of a whole row from sample to sample by closed form, as long as nothing happens.
 //!
 //! Where a structure on the elastic line of its columns is at the next sample follows from velocity, force and ground at
 //! this one, with weights that are found once for a run. Bounds of what it could do on the way say where that is all there
 //! is to know. Where they cannot, the pieces of the general method take over until the next sample.
 
 use crate::exact::Run;
-use crate::exact::ahead::{Ahead, Turn};
+use crate::exact::ahead::Ahead;
 use crate::exact::body::in_flight;
 use crate::exact::contact::Link;
 use crate::exact::look_ahead::CARRIED;
 use crate::exact::member::{Branch, Member};
-use crate::exact::roots::{CAPACITY, first_root};
-use crate::span::{Expansion, rise, value};
 use crate::{Flight, Path, Recorder, Span, State};
 
 /// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
@@ -109,7 +107,7 @@ impl Leap {
         }
     }
 
-    /// The flight of a structure to the next sample; nothing where its columns could yield, or turns be missed, on the way.
+    /// The flight of a structure to the next sample; nothing where its columns could yield, or it turn more than once, on the way.
     #[inline]
     fn ahead(&self, member: &Member, ground: &Interval) -> Option<Ahead> {
         let half = 0.5 * (ground.to - ground.from);
@@ -145,11 +143,6 @@ impl Leap {
         if !(known && held < member.limit) {
             return None;
         }
-        let turn = if on < 0.0 {
-            Some(ground.turn(member, &flight)?)
-        } else {
-            None
-        };
         Some(Ahead {
             flight,
             end: ground.to,
@@ -162,7 +155,6 @@ impl Leap {
             },
             hysteretic_force,
             acceleration: most,
-            turn,
         })
     }
 }
@@ -182,44 +174,10 @@ impl Interval {
             len,
         }
     }
-
-    /// The turn of a structure whose velocities at both ends have different signs; nothing where time cannot tell it
-    /// apart from them.
-    fn turn(&self, member: &Member, flight: &Flight) -> Option<Turn> {
-        let mut room = Expansion::default();
-        flight.expand(&mut room);
-        let mut rates = [0.0; CAPACITY];
-        let rates = &mut rates[..flight.len];
-        for (rate, coefficient) in rates.iter_mut().zip(room.velocity(flight.len)) {
-            *rate = -flight.velocity.signum() * coefficient;
-        }
-        let x = first_root(rates, self.to - self.from)?;
-        let time = self.from + x;
-        let change = rise(room.displacement(flight.len), x);
-        let displacement = flight.displacement + change;
-        let hysteretic_force = member.hysteretic_force + member.hysteretic_stiffness * change;
-        let before = State {
-            displacement,
-            velocity: 0.0,
-            acceleration: value(room.acceleration(flight.len), x),
-            restoring_force: member.with_hardening(displacement, hysteretic_force),
-            ..State::default()
-        };
-        let ground = self.value + self.slope * x;
-        let after = State {
-            acceleration: flight.acceleration(0.0, before.restoring_force, ground),
-            ..before
-        };
-        (time > self.from && time < self.to).then_some(Turn {
-            time,
-            before,
-            after,
-        })
-    }
 }
 
 impl<R: Recorder> Run<'_, R> {
-    /// Flies on as far as nothing happens but turns; returns the instant from which the general method goes on.
+    /// Flies on as far as nothing happens; returns the instant from which the general method goes on.
     pub(super) fn fly(&mut self, mut now: f64) -> f64 {
         let mut flown = false;
         if self.flights.whole && self.flies() {
@@ -278,7 +236,7 @@ impl<R: Recorder> Run<'_, R> {
             && contacts.all(|contact| contact.link == Link::Apart)
     }
 
-    /// Finds the flights of all structures to the next sample; false where more than turns could happen on the way.
+    /// Finds the flights of all structures to the next sample; false where something could happen on the way.
     fn leap(&mut self, interval: &Interval) -> bool {
         for (member, leap) in self.members.iter_mut().zip(&self.flights.leaps) {
             let Some(leap) = leap else {
@@ -311,21 +269,6 @@ impl<R: Recorder> Run<'_, R> {
                 continue;
             };
             let (flight, clock) = (ahead.flight, &self.clock);
-            let mut report = |ends: (f64, f64), [start, end]: [State; 2]| {
-                self.work.segments += 1;
-                let (start_time, end_time) = (clock.absolute(ends.0), clock.absolute(ends.1));
-                self.recorder.span(&Span {
-                    structure,
-                    start_time,
-                    end_time,
-                    start,
-                    end,
-                    impulse_from_left: 0.0,
-                    impulse_from_right: 0.0,
-                    below: None,
-                    path: Path::Flight(flight),
-                });
-            };
             let State {
                 velocity,
                 restoring_force,
@@ -335,13 +278,18 @@ impl<R: Recorder> Run<'_, R> {
                 acceleration: flight.acceleration(velocity, restoring_force, interval.value),
                 ..member.state
             };
-            let (from, to) = (interval.from, interval.to);
-            if let Some(turn) = ahead.turn {
-                report((from, turn.time), [start, turn.before]);
-                report((turn.time, to), [turn.after, ahead.state]);
-            } else {
-                report((from, to), [start, ahead.state]);
-            }
+            self.work.segments += 1;
+            self.recorder.span(&Span {
+                structure,
+                start_time: clock.absolute(interval.from),
+                end_time: clock.absolute(interval.to),
+                start,
+                end: ahead.state,
+                impulse_from_left: 0.0,
+                impulse_from_right: 0.0,
+                below: None,
+                path: Path::Flight(flight),
+            });
             (member.state, member.hysteretic_force) = (ahead.state, ahead.hysteretic_force);
         }
     }
@@ -363,13 +311,6 @@ impl<R: Recorder> Run<'_, R> {
     pub(super) fn look_to_sample(&mut self, first: usize, time: f64) {
         let nodes = self.groups.of(first).nodes();
         let alone = nodes.len() == 1 && self.members[first].branch == Branch::Elastic;
-        let goes_on = |member: &Member| {
-            let ahead = member.ahead.as_ref();
-            ahead.is_some_and(|ahead| ahead.goes_on(time, &member.state))
-        };
-        if alone && goes_on(&self.members[first]) {
-            return;
-        }
         for node in nodes {
             self.members[*node].ahead = None;
         }
@@ -392,14 +333,10 @@ impl Member {
         }
     }
 
-    /// Largest displacement at the end of the way and where it turns.
+    /// Magnitude of its displacement at the end of the way.
     fn reach(&self) -> f64 {
-        self.ahead.map_or(self.state.displacement.abs(), |ahead| {
-            let turn = ahead
-                .turn
-                .map_or(0.0, |turn| turn.before.displacement.abs());
-            ahead.state.displacement.abs().max(turn)
-        })
+        let end = self.ahead.map_or(self.state, |ahead| ahead.state);
+        end.displacement.abs()
     }
 
     /// The restoring force at this drift, the hysteretic part of which is known.

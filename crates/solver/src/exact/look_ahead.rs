@@ -67,7 +67,9 @@ impl<R: Recorder> Run<'_, R> {
         // At a touch the series knows both better than the rounded time does.
         let touches = contact.meets <= time;
         let coarse = !touches && deformation.abs() > CARRIED * contact.scale;
-        if coarse && contact.link != Link::Resting {
+        // Zero by an impact it stays: at another one of the same instant the rounding of its time would be an overlap.
+        let struck = contact.deformation == 0.0 && contact.hit >= time;
+        if coarse && !struck && contact.link != Link::Resting {
             contact.deformation = deformation;
             // A rate that is zero by an event stays so.
             if contact.rate != 0.0 {

@@ -177,6 +177,11 @@ impl Member {
         self.storey.is_some() || self.above.is_some()
     }
 
+    /// Whether its columns go another way from where the drift turns.
+    pub(super) fn unloads(&self) -> bool {
+        self.branch != Branch::Elastic || self.bend.is_some()
+    }
+
     /// Tangent stiffness of the branch \[N/m\].
     pub(super) fn tangent(&self) -> f64 {
         match self.branch {

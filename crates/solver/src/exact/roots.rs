@@ -198,7 +198,7 @@ pub(super) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
 const AT_ONCE: usize = 4;
 
 /// Expands a polynomial about `origin` instead of 0.
-pub(super) fn shift(coefficients: &mut [f64], origin: f64) {
+pub(crate) fn shift(coefficients: &mut [f64], origin: f64) {
     let Some((last, others)) = coefficients.split_last_mut() else {
         return;
     };

@@ -10,7 +10,7 @@ use crate::span::Power;
 /// What ends a piece, besides samples of the record and the reach of the series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Event {
-    /// The velocity of a node is zero: a peak, and on the ground the end of yielding.
+    /// The velocity of a node on the ground is zero: the end of yielding.
     Turn(usize),
     /// The rate of the drift of a storey above the ground is zero: the end of its yielding.
     TurnOfDrift(usize),
@@ -119,7 +119,7 @@ impl<R: Recorder> Run<'_, R> {
             if member.is_wall() {
                 continue;
             }
-            if self.leader(node) == node {
+            if self.unloads_from(node) {
                 watch.change_of(len, false, |n| member.velocity[n], Event::Turn(node));
             }
             watch_columns(watch, node, member, len);
@@ -133,6 +133,14 @@ impl<R: Recorder> Run<'_, R> {
         for joined in group.pairs() {
             self.watch_pair(watch, joined.pair, len);
         }
+    }
+
+    /// Whether the columns of a floor on the ground, or of one that rests against it and shares its velocity, unload where it turns.
+    fn unloads_from(&self, leader: usize) -> bool {
+        let shares = |node: &usize| self.leader(*node) == leader;
+        let followers = (leader..self.members.len()).take_while(shares);
+        let mut on_ground = followers.filter(|node| self.members[*node].storey.is_none());
+        self.leader(leader) == leader && on_ground.any(|node| self.members[node].unloads())
     }
 
     fn watch_pair(&self, watch: &mut Watch, pair: usize, len: usize) {
@@ -224,7 +232,7 @@ impl<R: Recorder> Run<'_, R> {
 
 /// Finds when the columns of a node turn, yield, or pass through zero.
 fn watch_columns(watch: &mut Watch, node: usize, member: &Member, len: usize) {
-    if let Some(storey) = &member.storey {
+    if let Some(storey) = member.storey.as_ref().filter(|_| member.unloads()) {
         watch.change_of(len, false, |n| storey.rate[n], Event::TurnOfDrift(node));
     }
     if let Some(bend) = &member.bend {

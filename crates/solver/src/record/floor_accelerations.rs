@@ -1,6 +1,8 @@
 use super::Peak;
-use crate::span::Expansion;
-use crate::{Excitation, Impact, Path, Recorder, Span, Travel};
+use crate::exact::roots::CAPACITY;
+use crate::span::{Expansion, value};
+use crate::turning::{reach, sign_changes};
+use crate::{Excitation, Impact, Path, Recorder, Series, Span, Travel};
 
 /// Part of a span after which its acceleration has begun to rise or fall.
 const BEGUN: f64 = 1e-6;
@@ -72,15 +74,21 @@ impl Recorder for FloorAccelerations<'_> {
             }
             Path::Flight(_) => self.span(&span.expanded(&mut Expansion::default())),
             // Such a span lies between two samples.
-            Path::Series(_) => {
+            Path::Series(series) => {
                 let segment = self.excitation.segment(from, arrival);
                 let ground = |time: f64| segment.value + segment.slope * (time - from);
                 peak.take(span.start.acceleration + ground(from), from);
-                let jerk = |time| span.jerk(time, segment.slope);
-                // Just after a touch nothing changes yet in the fourth root of time.
-                let begun = from + BEGUN * (to - from);
-                if let Some(time) = span.crossing([begun, to].map(jerk), jerk) {
-                    peak.take(span.at(time).acceleration + ground(time), time);
+                let last = span.x(series, to);
+                let own = span.start.acceleration.abs();
+                let most = own + reach(series.acceleration.iter().skip(1).copied(), last);
+                if ROUNDED * (most + self.most) > peak.value.abs() {
+                    // Just after a touch nothing changes yet in the fourth root of time.
+                    let first = series.x(from + BEGUN * (to - from));
+                    let (jerk, len) = jerk(&series, segment.slope);
+                    sign_changes(&jerk[..len], [first, last], |x| {
+                        let time = series.time(x);
+                        peak.take(value(series.acceleration, x) + ground(time), time);
+                    });
                 }
                 peak.take(span.end.acceleration + ground(to), to);
             }
@@ -90,10 +98,26 @@ impl Recorder for FloorAccelerations<'_> {
     fn impact(&mut self, _: &Impact) {}
 }
 
+/// Coefficients of the rate over x at which the absolute acceleration changes, on ground whose acceleration changes at `slope`
+/// \[m/s³\], and their number.
+fn jerk(series: &Series<'_>, slope: f64) -> ([f64; CAPACITY], usize) {
+    let mut rates = [0.0; CAPACITY];
+    let own = series.acceleration.iter().enumerate().skip(1);
+    for (n, coefficient) in own {
+        rates[n - 1] = n as f64 * coefficient;
+    }
+    let order = series.power.order();
+    rates[order - 1] += order as f64 * slope;
+    (
+        rates,
+        order.max(series.acceleration.len().saturating_sub(1)),
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::span::{Power, Series};
+    use crate::span::Power;
     use crate::{State, Weighed};
 
     /// Ends of a span of one second, and its path.

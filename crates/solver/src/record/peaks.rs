@@ -1,4 +1,7 @@
-use crate::{Impact, Path, Recorder, Span, State};
+use crate::exact::roots::CAPACITY;
+use crate::span::Expansion;
+use crate::turning::{reach, sign_changes};
+use crate::{Impact, Path, Recorder, Series, Span, State};
 
 /// Value of largest magnitude and when it occurred.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -52,25 +55,59 @@ impl StructurePeaks {
     }
 
     /// Takes what a motion known between its ends has inside them: where the floor turns, and where the storey does.
-    fn take_inside(&mut self, span: &Span<'_>) {
-        let rates = [span.start.velocity, span.end.velocity];
-        let floor = span.crossing(rates, |time| span.at(time).velocity);
-        let storey = span.below.and_then(|_| {
-            let rates = span.drifts().map(|drift| drift.velocity);
-            span.crossing(rates, |time| span.drift(time).velocity)
-        });
-        for time in floor.into_iter().chain(storey) {
-            let (state, drift) = (span.at(time), span.drift(time).displacement);
-            let [start, end] = span.drifts().map(|drift| drift.displacement);
-            let ends = [span.start.displacement, span.end.displacement];
-            if beyond(state.displacement, ends) {
-                self.displacement.take(state.displacement, time);
+    fn take_inside(&mut self, span: &Span<'_>, series: &Series<'_>) {
+        let range = [series.x(span.start_time), span.x(*series, span.end_time)];
+        if !self.could_rise(series, range[1]) {
+            return;
+        }
+        sign_changes(series.velocity, range, |x| self.take_turn(span, series, x));
+        if let Some([_, below]) = series.below {
+            let mut rate = [0.0; CAPACITY];
+            let rate = &mut rate[..series.velocity.len()];
+            rate.copy_from_slice(series.velocity);
+            for (rate, below) in rate.iter_mut().zip(below) {
+                *rate -= below;
             }
-            if beyond(drift, [start, end]) {
-                self.restoring_force.take(state.restoring_force, time);
-                if span.below.is_some() {
-                    self.storey_drift.get_or_insert_default().take(drift, time);
-                }
+            sign_changes(rate, range, |x| self.take_turn(span, series, x));
+        }
+    }
+
+    /// Whether a motion could go beyond these peaks up to x.
+    fn could_rise(&self, series: &Series<'_>, x: f64) -> bool {
+        let displacement = |n: usize| *series.displacement.get(n).unwrap_or(&0.0);
+        let drift = |n: usize| {
+            let below = series.below.and_then(|[below, _]| below.get(n));
+            displacement(n) - below.unwrap_or(&0.0)
+        };
+        let terms = 1..series.displacement.len();
+        let changes = reach(terms.clone().map(drift), x);
+        let (force, tangent) = series.restoring_force;
+        let bent = reach(series.bent.iter().skip(1).copied(), x);
+        let beyond = |start: f64, change: f64, peak: Peak| {
+            (1.0 + BEYOND) * (start.abs() + change) > peak.value.abs()
+        };
+        beyond(
+            displacement(0),
+            reach(terms.map(displacement), x),
+            self.displacement,
+        ) || beyond(drift(0), changes, self.drift())
+            || beyond(force, tangent.abs() * changes + bent, self.restoring_force)
+    }
+
+    /// Takes the state at x of a turn, of the floor or of the storey, if it lies beyond both ends.
+    fn take_turn(&mut self, span: &Span<'_>, series: &Series<'_>, x: f64) {
+        let state = series.at(x);
+        let (drift, time) = (series.drift((&state).into(), x), series.time(x));
+        let ends = [span.start.displacement, span.end.displacement];
+        if beyond(state.displacement, ends) {
+            self.displacement.take(state.displacement, time);
+        }
+        let ends = span.drifts().map(|drift| drift.displacement);
+        if beyond(drift.displacement, ends) {
+            self.restoring_force.take(state.restoring_force, time);
+            if span.below.is_some() {
+                let peak = self.storey_drift.get_or_insert_default();
+                peak.take(drift.displacement, time);
             }
         }
     }
@@ -114,8 +151,16 @@ impl Recorder for Peaks {
             let force = span.start.pounding_force();
             peaks.pounding_force.take(force, span.start_time);
         }
-        if let Path::Series(_) = span.path {
-            peaks.take_inside(span);
+        match &span.path {
+            Path::Series(series) => peaks.take_inside(span, series),
+            // It turns once at most.
+            Path::Flight(_) if span.start.velocity * span.end.velocity < 0.0 => {
+                let mut room = Expansion::default();
+                if let Path::Series(series) = &span.expanded(&mut room).path {
+                    peaks.take_inside(span, series);
+                }
+            }
+            Path::Cubic(_) | Path::Flight(_) => {}
         }
         peaks.take(&span.end, span.end_time);
         if span.below.is_some() {
@@ -130,7 +175,7 @@ impl Recorder for Peaks {
 mod tests {
     use super::*;
     use crate::Motion;
-    use crate::span::{Power, Series};
+    use crate::span::Power;
 
     /// A floor at t² − t on one that moves evenly at −0.5 m/s, for 2 s from `start` on: the floor turns at 0.5 s with
     /// −0.25 m, the storey at 0.25 s with −0.0625 m.

@@ -113,9 +113,14 @@ impl Series<'_> {
         self.power.root((time - self.origin).max(0.0)).min(self.end)
     }
 
+    /// The instant at x \[s\].
+    pub(crate) fn time(&self, x: f64) -> f64 {
+        self.origin + self.power.time(x)
+    }
+
     /// Drift of the storey below the floor, whose own motion at x this is.
     #[inline]
-    pub(super) fn drift(&self, floor: Motion, x: f64) -> Motion {
+    pub(crate) fn drift(&self, floor: Motion, x: f64) -> Motion {
         match self.below {
             None => floor,
             Some([displacement, velocity]) => floor.since(Motion {
@@ -138,7 +143,7 @@ impl Series<'_> {
             move |side: usize, number: usize| {
                 let x = nodes[side][number];
                 let (state, drift) = state(side, number);
-                let time = self.origin + self.power.time(x);
+                let time = self.time(x);
                 let rate = self.power.rate(x);
                 integrand(time, &state, drift).map(|value| rate * value)
             }
@@ -198,7 +203,7 @@ impl Series<'_> {
 
     /// State at x.
     #[inline]
-    pub(super) fn at(&self, x: f64) -> State {
+    pub(crate) fn at(&self, x: f64) -> State {
         let rise = rise(self.displacement, x);
         let drift = match self.below {
             None => rise,

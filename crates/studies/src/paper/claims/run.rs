@@ -74,14 +74,23 @@ impl<'a> Run<'a> {
             .as_ref()
             .expect("the studies used here keep histories");
         let storey = |floor: &usize| {
-            let made_of = self.floors.all()[*floor].made_of?;
-            let stiffness = made_of.columns.stiffness_n_per_m;
+            let storey = &self.floors.all()[*floor];
+            let stiffness = storey.made_of?.columns.stiffness_n_per_m;
+            let peak = self.outcome.peaks.of(*floor).drift().value;
+            // Else the difference is what rounding leaves of zero.
+            let yielded = storey
+                .ductility(peak)
+                .is_some_and(|ductility| ductility.abs() > 1.0);
             let below = self.floors.below(*floor);
             let below = below.map(|below| &histories.of(below).states);
             let states = histories.of(*floor).states.iter().enumerate();
             let plastic = states.map(|(instant, state)| {
                 let ground = below.map_or(0.0, |below| below[instant].displacement);
-                state.displacement - ground - state.restoring_force / stiffness
+                if yielded {
+                    state.displacement - ground - state.restoring_force / stiffness
+                } else {
+                    0.0
+                }
             });
             Some(plastic.collect())
         };

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-#[path = "../../../fuzz/src/record.rs"]
+#[path = "../../../../fuzz/src/record.rs"]
 mod record;
 
 #[test]

@@ -7,7 +7,7 @@ use pounding_studies::{Completed, Studies, StudyFile, Table};
 
 #[test]
 fn reference_tables() {
-    glob!("../../../studies", "{table-*,text}.json", |path| {
+    glob!("../../../../studies", "{table-*,text}.json", |path| {
         let study = StudyFile::read(path).expect("a readable study");
         let completed = Completed::run(study, &|| ()).expect("a study that runs");
         let table = Table::of(&completed).expect("scenes that give the table");

@@ -5,7 +5,7 @@ use std::path::Path;
 use insta::assert_snapshot;
 use pounding_scene::{Method, Scene, Structure};
 
-use crate::{TOML, changed, refusal, scene};
+use super::{TOML, changed, refusal, scene};
 
 #[test]
 fn limit_a_wall_is_a_word_or_an_empty_table() {

@@ -26,10 +26,10 @@ fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
 
 /// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, and number 44 takes
 /// more pieces than its budget; the rest are further apart than is allowed, most by what the second route differs from itself.
-const AGREE: [usize; 66] = [
+const AGREE: [usize; 64] = [
     0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33,
-    34, 35, 36, 37, 38, 39, 40, 43, 45, 47, 48, 49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64,
-    65, 66, 67, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83,
+    34, 35, 36, 37, 39, 40, 43, 45, 47, 48, 49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65,
+    66, 67, 70, 71, 72, 73, 74, 76, 77, 78, 79, 80, 81, 82, 83,
 ];
 
 #[test]
@@ -60,10 +60,14 @@ fn issue_scenes_of_the_campaign_that_found_faults_agree() {
         (3, vec![4, 44, 50]),
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
-        let apart = checked
+        // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much.
+        let found =
+            |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds(_));
+        let apart: Vec<String> = checked
             .iter()
-            .filter(|one| !matches!(one.verdict, Verdict::Agrees));
-        let apart: Vec<String> = apart.flat_map(Checked::lines).collect();
+            .filter(found)
+            .flat_map(Checked::lines)
+            .collect();
         assert!(apart.is_empty(), "seed {seed}: {apart:#?}");
     }
 }
@@ -141,12 +145,12 @@ fn limit_a_scene_is_its_file() {
     }
 }
 
-/// What no route can decide is told from what one does wrong: 3/33 loses touches with the last digits of its data, and changes of
+/// What no route can decide is told from what one does wrong: 2/608 loses touches with the last digits of its data, and changes of
 /// its data by 1e-15 move 2/197.
 #[test]
 fn limit_what_rounding_decides_is_no_disagreement() {
     let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;
-    let lost = verdict(3, 33);
+    let lost = verdict(2, 608);
     assert!(matches!(lost, Verdict::Unknowable(_)), "{lost:?}");
     let rounds = verdict(2, 197);
     assert!(matches!(rounds, Verdict::ExactRounds(_)), "{rounds:?}");

@@ -5,7 +5,7 @@ use std::path::Path;
 use insta::assert_snapshot;
 use pounding_scene::{STANDARD_GRAVITY, Scene, Simulation, response_spectrum};
 
-use crate::changed;
+use super::changed;
 
 /// The scene with another record; it is prepared without a file.
 fn shaken(record: &str) -> Result<Simulation, String> {

@@ -1,0 +1,14 @@
+//! Tests of ground motions; the kind of each is in its name.
+
+mod at2;
+mod committed_records;
+mod csv;
+mod damaged;
+mod formats;
+mod fuzz_seeds;
+mod generated;
+mod laws;
+mod measures;
+mod processing;
+mod record;
+mod stochastic;

@@ -1,0 +1,4 @@
+//! Tests of reports; the kind of each is in its name.
+
+mod opensees;
+mod separation;

@@ -1,0 +1,12 @@
+//! Tests of scenes; the kind of each is in its name.
+
+mod certificates;
+mod effects;
+mod errors;
+mod extremes;
+mod floors;
+mod lean;
+mod mirrored;
+mod numbers;
+mod scene_files;
+mod spectrum;
