@@ -1,6 +1,8 @@
 //! The loop of two elastic structures, written by hand for the vectors of x86-64: what lanes are measured by.
 
 #[cfg(target_arch = "x86_64")]
+mod element;
+#[cfg(target_arch = "x86_64")]
 mod steps;
 #[cfg(target_arch = "x86_64")]
 mod vector;
