@@ -10,7 +10,7 @@
 //! | none | every method on the scenes of two structures, with its accuracy | `wall-time.csv`, and those below but `--peers` |
 //! | `--savings` | rows with one burden each against the leanest row | `savings.csv` |
 //! | `--storeys` | a floor of a building against a structure of one storey | `storeys.csv` |
-//! | `--lanes` | long rows, scenes in SIMD lanes, sweeps | `bench/`: `structures.csv`, `lanes.csv`, `sweeps.csv` |
+//! | `--lanes` | long rows, scenes in SIMD lanes, sweeps | `bench/`: `structures.csv`, `lanes.csv`, `buildings.csv`, `sweeps.csv` |
 //! | `--peers` | the same scenes by other programs and compiled loops | `bench/`: `peers.csv`, `peers-levels.csv` |
 //!
 //! Only ratios are kept, each taken in one run on one machine. `--peers` needs Python 3 and packages from its index.
@@ -18,7 +18,7 @@
 //! Left out: whether numbers are right, which tests ask, and error against counted work, which `cargo xtask reproduce` measures.
 //! `cargo xtask check` times nothing. `docs/performance.md` explains the results.
 //!
-//! Where to start: `setting.rs`, the scenes of lanes and sweeps; `lanes/by_hand`, the loop that lanes are measured by;
+//! Where to start: `setting.rs`, the scenes of lanes and sweeps; `lanes/by_hand`, the loops that lanes are measured by;
 //! `peers/entrants.rs`, the list of other programs. `benches/` holds the loops that criterion times.
 #![expect(
     clippy::print_stdout,

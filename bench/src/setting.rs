@@ -8,6 +8,8 @@ use rand_pcg::rand_core::Rng;
 
 /// The record that shakes the scenes, from the top folder.
 pub(super) const RECORD: &str = "studies/records/el-centro-1940-ns-chopra.csv";
+/// Of the Earth \[m/s²\].
+pub(super) const GRAVITY: f64 = 9.81;
 /// Of the structures: mass \[kg\], damping ratio \[–\], least and largest period \[s\], least and largest gap \[m\].
 pub(super) const MASS: f64 = 1e5;
 pub(super) const DAMPING: f64 = 0.05;
@@ -38,7 +40,7 @@ pub(super) fn ground(root: &Path, time_step: f64, n_steps: usize) -> Result<Vec<
     let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let bytes = std::fs::read(&path).map_err(|error| fail(&error))?;
     let record = pounding_motion::read(&bytes).map_err(|error| fail(&error))?;
-    let record = record.into_record(9.81).map_err(|error| fail(&error))?;
+    let record = record.into_record(GRAVITY).map_err(|error| fail(&error))?;
     let record = record.resampled(time_step);
     let record = record.map_err(|error| fail(&error))?;
     Ok(record.samples()[..=n_steps].to_vec())

@@ -106,7 +106,7 @@ enum Task {
     Dist,
     /// Time every method on the scenes of two structures, with the accuracy of each, and what it saves to model only what
     /// a scene requires, what a floor costs, and scenes side by side; writes ratios into results/wall-time.csv, savings.csv,
-    /// storeys.csv, bench/lanes.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
+    /// storeys.csv, bench/lanes.csv, bench/buildings.csv, bench/sweeps.csv and bench/structures.csv; no part of `check`.
     #[command(disable_help_flag = true)]
     Bench {
         /// What is timed alone, such as --lanes; --help names all.

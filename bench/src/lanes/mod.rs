@@ -1,6 +1,9 @@
-//! Scenes side by side, beside the same scenes alone, the exact method, and a loop written by hand for the machine's vectors.
+//! Scenes side by side, beside the same scenes alone, the exact method, and loops written by hand for the machine's
+//! vectors.
 
+mod buildings;
 mod by_hand;
+mod towers;
 
 use std::fs;
 use std::hint::black_box;
@@ -11,8 +14,8 @@ pub(super) use by_hand::instructions;
 use by_hand::{GROUP, Group, Law};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Collisions, Elastic, Excitation, Integrator, Node, Pair, Peaks, Row, RowsOf, SceneSums,
-    SideBySide,
+    Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row, RowsOf,
+    SceneSums, SideBySide,
 };
 
 use super::setting::{
@@ -47,16 +50,11 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let words = |error: pounding_solver::ModelError| error.to_string();
     let ground = ground(root)?;
     let recorded = setting::ground(root, RECORDED, CLOCK.n_steps / 2)?;
-    let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
-        .map_err(|error| error.to_string())?;
     let Some(instructions) = instructions() else {
         return Err(NO_LOOP.into());
     };
     let mut lines = Vec::new();
-    for law in [
-        Law::Stereomechanical(RESTITUTION),
-        Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio),
-    ] {
+    for law in laws()? {
         let groups = groups(law);
         let rows = groups.iter().flat_map(rows).collect::<Result<_, _>>()?;
         let scenes = Scenes {
@@ -72,7 +70,17 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     println!(
         "\nScenes per second on one core, over those of the loop by hand that records peaks and impulses:\n{csv}\nkept in {KEPT}"
     );
-    Ok(())
+    buildings::run(root, instructions)
+}
+
+/// Impacts, and the element.
+fn laws() -> Result<[Law; 2], String> {
+    let element = NonlinearViscoelastic::calibrated(STIFFNESS, RESTITUTION, Calibration::Exact)
+        .map_err(|error| error.to_string())?;
+    Ok([
+        Law::Stereomechanical(RESTITUTION),
+        Law::Viscoelastic(element.impact_stiffness, element.impact_damping_ratio),
+    ])
 }
 
 /// Puts lines, each begun with the instructions of this machine, into a table in place of those of the same instructions before,
@@ -199,18 +207,26 @@ impl Scenes<'_> {
         }
     }
 
-    /// Some scenes one by one, with the recorders that give the same numbers.
+    /// Some scenes one by one.
     fn alone(&self, integrator: Integrator, excitation: Excitation<'_>) {
         for row in &self.rows[..ALONE] {
-            let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
-            black_box(
-                integrator
-                    .run(row, excitation, CLOCK, &mut recorder)
-                    .is_ok(),
-            );
-            black_box(recorder);
+            black_box(solved(row, integrator, excitation).is_ok());
         }
     }
+}
+
+/// Peaks of a scene that runs alone, with the recorders that give the same numbers.
+fn solved<Column: Hysteretic>(
+    row: &Row<Column>,
+    integrator: Integrator,
+    excitation: Excitation<'_>,
+) -> Result<Peaks, String> {
+    let n = row.nodes().len();
+    let mut recorder = (Peaks::new(n), Collisions::new(n, row.pairs()));
+    let ran = integrator.run(row, excitation, CLOCK, &mut recorder);
+    ran.map_err(|error| error.to_string())?;
+    black_box(&recorder);
+    Ok(recorder.0)
 }
 
 /// Accelerations at the nodes of the clock \[m/s²\].
@@ -243,9 +259,9 @@ fn groups(law: Law) -> Vec<Group> {
     (0..SCENES / GROUP).map(|_| group()).collect()
 }
 
-/// The same scenes as rows.
-fn rows(group: &Group) -> Vec<Result<Row<Elastic>, String>> {
-    let law = match group.law {
+/// The same law of the library.
+fn contact(law: Law) -> ContactLaw {
+    match law {
         Law::Stereomechanical(restitution) => {
             ContactLaw::Stereomechanical(Stereomechanical { restitution })
         }
@@ -255,7 +271,12 @@ fn rows(group: &Group) -> Vec<Result<Row<Elastic>, String>> {
                 impact_damping_ratio,
             })
         }
-    };
+    }
+}
+
+/// The same scenes as rows.
+fn rows(group: &Group) -> Vec<Result<Row<Elastic>, String>> {
+    let law = contact(group.law);
     let row = |lane: usize| {
         let node = |structure: usize| {
             let column = Elastic {

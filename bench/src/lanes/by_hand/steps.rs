@@ -6,6 +6,7 @@
     reason = "instructions exist only inside the function that found the machine to have them"
 )]
 
+use super::element::Element;
 use super::vector::{Avx2, Avx512, Vectors};
 use super::{Found, GROUP, Group, Law};
 
@@ -265,13 +266,11 @@ impl<V: Vectors, const PEAKS: bool, const IMPULSIVE: bool> Loop<V, PEAKS, IMPULS
         let overlaps = v.exceeds(deformation, zero);
         let [left, right] = &scenes.bodies;
         let rate = v.div(v.sub(left.increment, right.increment), v.all(dt));
-        let root = v.sqrt(deformation);
-        let stiffness = v.all(law[0]);
-        let spring = v.mul(v.mul(stiffness, deformation), root);
-        let inside = v.mul(v.mul(stiffness, root), scenes.reduced_mass);
-        let damping = v.mul(v.all(2.0 * law[1]), v.sqrt(inside));
-        let both = v.add(spring, v.mul(damping, rate));
-        let force = v.select(v.exceeds(rate, zero), both, spring);
+        let element = Element {
+            stiffness: law[0],
+            ratio: law[1],
+        };
+        let force = element.force(v, scenes.reduced_mass, [deformation, rate]);
         let force = v.select(overlaps, force, zero);
         let half = v.mul(v.all(0.5 * dt), v.add(scenes.force, force));
         scenes.impulse = v.add(scenes.impulse, half);

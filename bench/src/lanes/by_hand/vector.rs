@@ -27,6 +27,7 @@ pub(super) trait Vectors: Copy {
     fn mul(self, one: Self::Vector, other: Self::Vector) -> Self::Vector;
     fn div(self, one: Self::Vector, other: Self::Vector) -> Self::Vector;
     fn max(self, one: Self::Vector, other: Self::Vector) -> Self::Vector;
+    fn min(self, one: Self::Vector, other: Self::Vector) -> Self::Vector;
     fn sqrt(self, vector: Self::Vector) -> Self::Vector;
     fn abs(self, vector: Self::Vector) -> Self::Vector;
     /// Where the one is as large as the other, or larger.
@@ -140,6 +141,7 @@ vectors!(
         mul(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_mul_pd(one, other);
         div(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_div_pd(one, other);
         max(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_max_pd(one, other);
+        min(one: Vector, other: Vector) -> Self::Vector = cpu::_mm512_min_pd(one, other);
         sqrt(vector: Vector) -> Self::Vector = cpu::_mm512_sqrt_pd(vector);
         abs(vector: Vector) -> Self::Vector = cpu::_mm512_abs_pd(vector);
         reaches(one: Vector, other: Vector) -> Self::Mask =
@@ -161,6 +163,7 @@ vectors!(
         mul(one: Vector, other: Vector) -> Self::Vector = cpu::_mm256_mul_pd(one, other);
         div(one: Vector, other: Vector) -> Self::Vector = cpu::_mm256_div_pd(one, other);
         max(one: Vector, other: Vector) -> Self::Vector = cpu::_mm256_max_pd(one, other);
+        min(one: Vector, other: Vector) -> Self::Vector = cpu::_mm256_min_pd(one, other);
         sqrt(vector: Vector) -> Self::Vector = cpu::_mm256_sqrt_pd(vector);
         abs(vector: Vector) -> Self::Vector = cpu::_mm256_andnot_pd(cpu::_mm256_set1_pd(-0.0), vector);
         reaches(one: Vector, other: Vector) -> Self::Mask =
