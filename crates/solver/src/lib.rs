@@ -47,6 +47,7 @@ mod integrator;
 mod model;
 mod quadrature;
 mod record;
+mod roots;
 mod span;
 mod stability;
 mod turning;

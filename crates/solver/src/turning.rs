@@ -1,6 +1,6 @@
 //! Where a motion that is known as series turns inside a span.
 
-use crate::exact::roots::{CAPACITY, first_root, shift};
+use crate::roots::{CAPACITY, first_root, shift};
 
 /// Tells every x above the first and below the last at which a polynomial changes its sign, in their order.
 ///

@@ -5,7 +5,7 @@
 //! of series.
 
 use crate::Smoothness;
-use crate::exact::roots::{CAPACITY, LOST, SHORTEST_WAY};
+use crate::roots::{CAPACITY, LOST, SHORTEST_WAY};
 use crate::span::{Power, value};
 
 /// Products that |y|ⁿ takes for n up to 31 at most.

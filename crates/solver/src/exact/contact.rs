@@ -4,8 +4,8 @@ use pounding_contact::{Action, ContactLaw, Form, Power as Exponent, Term};
 
 use crate::exact::clock::Past;
 use crate::exact::member::Member;
-use crate::exact::roots::CAPACITY;
 use crate::exact::rounding::noise;
+use crate::roots::CAPACITY;
 use crate::span::Power;
 
 /// How a pair is joined.

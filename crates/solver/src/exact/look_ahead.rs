@@ -9,8 +9,8 @@ use crate::exact::Run;
 use crate::exact::body::Body;
 use crate::exact::clock::{LocalClock, Past};
 use crate::exact::contact::{Contact, Gap, Link};
-use crate::exact::roots::{CAPACITY, first_root, shift, value_and_slope};
 use crate::exact::rounding::noise;
+use crate::roots::{CAPACITY, first_root, shift, value_and_slope};
 use crate::span::{Power, value};
 use crate::{Motion, Recorder};
 

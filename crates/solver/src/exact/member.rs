@@ -2,9 +2,9 @@
 
 use crate::exact::ahead::Ahead;
 use crate::exact::bend::Bend;
-use crate::exact::roots::CAPACITY;
 use crate::exact::terms::Terms;
 use crate::model::excitation::Segment;
+use crate::roots::CAPACITY;
 use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
 
 /// The branch of a piecewise-linear restoring force.

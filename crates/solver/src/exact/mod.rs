@@ -26,7 +26,6 @@ mod landing;
 mod look_ahead;
 mod member;
 mod noise;
-pub(crate) mod roots;
 mod rounding;
 mod series;
 mod settle;
@@ -40,6 +39,7 @@ use crate::model::excitation::Segment;
 use crate::model::ground::Ground;
 use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Touch, Travel, Work};
 
+use crate::roots::SHORTEST_WAY;
 use body::Body;
 pub(crate) use body::in_flight;
 use clock::LocalClock;
@@ -50,7 +50,6 @@ use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
-use roots::SHORTEST_WAY;
 
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,10 +5,10 @@ use std::ops::Range;
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
-use crate::exact::roots::CAPACITY;
 use crate::exact::rounding::noise;
 use crate::exact::storey::rate_of_drift;
 use crate::exact::{CHATTER, Run};
+use crate::roots::CAPACITY;
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
 

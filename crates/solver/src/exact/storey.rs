@@ -1,7 +1,7 @@
 //! Forces of storeys on the floors above and below them, coefficient by coefficient.
 
 use crate::exact::member::{Member, Upper};
-use crate::exact::roots::CAPACITY;
+use crate::roots::CAPACITY;
 
 /// Clears the drifts of these nodes; none of their coefficients is known.
 pub(super) fn begin(members: &mut [Member], nodes: &[usize]) {

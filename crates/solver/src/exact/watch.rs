@@ -4,7 +4,7 @@ use crate::Recorder;
 use crate::exact::Run;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{Branch, Member};
-use crate::exact::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
+use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 
 /// What ends a piece, besides samples of the record and the reach of the series.

@@ -1,5 +1,5 @@
 use super::Peak;
-use crate::exact::roots::CAPACITY;
+use crate::roots::CAPACITY;
 use crate::span::{Expansion, value};
 use crate::turning::{reach, sign_changes};
 use crate::{Excitation, Impact, Path, Recorder, Series, Span, Travel};

@@ -1,4 +1,4 @@
-use crate::exact::roots::CAPACITY;
+use crate::roots::CAPACITY;
 use crate::span::Expansion;
 use crate::turning::{reach, sign_changes};
 use crate::{Impact, Path, Recorder, Series, Span, State};

@@ -5,7 +5,7 @@ use pounding_contact::Action;
 use super::Interval;
 use super::contact::Contact;
 use super::pair::{GivenUp, Scene, Stage};
-use crate::exact::roots::{CAPACITY, quick_first_root};
+use crate::roots::{CAPACITY, quick_first_root};
 use crate::span::{Expansion, value};
 
 /// Events of a scene between two samples; with more of them bounces come to rest.

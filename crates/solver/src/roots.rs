@@ -9,9 +9,9 @@ use crate::span::value;
 pub(crate) const CAPACITY: usize = 64;
 
 /// Part of a series that its last quarter may be where nothing shorter can be told apart.
-pub(super) const LOST: f64 = 1e-3;
+pub(crate) const LOST: f64 = 1e-3;
 /// The shortest piece that time can tell apart \[s\].
-pub(super) const SHORTEST_WAY: f64 = 1e-18;
+pub(crate) const SHORTEST_WAY: f64 = 1e-18;
 
 /// Part of the whole below which a stretch is as short as rounding.
 const SHORTEST: f64 = 1e-15;
@@ -185,7 +185,7 @@ fn rise_of_parabola(coefficients: &[f64], width: f64) -> f64 {
 }
 
 /// Value and first derivative.
-pub(super) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
+pub(crate) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
     let (mut y, mut slope) = (0.0, 0.0);
     for coefficient in coefficients.iter().rev() {
         slope = slope * x + y;
