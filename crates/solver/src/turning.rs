@@ -18,7 +18,9 @@ pub(crate) fn sign_changes(
     // A polynomial has no more zeros than coefficients.
     for _ in 0..coefficients.len() {
         if local.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0) {
-            local.iter_mut().for_each(|c| *c = -*c);
+            for coefficient in local.iter_mut() {
+                *coefficient = -*coefficient;
+            }
         }
         let Some(x) = first_root(local, last - origin) else {
             return;
