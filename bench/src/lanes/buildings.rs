@@ -9,7 +9,7 @@ use pounding_solver::{
 
 use super::by_hand::{self, FLOORS, GROUP, LEVELS, Law, STOREYS, Towers};
 use super::towers::{SCENES, groups, rows};
-use super::{NO_LOOP, ground, keep, laws, medians, solved};
+use super::{MOST_APART, NO_LOOP, apart, ground, keep, laws, medians, solved};
 use crate::setting::{self, CLOCK, EXACT, RECORDED, STEPPING};
 
 /// Where the ratios are kept, from the top folder.
@@ -71,8 +71,7 @@ impl Scenes<'_> {
             return Err("the towers do not run side by side".into());
         }
         let distance = self.distance(&tallies)?;
-        // Sums are taken in another order, and impacts enlarge what rounding makes of it.
-        if distance.is_nan() || distance > 1e-9 {
+        if distance > MOST_APART {
             return Err(format!(
                 "lanes and the loop by hand are {distance:.1e} apart in towers"
             ));
@@ -140,15 +139,7 @@ impl Scenes<'_> {
             let found = found.ok_or(NO_LOOP)?;
             for lane in 0..GROUP {
                 let scene = index * GROUP + lane;
-                let mut compare = |ours: f64, theirs: f64| {
-                    let apart = (ours.abs() - theirs).abs() / theirs.max(f64::MIN_POSITIVE);
-                    // Not a number is a distance, too.
-                    largest = if apart > largest || apart.is_nan() {
-                        apart
-                    } else {
-                        largest
-                    };
-                };
+                let mut compare = |ours, theirs| largest = largest.max(apart(ours, theirs));
                 for node in 0..FLOORS {
                     let (tower, storey) = self.levels.place(node);
                     let floor = tower * STOREYS[0] + storey;

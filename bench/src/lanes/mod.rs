@@ -32,6 +32,9 @@ pub(super) const NO_LOOP: &str =
     "the loop by hand needs AVX-512 or AVX2, and this machine has neither: nothing is measured";
 const HEADER: &str =
     "instructions,law,run,rate_ratio,scenes_that_touch,steps_in_which_a_lane_touches";
+/// Relative distance of lanes and the loop by hand above which nothing is measured: sums may be taken in another order, and impacts enlarge
+/// what rounding makes of it.
+const MOST_APART: f64 = 1e-9;
 /// Every law takes turns for as long as this.
 const PATIENCE: Duration = Duration::from_secs(10);
 
@@ -143,7 +146,7 @@ impl Scenes<'_> {
         let n_steps = vec![CLOCK.n_steps; rows.len()];
         together.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies);
         let distance = self.distance(&tallies)?;
-        if distance > 1e-9 {
+        if distance > MOST_APART {
             return Err(format!(
                 "lanes and the loop by hand are {distance:.1e} apart"
             ));
@@ -188,12 +191,9 @@ impl Scenes<'_> {
             let found = by_hand::run::<true>(group, self.ground, CLOCK.time_step).ok_or(NO_LOOP)?;
             for lane in 0..GROUP {
                 let scene = index * GROUP + lane;
-                let mut compare = |ours: f64, theirs: f64| {
-                    largest = largest.max((ours - theirs).abs() / theirs.max(f64::MIN_POSITIVE));
-                };
+                let mut compare = |ours, theirs| largest = largest.max(apart(ours, theirs));
                 for (structure, peaks) in found.peaks.iter().enumerate() {
-                    let ours = tallies.displacement(scene, structure);
-                    compare(ours.abs(), peaks[lane]);
+                    compare(tallies.displacement(scene, structure), peaks[lane]);
                 }
                 compare(tallies.pair(scene, 0).impulse, found.impulses[lane]);
             }
@@ -213,6 +213,12 @@ impl Scenes<'_> {
             black_box(solved(row, integrator, excitation).is_ok());
         }
     }
+}
+
+/// Distance of two magnitudes, relative to that of the loop; infinite where one is no number.
+fn apart(ours: f64, theirs: f64) -> f64 {
+    let apart = (ours.abs() - theirs).abs() / theirs.max(f64::MIN_POSITIVE);
+    if apart.is_nan() { f64::INFINITY } else { apart }
 }
 
 /// Peaks of a scene that runs alone, with the recorders that give the same numbers.

@@ -145,6 +145,16 @@ fn limit_a_scene_is_its_file() {
     }
 }
 
+/// 3/33: after a pulse floors that rest move by rounding alone, and two pairs of a building touched in turn at one instant without end,
+/// since the rounding of the instant overwrote the zero that an impact leaves.
+#[test]
+fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
+    let scene = campaign(3).scene(33);
+    let scene = Simulation::new(&scene, &campaign(3).studies).expect("a scene");
+    let outcome = scene.run(None).expect("it makes progress");
+    assert!(outcome.work.events < 10_000, "{:?}", outcome.work);
+}
+
 /// What no route can decide is told from what one does wrong: 2/608 loses touches with the last digits of its data, and changes of
 /// its data by 1e-15 move 2/197.
 #[test]
