@@ -34,9 +34,13 @@ pub(super) struct Motion<S: Simd, Memory> {
     pub(super) increment: Lanes<S>,
     earlier: Lanes<S>,
     memory: Memory,
-    /// Least and largest displacement so far \[m\].
-    extremes: [Lanes<S>; 2],
+    /// Of the displacement so far \[m\].
+    pub(super) extremes: Extremes<S>,
 }
+
+/// Least and largest of what was met.
+#[derive(Clone, Copy)]
+pub(super) struct Extremes<S: Simd>([Lanes<S>; 2]);
 
 /// What matters at nodes at which some lane touches.
 pub(super) struct InContact<S: Simd> {
@@ -97,7 +101,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 increment,
                 earlier: increment,
                 memory: column.loaded(drift).memory,
-                extremes: [displacement; 2],
+                extremes: Extremes::of(displacement),
             },
             contact: InContact {
                 is_near: false,
@@ -217,26 +221,65 @@ impl<S: Simd, Memory> Motion<S, Memory> {
     /// Displacement of the largest magnitude so far in a lane \[m\].
     #[inline(always)]
     pub(super) fn peak(&self, lane: usize) -> Option<f64> {
-        peak(self.extremes, self.displacement, lane)
+        self.extremes.peak(self.displacement, lane)
+    }
+
+    /// Holds what will be part of the next increment \[m\], in place of the one before the last, which no step needs.
+    #[inline(always)]
+    pub(super) fn hold(&mut self, increment: Lanes<S>) {
+        self.earlier = increment;
+    }
+
+    /// What it holds \[m\].
+    #[inline(always)]
+    pub(super) fn held(&self) -> Lanes<S> {
+        self.earlier
     }
 
     /// Goes on by the next increment \[m\].
     #[inline(always)]
     pub(super) fn go_on(&mut self, increment: Lanes<S>) {
-        let [least, largest] = self.extremes;
-        self.extremes = [least.min(self.displacement), largest.max(self.displacement)];
+        self.extremes = self.extremes.with(self.displacement);
         self.earlier = self.increment;
         self.increment = increment;
         self.displacement = self.displacement + self.increment;
     }
 }
 
-/// Displacement of the largest magnitude in a lane \[m\], of the least and the largest; nothing where it is one to the left and one to
-/// the right, and where the last displacement is no longer finite.
-#[inline(always)]
-pub(super) fn peak<S: Simd>(extremes: [Lanes<S>; 2], last: Lanes<S>, lane: usize) -> Option<f64> {
-    let [least, largest] = [extremes[0].lane(lane), extremes[1].lane(lane)];
-    let differ = (-least).total_cmp(&largest).is_ne();
-    let known = differ && last.lane(lane).is_finite();
-    known.then_some(if -least > largest { least } else { largest })
+impl<S: Simd> Extremes<S> {
+    /// Those of one value.
+    #[inline(always)]
+    pub(super) fn of(value: Lanes<S>) -> Self {
+        Self([value; 2])
+    }
+
+    /// Those of none.
+    #[inline(always)]
+    pub(super) fn none(simd: S) -> Self {
+        Self([f64::INFINITY, f64::NEG_INFINITY].map(|value| Lanes::splat(simd, value)))
+    }
+
+    /// Those of all that was met, and of a value.
+    #[inline(always)]
+    pub(super) fn with(self, value: Lanes<S>) -> Self {
+        let [least, largest] = self.0;
+        Self([least.min(value), largest.max(value)])
+    }
+
+    /// These where the mask says so, else the others.
+    #[inline(always)]
+    pub(super) fn or(self, others: Self, these: Mask<S>) -> Self {
+        let select = |place: usize| Number::select(these, self.0[place], others.0[place]);
+        Self([select(0), select(1)])
+    }
+
+    /// That of the largest magnitude in a lane; nothing where it is one to the left and one to the right, and where the last value
+    /// is no longer finite.
+    #[inline(always)]
+    pub(super) fn peak(&self, last: Lanes<S>, lane: usize) -> Option<f64> {
+        let [least, largest] = self.0.map(|extreme| extreme.lane(lane));
+        let differ = (-least).total_cmp(&largest).is_ne();
+        let known = differ && last.lane(lane).is_finite();
+        known.then_some(if -least > largest { least } else { largest })
+    }
 }

@@ -2,7 +2,8 @@
 
 use pounding_contact::Number;
 
-use crate::{Bilinear, Elastic, ElastoPlastic, RestoringForce, Row};
+use crate::model::column::returned;
+use crate::{Bilinear, Elastic, ElastoPlastic, Response, RestoringForce, Row};
 
 /// Rows with columns of one kind.
 ///
@@ -51,13 +52,42 @@ impl SideBySideColumn for Elastic {
     fn select<N: Number>(_: N::Mask, (): (), (): ()) {}
 }
 
-impl SideBySideColumn for ElastoPlastic {
-    type Beside<N: Number> = ElastoPlastic<N>;
+/// Perfectly plastic columns of several scenes, with what every step asks for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plastic<N> {
+    /// Stiffness \[N/m\] and yield force \[N\].
+    limits: [N; 2],
+    /// Drift at which columns that were not displaced yield \[m\].
+    at_yield: N,
+}
 
-    fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> ElastoPlastic<N> {
-        ElastoPlastic {
-            stiffness: gather(|column| column.stiffness),
-            yield_force: gather(|column| column.yield_force),
+impl<N: Number> RestoringForce<N> for Plastic<N> {
+    type Memory = N;
+
+    #[inline(always)]
+    fn untouched(&self) -> N {
+        self.at_yield.like(0.0)
+    }
+
+    #[inline(always)]
+    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
+        let drift = (displacement, plastic_displacement);
+        // Nobody asks for the tangent.
+        let tangents = [self.limits[0].like(0.0); 2];
+        returned(drift, self.limits, self.at_yield, tangents)
+    }
+}
+
+impl SideBySideColumn for ElastoPlastic {
+    type Beside<N: Number> = Plastic<N>;
+
+    fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Plastic<N> {
+        Plastic {
+            limits: [
+                gather(|column| column.stiffness),
+                gather(|column| column.yield_force),
+            ],
+            at_yield: gather(|column| column.yield_force / column.stiffness),
         }
     }
 
@@ -67,14 +97,45 @@ impl SideBySideColumn for ElastoPlastic {
     }
 }
 
-impl SideBySideColumn for Bilinear {
-    type Beside<N: Number> = Bilinear<N>;
+/// Columns of several scenes that harden.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hardening<N> {
+    plastic: Plastic<N>,
+    /// Stiffness after yielding \[N/m\].
+    elastic: N,
+}
 
-    fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Bilinear<N> {
-        Bilinear {
-            stiffness: gather(|column| column.stiffness),
-            yield_force: gather(|column| column.yield_force),
-            hardening: gather(|column| column.hardening),
+impl<N: Number> RestoringForce<N> for Hardening<N> {
+    type Memory = N;
+
+    #[inline(always)]
+    fn untouched(&self) -> N {
+        self.plastic.untouched()
+    }
+
+    #[inline(always)]
+    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
+        let plastic = self.plastic.respond(displacement, plastic_displacement);
+        Response {
+            force: self.elastic * displacement + plastic.force,
+            ..plastic
+        }
+    }
+}
+
+impl SideBySideColumn for Bilinear {
+    type Beside<N: Number> = Hardening<N>;
+
+    fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Hardening<N> {
+        Hardening {
+            plastic: Plastic {
+                limits: [
+                    gather(|column| column.plastic()[0]),
+                    gather(|column| column.plastic()[1]),
+                ],
+                at_yield: gather(|column| column.yield_force / column.stiffness),
+            },
+            elastic: gather(Self::elastic),
         }
     }
 

@@ -13,6 +13,9 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn> {
     /// Whether every structure has an equation of its own.
     const STANDS_ALONE: bool;
 
+    /// Where the structure of a node of the row lies among the structures.
+    fn place(&self, node: usize) -> usize;
+
     /// The step from a node at which no lane touches.
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
 
@@ -32,11 +35,11 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn> {
         ground: Lanes<S>,
     );
 
-    /// Drift of largest magnitude of the storey below a floor in a lane \[m\], where lanes know it.
+    /// Drift of largest magnitude of the storey below the floor at a place in a lane \[m\], where lanes know it.
     fn peak_drift(
         &self,
         structures: &[Structure<S, Column>],
-        node: usize,
+        place: usize,
         lane: usize,
     ) -> Option<f64>;
 }
@@ -46,6 +49,11 @@ pub(super) struct Single;
 
 impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     const STANDS_ALONE: bool = true;
+
+    #[inline(always)]
+    fn place(&self, node: usize) -> usize {
+        node
+    }
 
     #[inline(always)]
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
@@ -94,9 +102,9 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     fn peak_drift(
         &self,
         structures: &[Structure<S, Column>],
-        node: usize,
+        place: usize,
         lane: usize,
     ) -> Option<f64> {
-        structures[node].motion.peak(lane)
+        structures[place].motion.peak(lane)
     }
 }

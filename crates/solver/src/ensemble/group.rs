@@ -43,7 +43,7 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         Self {
             simd,
             time_step: method.time_step,
-            jumps: Jumps::new::<Column, F>(structures, pairs),
+            jumps: Jumps::new::<Column, F>(&frame, structures, pairs),
             frame,
             structures,
             pairs,
@@ -68,9 +68,10 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
     /// Displacement and drift of largest magnitude of a floor in a lane \[m\], where lanes know them.
     #[inline(always)]
     pub(super) fn peaks(&self, node: usize, lane: usize) -> [Option<f64>; 2] {
+        let place = self.frame.place(node);
         [
-            self.structures[node].motion.peak(lane),
-            self.frame.peak_drift(self.structures, node, lane),
+            self.structures[place].motion.peak(lane),
+            self.frame.peak_drift(self.structures, place, lane),
         ]
     }
 
@@ -80,9 +81,10 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         let zero = Lanes::splat(self.simd, 0.0);
         let mut touching = Mask::splat(self.simd, false);
         for left in 1..self.structures.len() {
-            let neighbours = (&self.structures[left - 1], &self.structures[left]);
             if let Some(pair) = &mut self.pairs[left - 1] {
-                let ahead = neighbours.0.motion.displacement - neighbours.1.motion.displacement;
+                let displacement =
+                    |node| self.structures[self.frame.place(node)].motion.displacement;
+                let ahead = displacement(left - 1) - displacement(left);
                 pair.deformation = ahead - pair.gap;
                 touching = touching | pair.deformation.reaches(zero);
             }
@@ -102,8 +104,9 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
             if !(pair.lingers || Lanes::any(touches)) {
                 continue;
             }
-            let (before, after) = self.structures.split_at_mut(left);
-            let neighbours = [&mut before[left - 1], &mut after[0]];
+            let places = [left - 1, left].map(|node| self.frame.place(node));
+            let neighbours = self.structures.get_disjoint_mut(places);
+            let neighbours = neighbours.expect("floors of a row lie at places of their own");
             neighbours[0].contact.is_near = true;
             neighbours[1].contact.is_near = true;
             if let Law::Impulsive(law) = pair.law {

@@ -21,14 +21,16 @@ pub(super) enum Jumps<S: Simd> {
 impl<S: Simd> Jumps<S> {
     #[inline(always)]
     pub(super) fn new<Column: SideBySideColumn, F: Frame<S, Column>>(
+        frame: &F,
         structures: &[Structure<S, Column>],
         pairs: &[Option<Pair<S>>],
     ) -> Self {
         if F::STANDS_ALONE && structures.len() == 2 {
             return Self::TwoStructures;
         }
-        let mobilities = structures.iter().map(mobility).collect();
-        let rounds = Rounds::new(mobilities, pairs.iter().flatten().count());
+        let nodes = 0..structures.len();
+        let mobilities = nodes.map(|node| mobility(&structures[frame.place(node)]));
+        let rounds = Rounds::new(mobilities.collect(), pairs.iter().flatten().count());
         Self::Longer(Box::new(rounds))
     }
 
@@ -62,7 +64,7 @@ impl<S: Simd> Jumps<S> {
                 }
             }
             Self::Longer(rounds) => {
-                if strike_all::<S, Column>(rounds, (structures, pairs)) {
+                if strike_all(rounds, frame, (structures, pairs)) {
                     frame.restart(structures, rounds.links(), ground);
                 }
                 rounds.clear();
@@ -81,16 +83,17 @@ fn mobility<S: Simd, Column: RestoringForce<Lanes<S>>>(structure: &Body<S, Colum
 #[inline(always)]
 fn strike_all<S: Simd, Column: SideBySideColumn>(
     rounds: &mut Rounds<Lanes<S>>,
+    frame: &impl Frame<S, Column>,
     (structures, pairs): Scenes<'_, S, Column>,
 ) -> bool {
-    let strikes = rounds.strike_all(|node| structures[node].contact.velocity);
+    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.velocity);
     if strikes {
         for (link, impulse) in rounds.struck() {
             if let Some(pair) = &mut pairs[link.left] {
                 pair.tally.strike(impulse);
             }
             for node in [link.left, link.right] {
-                structures[node].contact.jumped = rounds.velocity(node);
+                structures[frame.place(node)].contact.jumped = rounds.velocity(node);
             }
         }
     }

@@ -74,7 +74,7 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
         .each_ref()
         .map(|states| (&states[..], method.time_step));
     if let Some(storeys) = Storeys::of(simd, parts[0], method.time_step) {
-        let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0]);
+        let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0], storeys.nodes());
         let scenes = (&mut structures[..], &mut pairs[..]);
         steps(
             method,
@@ -92,7 +92,8 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
         steps(method, &mut groups, task);
     } else {
         let scenes = parts[..n_groups].iter().zip(starts);
-        let scenes = scenes.map(|(rows, start)| gathered(simd, *rows, start));
+        let nodes: Vec<_> = (0..rows[0].nodes().len()).collect();
+        let scenes = scenes.map(|(rows, start)| gathered(simd, *rows, start, &nodes));
         let mut scenes: Vec<_> = scenes.collect();
         let groups = scenes.iter_mut().map(|(structures, pairs)| {
             Group::new(simd, method, (&mut structures[..], &mut pairs[..]), Single)
@@ -101,7 +102,7 @@ fn run_in_step<S: Simd, Column: SideBySideColumn>(
     }
 }
 
-/// The structures and pairs of some rows.
+/// The structures of some rows, in an order of their nodes, and the pairs.
 type Gathered<S, Column> = (Vec<Structure<S, Column>>, Vec<Option<Pair<S>>>);
 
 #[inline(always)]
@@ -109,14 +110,11 @@ fn gathered<S: Simd, Column: SideBySideColumn>(
     simd: S,
     rows: Rows<'_, Column>,
     start: (&[Vec<State>], f64),
+    in_order: &[usize],
 ) -> Gathered<S, Column> {
-    let nodes = 0..rows.lane(0).nodes().len();
-    let structures = nodes.clone().map(|node| rows.structure(simd, node, start));
-    let structures = structures.collect();
-    (
-        structures,
-        nodes.map(|node| rows.pair(simd, node)).collect(),
-    )
+    let structure = |node: &usize| rows.structure(simd, *node, start);
+    let pairs = (0..in_order.len()).map(|left| rows.pair(simd, left));
+    (in_order.iter().map(structure).collect(), pairs.collect())
 }
 
 /// All steps of some groups; what happened in a scene is told at its end.

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::body::peak;
+use super::body::Extremes;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
 use super::number::{Lanes, MOST_LANES, Mask};
@@ -14,29 +14,26 @@ use crate::impact::chain::Link;
 use crate::model::balance::{Below, damping_force};
 use crate::model::buildings::Buildings;
 
-/// The floors of some rows of one shape, building by building.
+/// The floors of some rows of one shape, building by building, each from the ground up.
 pub(super) struct Storeys<S: Simd> {
     buildings: Buildings,
+    /// Where each node of the row lies among them.
+    places: Vec<usize>,
     coefficients: Vec<FloorCoefficients<Lanes<S>>>,
     /// Damping coefficient of every floor against the ground, besides that of its storey \[N·s/m\].
     ground_damping: Vec<Lanes<S>>,
     /// Acceleration of every floor without damping, at nodes at which some lane touches \[m/s²\].
     accelerations: Vec<Lanes<S>>,
-    /// Least and largest drift of every storey on another floor \[m\].
-    drifts: Vec<[Lanes<S>; 2]>,
-    /// Room for the increments of the tallest building.
-    increments: Vec<Lanes<S>>,
+    /// Of the drift of every storey on another floor \[m\].
+    drifts: Vec<Extremes<S>>,
 }
 
 /// One building at a node; `IN_CONTACT` where some lane of the row touches.
 struct Building<'a, S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> {
     zero: Lanes<S>,
-    /// Nodes of its floors from the ground up.
-    floors: &'a [usize],
-    /// Of the whole row.
     structures: &'a mut [Structure<S, Column>],
     accelerations: &'a mut [Lanes<S>],
-    drifts: &'a mut [[Lanes<S>; 2]],
+    drifts: &'a mut [Extremes<S>],
 }
 
 impl<S: Simd> Storeys<S> {
@@ -52,7 +49,9 @@ impl<S: Simd> Storeys<S> {
         let lanes: [_; MOST_LANES] = std::array::from_fn(of_lane);
         let zero = Lanes::splat(simd, 0.0);
         let (mut coefficients, mut ground_damping) = (Vec::new(), Vec::new());
+        let mut places = vec![0; buildings.floors().len()];
         for (place, node) in buildings.floors().iter().enumerate() {
+            places[*node] = place;
             let gather = |number: fn(&FloorCoefficients) -> f64| {
                 Lanes::new(simd, &lanes.each_ref().map(|floors| number(&floors[place])))
             };
@@ -62,15 +61,17 @@ impl<S: Simd> Storeys<S> {
         }
         Some(Self {
             accelerations: vec![zero; coefficients.len()],
-            drifts: vec![
-                [f64::INFINITY, f64::NEG_INFINITY].map(|drift| zero.like(drift));
-                coefficients.len()
-            ],
-            increments: vec![zero; buildings.tallest()],
+            drifts: vec![Extremes::none(simd); coefficients.len()],
             coefficients,
             ground_damping,
             buildings,
+            places,
         })
+    }
+
+    /// The nodes of the row in the order of the floors.
+    pub(super) fn nodes(&self) -> &[usize] {
+        self.buildings.floors()
     }
 
     /// Lets all floors go on from a node.
@@ -81,17 +82,13 @@ impl<S: Simd> Storeys<S> {
         ground: Lanes<S>,
     ) {
         for range in self.buildings.ranges() {
-            let floors = &self.buildings.floors()[range.clone()];
             let mut building = Building::<S, Column, IN_CONTACT> {
                 zero: ground.like(0.0),
-                floors,
-                structures,
+                structures: &mut structures[range.clone()],
                 accelerations: &mut self.accelerations[range.clone()],
                 drifts: &mut self.drifts[range.clone()],
             };
-            let increments = &mut self.increments[..floors.len()];
-            let coefficients = &self.coefficients[range.clone()];
-            solve(&mut building, coefficients, increments, ground);
+            solve(&mut building, &self.coefficients[range.clone()], ground);
         }
     }
 
@@ -99,14 +96,14 @@ impl<S: Simd> Storeys<S> {
     #[inline(always)]
     fn after_jump<Column: SideBySideColumn>(
         &self,
-        structures: &[Structure<S, Column>],
-        (floors, level): (&[usize], usize),
-        place: usize,
+        building: &[Structure<S, Column>],
+        (first, level): (usize, usize),
         ground: Lanes<S>,
     ) -> (Lanes<S>, Mask<S>) {
-        let floor = &structures[floors[level]];
-        let below = level.checked_sub(1).map(|lower| &structures[floors[lower]]);
-        let above = floors.get(level + 1).map(|upper| &structures[*upper]);
+        let floor = &building[level];
+        let below = level.checked_sub(1).map(|lower| &building[lower]);
+        let above = building.get(level + 1);
+        let place = first + level;
         let constants = &self.coefficients[place];
         let zero = ground.like(0.0);
         let (mut around, mut feels) = ([zero; 2], floor.contact.jumps());
@@ -147,14 +144,14 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
 {
     #[inline(always)]
     fn motion(&self, level: usize) -> [Lanes<S>; 2] {
-        let motion = &self.structures[self.floors[level]].motion;
+        let motion = &self.structures[level].motion;
         [motion.displacement, motion.increment]
     }
 
     #[inline(always)]
     fn pounding(&self, level: usize) -> Lanes<S> {
         if IN_CONTACT {
-            self.structures[self.floors[level]].contact.pounding()
+            self.structures[level].contact.pounding()
         } else {
             self.zero
         }
@@ -162,28 +159,33 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
 
     #[inline(always)]
     fn respond(&mut self, level: usize, drift: Lanes<S>) -> Lanes<S> {
-        let structure = &mut self.structures[self.floors[level]];
+        let structure = &mut self.structures[level];
         let force = structure.constants.respond(&mut structure.motion, drift);
         if IN_CONTACT {
             structure.contact.restoring_force = force;
         }
         if level > 0 {
-            let [least, largest] = self.drifts[level];
-            self.drifts[level] = [least.min(drift), largest.max(drift)];
+            self.drifts[level] = self.drifts[level].with(drift);
         }
         force
     }
 
     #[inline(always)]
-    fn accelerate(&mut self, level: usize, acceleration: Lanes<S>) {
+    fn hold(&mut self, level: usize, acceleration: Lanes<S>, increment: Lanes<S>) {
         if IN_CONTACT {
             self.accelerations[level] = acceleration;
         }
+        self.structures[level].motion.hold(increment);
+    }
+
+    #[inline(always)]
+    fn held(&self, level: usize) -> Lanes<S> {
+        self.structures[level].motion.held()
     }
 
     #[inline(always)]
     fn go_on(&mut self, level: usize, increment: Lanes<S>) {
-        let structure = &mut self.structures[self.floors[level]];
+        let structure = &mut self.structures[level];
         if IN_CONTACT {
             structure.contact.displacement = structure.motion.displacement;
         }
@@ -193,6 +195,11 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
 
 impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     const STANDS_ALONE: bool = false;
+
+    #[inline(always)]
+    fn place(&self, node: usize) -> usize {
+        self.places[node]
+    }
 
     #[inline(always)]
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
@@ -220,12 +227,11 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     #[inline(always)]
     fn restart(&mut self, structures: &mut [Structure<S, Column>], _: &[Link], ground: Lanes<S>) {
         for range in self.buildings.ranges() {
-            let floors = &self.buildings.floors()[range.clone()];
-            for (level, node) in floors.iter().enumerate() {
-                let place = range.start + level;
-                let (acceleration, jumps) =
-                    self.after_jump::<Column>(structures, (floors, level), place, ground);
-                structures[*node].restart_from(acceleration, jumps);
+            let building = &mut structures[range.clone()];
+            for level in 0..building.len() {
+                let place = (range.start, level);
+                let (acceleration, jumps) = self.after_jump::<Column>(building, place, ground);
+                building[level].restart_from(acceleration, jumps);
             }
         }
     }
@@ -234,19 +240,14 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     fn peak_drift(
         &self,
         structures: &[Structure<S, Column>],
-        node: usize,
+        place: usize,
         lane: usize,
     ) -> Option<f64> {
-        let motion = &structures[node].motion;
-        let place = self.buildings.place(node)?;
-        if self
-            .buildings
-            .ranges()
-            .iter()
-            .any(|range| range.start == place)
-        {
+        let motion = &structures[place].motion;
+        let mut ranges = self.buildings.ranges().iter();
+        if ranges.any(|range| range.start == place) {
             return motion.peak(lane);
         }
-        peak(self.drifts[place], motion.displacement, lane)
+        self.drifts[place].peak(motion.displacement, lane)
     }
 }

@@ -1,12 +1,5 @@
 //! Columns that harden after yielding.
 
-#![expect(
-    clippy::inline_always,
-    reason = "instructions on lanes exist only inside the function that found the machine to have them"
-)]
-
-use pounding_contact::Number;
-
 use crate::model::column::yielding;
 use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce};
 
@@ -15,31 +8,40 @@ use crate::{Hysteresis, Hysteretic, Knee, Response, RestoringForce};
 /// f = a k d + h, where h is the force of elastic-perfectly plastic columns of stiffness (1 − a) k that yield at
 /// (1 − a) `f_y`; the loop keeps the width 2 `f_y` (A. K. Chopra, *Dynamics of Structures*, 7.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bilinear<N = f64> {
+pub struct Bilinear {
     /// Stiffness before yielding k \[N/m\], > 0.
-    pub stiffness: N,
+    pub stiffness: f64,
     /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
-    pub yield_force: N,
+    pub yield_force: f64,
     /// Stiffness after yielding over that before a \[–\], 0 ≤ a < 1.
-    pub hardening: N,
+    pub hardening: f64,
 }
 
-impl<N: Number> RestoringForce<N> for Bilinear<N> {
-    type Memory = N;
-
-    #[inline(always)]
-    fn untouched(&self) -> N {
-        self.stiffness.like(0.0)
+impl Bilinear {
+    /// Stiffness after yielding \[N/m\].
+    pub(crate) fn elastic(&self) -> f64 {
+        self.hardening * self.stiffness
     }
 
-    #[inline(always)]
-    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
-        let one = self.stiffness.like(1.0);
-        let hysteretic = (one - self.hardening) * self.stiffness;
-        let limit = (one - self.hardening) * self.yield_force;
-        let elastic = self.hardening * self.stiffness;
+    /// Stiffness \[N/m\] and yield force \[N\] of the part that is perfectly plastic.
+    pub(crate) fn plastic(&self) -> [f64; 2] {
+        let part = 1.0 - self.hardening;
+        [part * self.stiffness, part * self.yield_force]
+    }
+}
+
+impl RestoringForce for Bilinear {
+    type Memory = f64;
+
+    fn untouched(&self) -> f64 {
+        0.0
+    }
+
+    fn respond(&self, displacement: f64, plastic_displacement: f64) -> Response<f64> {
+        let elastic = self.elastic();
         let drift = (displacement, plastic_displacement);
-        let plastic = yielding(drift, hysteretic, limit, [self.stiffness, elastic]);
+        let at_yield = || self.yield_force / self.stiffness;
+        let plastic = yielding(drift, self.plastic(), at_yield, [self.stiffness, elastic]);
         Response {
             force: elastic * displacement + plastic.force,
             ..plastic

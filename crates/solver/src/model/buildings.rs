@@ -39,19 +39,9 @@ impl Buildings {
         &self.floors
     }
 
-    /// Place of a node among them.
-    pub(crate) fn place(&self, node: usize) -> Option<usize> {
-        self.floors.iter().position(|floor| *floor == node)
-    }
-
     /// Where among the floors each building lies.
     pub(crate) fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
-    }
-
-    /// Storeys of the tallest building.
-    pub(crate) fn tallest(&self) -> usize {
-        self.ranges.iter().map(Range::len).max().unwrap_or(0)
     }
 
     /// The floors of each building.

@@ -133,60 +133,78 @@ impl Hysteretic for Elastic {
 
 /// Elastic-perfectly plastic columns; they remember the plastic displacement \[m\].
 ///
-/// The return map `u_p += (trial − f)/k` equals the paper's `f_s,i = clamp(f_s,i−1 + k(u_i − u_i−1), ±f_y)` and, with a
-/// yield force that is never reached, gives the bits of [`Elastic`].
+/// The return map `u_p = d ∓ f_y/k` where the force would pass ±`f_y` equals the paper's
+/// `f_s,i = clamp(f_s,i−1 + k(u_i − u_i−1), ±f_y)` and, with a yield force that is never reached, gives the bits of [`Elastic`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElastoPlastic<N = f64> {
+pub struct ElastoPlastic {
     /// Elastic stiffness k \[N/m\], > 0.
-    pub stiffness: N,
+    pub stiffness: f64,
     /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
-    pub yield_force: N,
+    pub yield_force: f64,
 }
 
-impl<N: Number> RestoringForce<N> for ElastoPlastic<N> {
-    type Memory = N;
+impl RestoringForce for ElastoPlastic {
+    type Memory = f64;
 
     #[inline(always)]
-    fn untouched(&self) -> N {
-        self.stiffness.like(0.0)
+    fn untouched(&self) -> f64 {
+        0.0
     }
 
     #[inline(always)]
-    fn respond(&self, displacement: N, plastic_displacement: N) -> Response<N, N> {
+    fn respond(&self, displacement: f64, plastic_displacement: f64) -> Response<f64> {
         let drift = (displacement, plastic_displacement);
-        let tangents = [self.stiffness, self.stiffness.like(0.0)];
-        yielding(drift, self.stiffness, self.yield_force, tangents)
+        let at_yield = || self.yield_force / self.stiffness;
+        yielding(
+            drift,
+            [self.stiffness, self.yield_force],
+            at_yield,
+            [self.stiffness, 0.0],
+        )
     }
 }
 
-/// The return map of columns that yield at one point and are perfectly plastic then; `tangents` \[N/m\] are told on the
-/// elastic branch and beyond it.
+/// The return map of columns that yield at one point and are perfectly plastic then: of stiffness \[N/m\] and yield force \[N\], which
+/// first yield at a drift \[m\]; `tangents` \[N/m\] are told on the elastic branch and beyond it.
 #[inline(always)]
-pub(crate) fn yielding<N: Number>(
+pub(crate) fn returned<N: Number>(
     (displacement, plastic_displacement): (N, N),
-    stiffness: N,
-    yield_force: N,
+    [stiffness, yield_force]: [N; 2],
+    at_yield: N,
     [elastic, plastic]: [N; 2],
 ) -> Response<N, N> {
     let trial = stiffness * (displacement - plastic_displacement);
     let (above, below) = (trial.exceeds(yield_force), (-yield_force).exceeds(trial));
-    if !(N::any(above) || N::any(below)) {
-        // A trial that is not a number stays one and stops the run.
-        return Response {
-            force: trial,
-            tangent: elastic,
-            memory: plastic_displacement,
-        };
-    }
+    // A trial that is not a number stays one and stops the run.
     let branch = |beyond: [N; 2], elastic: N| {
         N::select(above, beyond[0], N::select(below, beyond[1], elastic))
     };
-    let force = branch([yield_force, -yield_force], trial);
+    let plastic_displacements = [displacement - at_yield, displacement + at_yield];
     Response {
-        force,
+        force: branch([yield_force, -yield_force], trial),
         tangent: branch([plastic, plastic], elastic),
-        memory: plastic_displacement + (trial - force) / stiffness,
+        memory: branch(plastic_displacements, plastic_displacement),
     }
+}
+
+/// The same of one column; it is asked for the drift at which it first yields only where it does.
+#[inline(always)]
+pub(crate) fn yielding(
+    (displacement, plastic_displacement): (f64, f64),
+    [stiffness, yield_force]: [f64; 2],
+    at_yield: impl FnOnce() -> f64,
+    tangents: [f64; 2],
+) -> Response<f64> {
+    let trial = stiffness * (displacement - plastic_displacement);
+    if trial.abs() <= yield_force {
+        return Response {
+            force: trial,
+            tangent: tangents[0],
+            memory: plastic_displacement,
+        };
+    }
+    let drift = (displacement, plastic_displacement);
+    returned(drift, [stiffness, yield_force], at_yield(), tangents)
 }
 
 impl Hysteretic for ElastoPlastic {

@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use crate::RestoringForce;
-use crate::ensemble::body::peak;
+use crate::ensemble::body::Extremes;
 use crate::ensemble::column::{MemoryOf, SideBySideColumn};
 use crate::ensemble::number::{Lanes, Mask};
 use crate::ensemble::rows::Rows;
@@ -31,8 +31,8 @@ pub(super) struct Motion<S: Simd, Column: SideBySideColumn> {
     pub(super) acceleration: Lanes<S>,
     restoring_force: Lanes<S>,
     memory: MemoryOf<Lanes<S>, Column>,
-    /// Least and largest displacement so far \[m\].
-    extremes: [Lanes<S>; 2],
+    /// Of the displacement so far \[m\].
+    extremes: Extremes<S>,
 }
 
 /// Pounding force at the end of a span: its part of the impulse \[N·s\], and itself \[N\].
@@ -69,7 +69,7 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
             acceleration: displacement,
             restoring_force: response.force,
             memory: response.memory,
-            extremes: [displacement; 2],
+            extremes: Extremes::of(displacement),
         };
         motion.acceleration =
             constants.acceleration(&motion, damping.like(0.0), damping.like(ground));
@@ -113,7 +113,7 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
             acceleration: self.inverse_mass * force - felt,
             restoring_force: response.force,
             memory: response.memory,
-            extremes: reached(motion.extremes, displacement),
+            extremes: motion.extremes.with(displacement),
         };
     }
 
@@ -138,7 +138,7 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
             acceleration: before.acceleration,
             restoring_force: response.force,
             memory: response.memory,
-            extremes: reached(before.extremes, displacement),
+            extremes: before.extremes.with(displacement),
         };
         after.acceleration = self.acceleration(&after, push.force, ground);
         *motion = after.or(before, goes);
@@ -169,7 +169,8 @@ impl<S: Simd, Column: SideBySideColumn> Motion<S, Column> {
     /// Displacement of the largest magnitude so far in a lane \[m\], where lanes know it.
     #[inline(always)]
     pub(super) fn peak(&self, lane: usize) -> Option<f64> {
-        peak(self.extremes, self.displacement, lane).filter(|peak| peak.abs() < FARTHEST)
+        let peak = self.extremes.peak(self.displacement, lane);
+        peak.filter(|peak| peak.abs() < FARTHEST)
     }
 
     /// This one where the mask says so, else the other.
@@ -182,18 +183,10 @@ impl<S: Simd, Column: SideBySideColumn> Motion<S, Column> {
             acceleration: select(self.acceleration, other.acceleration),
             restoring_force: select(self.restoring_force, other.restoring_force),
             memory: Column::select::<Lanes<S>>(these, self.memory, other.memory),
-            extremes: [
-                select(self.extremes[0], other.extremes[0]),
-                select(self.extremes[1], other.extremes[1]),
-            ],
+            extremes: self.extremes.or(other.extremes, these),
         }
     }
 }
 
 /// Displacements up to which rounding of a step is far below [`NEAR`](super::NEAR) \[m\]; a scene with larger ones runs alone.
 const FARTHEST: f64 = 1e3;
-
-#[inline(always)]
-fn reached<S: Simd>([least, largest]: [Lanes<S>; 2], displacement: Lanes<S>) -> [Lanes<S>; 2] {
-    [least.min(displacement), largest.max(displacement)]
-}

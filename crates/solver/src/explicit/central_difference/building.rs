@@ -1,7 +1,7 @@
 //! The equations of the floors of a building, of one scene or of several side by side.
 //!
 //! The dashpots between floors join the next increments of a building: what the equation of a floor says of its increment
-//! is found from the top floor down, the increments then from the ground up.
+//! is found from the top floor down, and held; the increments then follow from the ground up.
 
 #![expect(
     clippy::inline_always,
@@ -22,10 +22,10 @@ pub(crate) struct FloorCoefficients<N = f64> {
     pub(crate) rates: DampingRates<N>,
     /// c/(2mΔt) of the dashpot to the floor below, m the mass of this floor.
     below: N,
-    /// The same of that to the floor above.
-    above: N,
-    /// What of the next increment of the floor below is added to that of this one.
-    share: N,
+    /// What of the last and the next increment of the floor above is added to the next one of this floor.
+    from_above: N,
+    /// What of the next increment of the floor below is added to it.
+    from_below: N,
 }
 
 impl FloorCoefficients {
@@ -53,8 +53,8 @@ impl FloorCoefficients {
                     },
                     rates,
                     below: equation.below,
-                    above: equation.above,
-                    share: equation.below * solve,
+                    from_above: equation.above * solve,
+                    from_below: equation.below * solve,
                 });
                 above = Some(equation);
             }
@@ -86,8 +86,8 @@ impl<N: Number> FloorCoefficients<N> {
                 above: gather(|floor| floor.rates.above),
             },
             below: gather(|floor| floor.below),
-            above: gather(|floor| floor.above),
-            share: gather(|floor| floor.share),
+            from_above: gather(|floor| floor.from_above),
+            from_below: gather(|floor| floor.from_below),
         }
     }
 }
@@ -103,48 +103,75 @@ pub(crate) trait Floors<N: Number> {
     /// Force of the storey below a floor at a drift \[m\], which its columns remember \[N\].
     fn respond(&mut self, level: usize, drift: N) -> N;
 
-    /// Tells a floor its acceleration without damping \[m/s²\]; from the top down.
-    fn accelerate(&mut self, level: usize, acceleration: N);
+    /// Tells a floor its acceleration without damping \[m/s²\], and its next increment but for what the floor below adds to it \[m\];
+    /// from the top down.
+    fn hold(&mut self, level: usize, acceleration: N, increment: N);
 
-    /// Tells a floor its next increment \[m\]; from the ground up, after all accelerations.
+    /// The increment that a floor holds \[m\].
+    fn held(&self, level: usize) -> N;
+
+    /// Tells a floor its next increment \[m\]; from the ground up, after all hold theirs.
     fn go_on(&mut self, level: usize, increment: N);
 }
 
-/// Solves the equations of a building at a node with this acceleration of the ground \[m/s²\]; there is room for its `increments`.
+/// Solves the equations of a building at a node with this acceleration of the ground \[m/s²\].
 #[inline(always)]
 pub(crate) fn solve<N: Number>(
     floors: &mut impl Floors<N>,
     coefficients: &[FloorCoefficients<N>],
-    increments: &mut [N],
     ground: N,
 ) {
-    let n = increments.len();
-    // The lengths are told once, so that no floor has to be checked against them.
-    let coefficients = &coefficients[..n];
+    let n = coefficients.len();
     let zero = ground.like(0.0);
     // All of its floors are walls, or none.
     let ground = coefficients[0].own.mobile * ground;
-    let (mut carried, mut above) = (zero, zero);
-    for level in (0..n).rev() {
-        let constants = &coefficients[level];
-        let [displacement, increment] = floors.motion(level);
-        let below = level.checked_sub(1);
-        let below = below.map_or([zero; 2], |lower| floors.motion(lower));
-        let force = floors.respond(level, displacement - below[0]);
-        let own = &constants.own;
-        let smooth = own.smooth((floors.pounding(level), force - carried), ground);
-        let before = own.carry * increment + constants.below * below[1];
-        // Without what the floor below adds to it.
-        let next = own.solve * (smooth + (before + constants.above * above));
-        floors.accelerate(level, smooth);
-        increments[level] = next;
-        carried = force;
-        above = increment + next;
+    let mut above = Above {
+        force: zero,
+        increments: zero,
+    };
+    for level in (1..n).rev() {
+        let below = floors.motion(level - 1);
+        above = hold(floors, coefficients, (level, below), above, ground);
     }
+    hold(floors, coefficients, (0, [zero; 2]), above, ground);
     let mut below = zero;
-    for level in 0..n {
-        let increment = increments[level] + coefficients[level].share * below;
+    for (level, constants) in coefficients.iter().enumerate() {
+        let increment = floors.held(level) + constants.from_below * below;
         floors.go_on(level, increment);
         below = increment;
+    }
+}
+
+/// What a floor passes on to the one below it.
+#[derive(Clone, Copy)]
+struct Above<N> {
+    /// Force of its storey \[N\].
+    force: N,
+    /// Sum of its last and its next increment, but for what the floors below it add to them \[m\].
+    increments: N,
+}
+
+/// Lets a floor hold what its equation says, above a floor that has moved so.
+#[inline(always)]
+fn hold<N: Number>(
+    floors: &mut impl Floors<N>,
+    coefficients: &[FloorCoefficients<N>],
+    (level, below): (usize, [N; 2]),
+    above: Above<N>,
+    ground: N,
+) -> Above<N> {
+    let constants = &coefficients[level];
+    let [displacement, increment] = floors.motion(level);
+    let force = floors.respond(level, displacement - below[0]);
+    let own = &constants.own;
+    let smooth = own.smooth((floors.pounding(level), force - above.force), ground);
+    let before = own.carry * increment + constants.below * below[1];
+    // No more than a product and a sum wait for the floor above.
+    let alone = own.solve * (smooth + before);
+    let added = constants.from_above * above.increments;
+    floors.hold(level, smooth, alone + added);
+    Above {
+        force,
+        increments: (increment + alone) + added,
     }
 }

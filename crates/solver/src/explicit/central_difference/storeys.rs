@@ -16,8 +16,6 @@ pub(super) struct Storeys {
     /// For whole steps and sub-steps.
     coefficients: [Vec<FloorCoefficients>; 2],
     solutions: Vec<Solution>,
-    /// Room for the increments of the tallest building.
-    increments: Vec<f64>,
     /// Share a velocity that is given back among the floors of a building.
     dashpots: Dashpots,
 }
@@ -40,7 +38,6 @@ impl Storeys {
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>, steps: [f64; 2]) -> Option<Self> {
         let buildings = Buildings::of(row)?;
         Some(Self {
-            increments: vec![0.0; buildings.tallest()],
             coefficients: steps.map(|dt| FloorCoefficients::of(row, &buildings, dt)),
             solutions: vec![Solution::default(); row.nodes().len()],
             dashpots: Dashpots::new(row, &buildings),
@@ -78,8 +75,7 @@ impl<Column: RestoringForce> Run<'_, Column> {
             };
             // All floors of a building stand on one ground.
             let ground = node.ground.under(floors[0]);
-            let increments = &mut storeys.increments[..floors.len()];
-            solve(&mut building, coefficients, increments, ground);
+            solve(&mut building, coefficients, ground);
             if let Some(structure) = building.diverged() {
                 return Err(RunError::Diverged {
                     structure,
@@ -145,8 +141,15 @@ impl<Column: RestoringForce> Floors<f64> for Building<'_, Column> {
     }
 
     #[inline]
-    fn accelerate(&mut self, level: usize, acceleration: f64) {
-        self.solutions[level].acceleration = acceleration;
+    fn hold(&mut self, level: usize, acceleration: f64, increment: f64) {
+        let solution = &mut self.solutions[level];
+        solution.acceleration = acceleration;
+        solution.increment = increment;
+    }
+
+    #[inline]
+    fn held(&self, level: usize) -> f64 {
+        self.solutions[level].increment
     }
 
     #[inline]
