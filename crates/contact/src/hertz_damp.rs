@@ -10,7 +10,7 @@ use crate::{Calibration, approach_damper};
 ///
 /// One force with four [`HertzDampFormula`]s for a. In a free impact the factor stays above 0; the clamp acts where
 /// something else drives the pair apart faster than v₀/a. Slower touches count as
-/// [`crate::SLOWEST_APPROACH`].
+/// touches at 1 mm/s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
 #[schemars(with = "Words")]

@@ -10,7 +10,7 @@ use crate::{Calibration, approach_damper};
 /// speed.
 ///
 /// In a free impact the factor stays above 0; the clamp acts where something else drives the pair apart faster than v₀/a.
-/// Slower touches count as [`crate::SLOWEST_APPROACH`]. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38
+/// Slower touches count as touches at 1 mm/s. Source: K. Ye, L. Li and H. Zhu, *Earthquake Engng Struct. Dyn.* 38
 /// (2009) 1135.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]

@@ -9,7 +9,7 @@ use crate::{Calibration, approach_damper};
 /// Element of Pant and Wijeyewickrema: a linear spring, and on approach a factor of the rate.
 ///
 /// Approach (δ̇ > 0): F = kδ (1 + a δ̇/v₀), v₀ the approach speed; restitution: F = kδ. The force never pulls. Slower
-/// touches count as [`crate::SLOWEST_APPROACH`]. Source: D. R. Pant and A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
+/// touches count as touches at 1 mm/s. Source: D. R. Pant and A. C. Wijeyewickrema, *Earthquake Engng Struct. Dyn.* 41 (2012) 1709.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Words")]
 #[schemars(with = "Words")]
