@@ -35,7 +35,7 @@ pub(super) struct Motion<S: Simd, Memory> {
     earlier: Lanes<S>,
     memory: Memory,
     /// Of the displacement so far \[m\].
-    pub(super) extremes: Extremes<S>,
+    extremes: Extremes<S>,
 }
 
 /// Least and largest of what was met.
