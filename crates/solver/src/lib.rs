@@ -50,6 +50,7 @@ mod record;
 mod roots;
 mod span;
 mod stability;
+mod sum;
 mod turning;
 mod work;
 

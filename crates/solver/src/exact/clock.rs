@@ -5,6 +5,7 @@
 
 use crate::Recorder;
 use crate::exact::Run;
+use crate::model::sampling::Sampling;
 
 /// A clock that shows 0 at an instant after the start.
 ///
@@ -25,9 +26,6 @@ pub(super) struct Past {
     /// What it showed \[s\].
     time: f64,
 }
-
-/// The least unit \[s\]: no run has too many of it to count.
-const LEAST: f64 = 1.0 / 1_048_576.0;
 
 impl Past {
     /// Time since an earlier instant \[s\].
@@ -52,13 +50,11 @@ impl Past {
 }
 
 impl LocalClock {
-    /// Of a run whose samples are a time \[s\] apart.
-    pub(super) fn new(time_step: f64) -> Self {
-        // Its power of two: the number without its fraction.
-        let unit = f64::from_bits(time_step.to_bits() & f64::INFINITY.to_bits());
+    /// Of a run whose samples arrive so.
+    pub(super) fn new(sampling: Sampling) -> Self {
         Self {
             zero: 0.0,
-            unit: unit.max(LEAST),
+            unit: sampling.unit(),
         }
     }
 

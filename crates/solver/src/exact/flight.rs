@@ -198,7 +198,8 @@ impl<R: Recorder> Run<'_, R> {
 
     /// The ground between the sample at exactly this instant and the next one, where the run goes on for so long.
     fn interval_from(&self, time: f64) -> Option<Interval> {
-        let step = self.excitation.time_step();
+        let sampling = self.excitation.sampling();
+        let step = sampling.step;
         let zero = self.clock.zero();
         let position = (self.clock.absolute(time) / step).round();
         #[expect(
@@ -215,8 +216,8 @@ impl<R: Recorder> Run<'_, R> {
             [value, last] => (*value, *last),
             _ => return None,
         };
-        let to = (position + 1.0) * step - zero;
-        let starts = (position * step - zero).total_cmp(&time).is_eq();
+        let [from, to] = [index, index + 1].map(|index| sampling.on_clock(zero, index, 0.0));
+        let starts = from.total_cmp(&time).is_eq();
         (starts && to <= self.end).then(|| Interval {
             from: time,
             to,

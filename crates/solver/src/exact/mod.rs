@@ -164,7 +164,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         flights: Flights::new(&members, excitation.time_step()),
         travel: row.travel(excitation),
         ground: ([0.0; 2], excitation.segment(0.0, 0.0)),
-        clock: LocalClock::new(excitation.time_step()),
+        clock: LocalClock::new(excitation.sampling()),
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),
         settled: vec![false; contacts.len()],
@@ -237,7 +237,7 @@ impl<R: Recorder> Run<'_, R> {
         if self.ground.0.map(f64::to_bits) != at.map(f64::to_bits) {
             let segment = self
                 .excitation
-                .segment_since(self.clock.zero(), time, arrival);
+                .segment_on_clock(self.clock.zero(), time, arrival);
             self.ground = (at, segment);
         }
         self.ground.1

@@ -1,3 +1,4 @@
+use crate::model::sampling::Sampling;
 use crate::{Clock, ModelError};
 
 /// Ground acceleration at equally spaced instants, linear between them, zero outside; first sample at t = 0.
@@ -73,30 +74,38 @@ impl<'a> Excitation<'a> {
         self.samples
     }
 
+    /// When its samples arrive.
+    pub(crate) fn sampling(&self) -> Sampling {
+        Sampling::new(self.time_step)
+    }
+
     /// The linear piece that begins at or before a time ≥ 0 \[s\] and goes on after it, where the motion arrives at some
     /// time \[s\], ≥ 0; the ground rests before.
     pub(crate) fn segment(&self, time: f64, arrival: f64) -> Segment {
-        self.segment_since(0.0, time, arrival)
+        let sampling = self.sampling();
+        let start = |index| sampling.instant(index, arrival);
+        self.segment_of(sampling, time, start)
     }
 
-    /// The same of a clock that shows 0 at an instant \[s\], and of its time.
-    pub(crate) fn segment_since(&self, zero: f64, time: f64, arrival: f64) -> Segment {
-        let n = self.samples.len();
-        let start = |index: usize| (index as f64 * self.time_step + arrival) - zero;
-        let Some(index) = last_sample(time, self.time_step, n, start) else {
-            return Segment {
-                value: 0.0,
-                slope: 0.0,
-                end: arrival - zero,
-            };
+    /// The same of a clock that shows 0 at an instant \[s\], a whole number of units of the sampling, and of its time.
+    pub(crate) fn segment_on_clock(&self, zero: f64, time: f64, arrival: f64) -> Segment {
+        let sampling = self.sampling();
+        let start = |index| sampling.on_clock(zero, index, arrival);
+        self.segment_of(sampling, time, start)
+    }
+
+    fn segment_of(&self, sampling: Sampling, time: f64, start: impl Fn(usize) -> f64) -> Segment {
+        let resting = |end: f64| Segment {
+            value: 0.0,
+            slope: 0.0,
+            end,
+        };
+        let Some(index) = sampling.last(time, self.samples.len(), &start) else {
+            return resting(start(0));
         };
         let (Some(left), Some(right)) = (self.samples.get(index), self.samples.get(index + 1))
         else {
-            return Segment {
-                value: 0.0,
-                slope: 0.0,
-                end: f64::INFINITY,
-            };
+            return resting(f64::INFINITY);
         };
         let slope = (right - left) / self.time_step;
         Segment {
@@ -147,33 +156,6 @@ impl<'a> Excitation<'a> {
         let (left, right) = (sample(below), sample(below + 1.0));
         left + fraction * (right - left)
     }
-}
-
-/// The last sample that has arrived at a time, of which none comes after the one numbered `most`; nothing before the
-/// first. They arrive `time_step` after each other.
-pub(crate) fn last_sample(
-    time: f64,
-    time_step: f64,
-    most: usize,
-    arrives: impl Fn(usize) -> f64,
-) -> Option<usize> {
-    if time < arrives(0) {
-        return None;
-    }
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "time >= the first arrival; beyond the last sample nothing follows"
-    )]
-    // Not beyond the last sample: a count that no number of samples reaches could not be raised.
-    let mut index = (((time - arrives(0)) / time_step) as usize).min(most);
-    while index < most && arrives(index + 1) <= time {
-        index += 1;
-    }
-    while index > 0 && arrives(index) > time {
-        index -= 1;
-    }
-    Some(index)
 }
 
 #[cfg(test)]

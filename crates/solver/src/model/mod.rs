@@ -16,5 +16,6 @@ pub(crate) mod node;
 pub(crate) mod oscillation;
 pub(crate) mod profile;
 pub(crate) mod row;
+pub(crate) mod sampling;
 pub(crate) mod support;
 pub(crate) mod travel;

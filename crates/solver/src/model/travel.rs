@@ -1,6 +1,7 @@
 //! A ground motion that arrives at the buildings of a row one after the other: how their grounds move apart.
 
-use crate::model::excitation::last_sample;
+use crate::model::sampling::Sampling;
+use crate::sum::Sum;
 use crate::{Excitation, Motion};
 
 /// The ground motion under every node of a row to which it travels.
@@ -11,28 +12,18 @@ use crate::{Excitation, Motion};
 /// velocity times the difference of their arrivals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Travel {
-    /// Time between two samples \[s\].
-    time_step: f64,
-    /// The same as two numbers of few digits: whole multiples of the first one have no rounding.
-    coarse_and_fine: [f64; 2],
+    sampling: Sampling,
     samples: Vec<Sample>,
     /// Arrival at every node \[s\].
     arrivals: Vec<f64>,
 }
 
-/// The ground at a sample of the record.
+/// The ground at a sample of the record: it moves by metres, and two of them by far less than that against each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sample {
     acceleration: f64,
     velocity: Sum,
     displacement: Sum,
-}
-
-/// A sum, and what its rounding left: a ground moves by metres, and two of them by far less than that against each other.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-struct Sum {
-    value: f64,
-    rest: f64,
 }
 
 /// Displacement of a ground as a cubic in the time since an instant.
@@ -44,27 +35,6 @@ struct Cubic {
     bend: f64,
     /// A sixth of its slope.
     sixth: f64,
-}
-
-impl Sum {
-    /// With one more term; what is lost is known whichever of the two is larger (D. E. Knuth).
-    fn plus(self, term: f64) -> Self {
-        let value = self.value + term;
-        let taken = value - self.value;
-        let lost = (self.value - (value - taken)) + (term - taken);
-        Self {
-            value,
-            rest: self.rest + lost,
-        }
-    }
-
-    fn less(self, other: Self) -> f64 {
-        (self.value - other.value) + (self.rest - other.rest)
-    }
-
-    fn rounded(self) -> f64 {
-        self.value + self.rest
-    }
 }
 
 impl Cubic {
@@ -103,10 +73,8 @@ impl Travel {
             displacement = displacement.plus(moved);
             velocity = velocity.plus(0.5 * h * (acceleration + next));
         }
-        let coarse = f64::from_bits(h.to_bits() & COARSE);
         Self {
-            time_step: h,
-            coarse_and_fine: [coarse, h - coarse],
+            sampling: excitation.sampling(),
             samples: integrated,
             arrivals,
         }
@@ -119,12 +87,12 @@ impl Travel {
 
     /// Displacement and velocity of the ground under a node at an instant \[s\].
     pub fn ground(&self, node: usize, time: f64) -> Motion {
-        self.under(node, [time, 0.0]).motion()
+        self.under(node, self.sampling.split(time)).motion()
     }
 
     /// How far the ground of a left node has moved towards that of a right one, and at which rate, at an instant \[s\].
     pub fn opening(&self, nodes: [usize; 2], time: f64) -> Motion {
-        self.opening_at(nodes, [time, 0.0])
+        self.opening_at(nodes, self.sampling.split(time))
     }
 
     /// The same at an instant that is the sum of two numbers \[s\], not rounded.
@@ -153,7 +121,7 @@ impl Travel {
         };
         let arrive = |node: usize| {
             let arrival = self.arrivals[node];
-            let of = move |index: usize| index as f64 * self.time_step + arrival;
+            let of = move |index: usize| self.sampling.instant(index, arrival);
             (0..self.samples.len()).map(of)
         };
         let mut instants: Vec<f64> = arrive(nodes[0]).chain(arrive(nodes[1])).collect();
@@ -161,14 +129,18 @@ impl Travel {
         instants.retain(|time| *time <= until);
         instants.sort_by(f64::total_cmp);
         for ends in instants.windows(2) {
-            let [_, rate, half_bend, sixth] = self.cubic_opening(nodes, [ends[0], 0.0]);
+            // About the middle, where no rounding asks for another piece of the motion.
+            let half = 0.5 * (ends[1] - ends[0]);
+            let middle = ends[0] + half;
+            let instant = self.sampling.split(middle);
+            let [_, rate, half_bend, sixth] = self.cubic_opening(nodes, instant);
             // Zeros of rate + 2 b s + 3 c s².
             let (b, c) = (half_bend, 3.0 * sixth);
             let sum = -(b + (b * b - rate * c).sqrt().copysign(b));
             for s in [sum / c, rate / sum] {
                 // Not a number where there is no zero.
-                if s > 0.0 && s < ends[1] - ends[0] {
-                    take(ends[0] + s, self.opening(nodes, ends[0] + s).displacement);
+                if s.abs() < half {
+                    take(middle + s, self.opening(nodes, middle + s).displacement);
                 }
             }
             take(ends[1], self.opening(nodes, ends[1]).displacement);
@@ -181,7 +153,7 @@ impl Travel {
         let Some((index, part)) = self.place(position) else {
             return Motion::default();
         };
-        self.cubic(index, part * self.time_step).motion()
+        self.cubic(index, part * self.sampling.step).motion()
     }
 
     /// The last sample at or before a position, and how far behind it that is; nothing before the first one.
@@ -205,7 +177,7 @@ impl Travel {
         let (acceleration, slope) = match self.samples.get(index + 1) {
             Some(next) => (
                 sample.acceleration,
-                (next.acceleration - sample.acceleration) / self.time_step,
+                (next.acceleration - sample.acceleration) / self.sampling.step,
             ),
             None => (0.0, 0.0),
         };
@@ -222,14 +194,11 @@ impl Travel {
     /// The ground under a node from an instant on, the sum of two numbers \[s\], until the next sample arrives there.
     fn under(&self, node: usize, instant: [f64; 2]) -> Cubic {
         let arrival = self.arrivals[node];
-        let arrives = |index: usize| index as f64 * self.time_step + arrival;
-        let time = instant[0] + instant[1];
-        let last = last_sample(time, self.time_step, self.samples.len() - 1, arrives);
+        let [zero, time] = instant;
+        let arrives = |index: usize| self.sampling.on_clock(zero, index, arrival);
+        let last = self.sampling.last(time, self.samples.len() - 1, arrives);
         last.map_or_else(Cubic::default, |index| {
-            // The time since the sample keeps the digits of the instant.
-            let [coarse, fine] = self.coarse_and_fine.map(|part| index as f64 * part);
-            let since = ((instant[0] - coarse) - arrival) + (instant[1] - fine);
-            self.cubic(index, since)
+            self.cubic(index, time - arrives(index))
         })
     }
 
@@ -255,6 +224,3 @@ impl Travel {
         ]
     }
 }
-
-/// Sign, exponent and the first 26 digits of a number.
-const COARSE: u64 = !0 << 27;

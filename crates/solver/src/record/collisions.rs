@@ -1,3 +1,4 @@
+use crate::sum::Sum;
 use crate::{Impact, Pair, Path, Recorder, Span, Touch, Travel};
 
 /// One touching of a pair, from touch to parting; of an impulsive law, one impact with the rest that follows it.
@@ -42,8 +43,8 @@ pub struct Collisions {
     gaps: Vec<f64>,
     /// How the ground motion travels; nothing where all are shaken at once.
     travel: Option<Travel>,
-    /// For each pair, the index of its collision that goes on, or of the impact that rest may follow.
-    open: Vec<Option<usize>>,
+    /// For each pair, its collision that goes on, or the impact that rest may follow.
+    open: Vec<Option<Open>>,
     /// Whether impacts of a pair leave no rate: e = 0.
     plastic: Vec<bool>,
     /// Whether the run is that of a stepping method.
@@ -51,6 +52,15 @@ pub struct Collisions {
     /// The last touch of every pair.
     touches: Vec<Option<Touch>>,
     found: Vec<Collision>,
+}
+
+/// A collision that goes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Open {
+    /// Its index among those found.
+    index: usize,
+    /// Its impulse so far, with what rounding left of the pieces of the exact method; lanes of stepping methods have no room for that.
+    impulse: Sum,
 }
 
 impl Collisions {
@@ -104,6 +114,31 @@ impl Collisions {
         ahead - self.gaps[pair] > 0.0
     }
 
+    /// A pair begins to press with this force in a span.
+    fn begin(&mut self, pair: usize, span: &Span<'_>, force: f64) -> Open {
+        let first = match span.path {
+            // A step knows its nodes only.
+            Path::Cubic(_) if force == 0.0 => span.end_time,
+            Path::Cubic(_) | Path::Series(_) | Path::Flight(_) => span.start_time,
+        };
+        self.found.push(Collision {
+            pair,
+            start: first,
+            uncertainty: self.uncertainty(first),
+            approach_speed: self.touches[pair]
+                .filter(|touch| touch.begins(first))
+                .map(|touch| touch.approach_speed),
+            end: first,
+            peak_force: Some(force),
+            peak_force_time: Some(first),
+            impulse: 0.0,
+        });
+        Open {
+            index: self.found.len() - 1,
+            impulse: Sum::default(),
+        }
+    }
+
     /// Uncertainty of what begins at this instant: a touch may set off an impact of the next pair.
     fn uncertainty(&self, start: f64) -> Option<f64> {
         let touches = self.touches.iter().flatten();
@@ -126,10 +161,10 @@ impl Recorder for Collisions {
         let nothing = start == 0.0 && end == 0.0 && span.impulse_from_right == 0.0;
         let begins = start == 0.0 && end > 0.0;
         self.steps = matches!(span.path, Path::Cubic(_));
-        let ends = |open: usize| {
+        let ends = |open: Open| {
             let Collision {
                 peak_force, end, ..
-            } = self.found[open];
+            } = self.found[open.index];
             if peak_force.is_none() {
                 // Rest follows an impact at once; a step knows at its end.
                 return nothing && !(self.steps && span.start_time <= end);
@@ -143,29 +178,18 @@ impl Recorder for Collisions {
         if nothing {
             return;
         }
-        let index = self.open[pair].unwrap_or_else(|| {
-            let first = match span.path {
-                // A step knows its nodes only.
-                Path::Cubic(_) if start == 0.0 => span.end_time,
-                Path::Cubic(_) | Path::Series(_) | Path::Flight(_) => span.start_time,
-            };
-            self.found.push(Collision {
-                pair,
-                start: first,
-                uncertainty: self.uncertainty(first),
-                approach_speed: self.touches[pair]
-                    .filter(|touch| touch.begins(first))
-                    .map(|touch| touch.approach_speed),
-                end: first,
-                peak_force: Some(start),
-                peak_force_time: Some(first),
-                impulse: 0.0,
-            });
-            self.found.len() - 1
-        });
-        self.open[pair] = Some(index);
-        let collision = &mut self.found[index];
-        collision.impulse -= span.impulse_from_right;
+        let mut open = match self.open[pair] {
+            Some(open) => open,
+            None => self.begin(pair, span, start),
+        };
+        if self.steps {
+            open.impulse.value -= span.impulse_from_right;
+        } else {
+            open.impulse = open.impulse.plus(-span.impulse_from_right);
+        }
+        self.open[pair] = Some(open);
+        let collision = &mut self.found[open.index];
+        collision.impulse = open.impulse.rounded();
         if end > 0.0 || !matches!(span.path, Path::Cubic(_)) {
             collision.end = span.end_time;
         }
@@ -187,13 +211,17 @@ impl Recorder for Collisions {
         let pair = impact.pair;
         // Of the steps of a rest each has an impact.
         let rests = self.steps && self.plastic[pair];
-        if let Some(index) = self.open[pair].filter(|_| rests) {
-            let collision = &mut self.found[index];
-            collision.impulse += impact.impulse;
+        if let Some(open) = self.open[pair].as_mut().filter(|_| rests) {
+            let collision = &mut self.found[open.index];
+            open.impulse.value += impact.impulse;
+            collision.impulse = open.impulse.rounded();
             collision.end = impact.time;
             return;
         }
-        self.open[pair] = Some(self.found.len());
+        self.open[pair] = Some(Open {
+            index: self.found.len(),
+            impulse: Sum::default().plus(impact.impulse),
+        });
         self.found.push(Collision {
             pair,
             start: impact.time,

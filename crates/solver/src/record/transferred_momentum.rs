@@ -1,3 +1,4 @@
+use crate::sum::Sum;
 use crate::{Impact, Path, Recorder, Span};
 
 /// Records the transferred momentum of every floor: H = ∫ |net pounding force| dt \[N·s\].
@@ -11,12 +12,13 @@ use crate::{Impact, Path, Recorder, Span};
 /// impact in every step, whose limit is a force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TransferredMomentum {
-    structures: Vec<Sum>,
+    structures: Vec<Transferred>,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-struct Sum {
-    closed: f64,
+struct Transferred {
+    /// With what its rounding left of the pieces of the exact method; lanes of stepping methods have no room for that.
+    closed: Sum,
     /// Net impulse of the instant `open_time`; its magnitude counts once the instant has passed.
     open: f64,
     open_time: f64,
@@ -26,20 +28,20 @@ impl TransferredMomentum {
     /// For a row of `n_structures`, that is nodes, walls included.
     pub fn new(n_structures: usize) -> Self {
         Self {
-            structures: vec![Sum::default(); n_structures],
+            structures: vec![Transferred::default(); n_structures],
         }
     }
 
     /// Transferred momentum of one floor, by its node \[N·s\].
     pub fn of(&self, structure: usize) -> f64 {
         let sum = self.structures[structure];
-        sum.closed + sum.open.abs()
+        sum.closed.rounded() + sum.open.abs()
     }
 
     fn add(&mut self, structure: usize, impulse: f64, time: f64) {
         let sum = &mut self.structures[structure];
         if time > sum.open_time {
-            sum.closed += sum.open.abs();
+            sum.closed.value += sum.open.abs();
             sum.open = 0.0;
             sum.open_time = time;
         }
@@ -56,12 +58,13 @@ impl Recorder for TransferredMomentum {
             Path::Cubic(_) if span.start.pounding_force() * span.end.pounding_force() < 0.0 => {
                 let ends = span.start.pounding_force().abs() + span.end.pounding_force().abs();
                 self.add(span.structure, 0.0, span.end_time);
-                self.structures[span.structure].closed += 0.5 * span.duration() * ends;
+                self.structures[span.structure].closed.value += 0.5 * span.duration() * ends;
             }
             Path::Cubic(_) => self.add(span.structure, impulse, span.end_time),
             // A series ends where the net force changes its sign.
             Path::Series(_) | Path::Flight(_) => {
-                self.structures[span.structure].closed += impulse.abs();
+                let closed = &mut self.structures[span.structure].closed;
+                *closed = closed.plus(impulse.abs());
             }
         }
     }

@@ -131,8 +131,8 @@ impl Data<'_> {
     }
 }
 
-/// The scene with other masses, columns and gaps: as if all of them were written down with an error, gaps with one of the largest
-/// displacement \[m\], too. What has no gap keeps having none.
+/// The scene with other masses, columns, gaps and arrivals: as if all of them were written down with an error, gaps with one of the
+/// largest displacement \[m\], too. What has no gap keeps having none.
 fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
     let mut random = Random::new(0, index);
     let mut factor = || 1.0 + change * random.within(-1.0, 1.0);
@@ -154,6 +154,9 @@ fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
             }
             Structure::Wall => {}
         }
+    }
+    for arrival in scene.arrivals_s.iter_mut().flatten() {
+        *arrival *= factor();
     }
     for contact in scene.contacts.iter_mut().flatten() {
         if contact.gap_m > 0.0 {

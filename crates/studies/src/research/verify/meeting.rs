@@ -26,21 +26,23 @@ pub(super) struct Meeting {
 ///
 /// How many bounces end in rest, and which of several floors that meet at once hits first, is a matter of where a route stops to tell
 /// them apart. So is how many of the bounces that a neighbour of theirs comes to rest with are passed on to a pair at rest: those of
-/// no impulse belong to the touch that goes on.
+/// no impulse belong to the touch that goes on. And so is whether a force that passes zero ends a touch: a force that
+/// begins where another one ends goes on.
 pub(super) fn as_one(touches: Vec<Meeting>) -> Vec<Meeting> {
     let largest = Largest::of(&touches).impulse;
     let mut all: Vec<Meeting> = Vec::with_capacity(touches.len());
     let mut latest = f64::NEG_INFINITY;
     for next in touches {
-        match all.last_mut() {
-            Some(last)
-                if next.start - latest <= TOGETHER
-                    || (last.impulse <= ROUNDING * largest
-                        && next.start - (last.start + last.lasts) <= TOGETHER) =>
-            {
-                last.add(&next);
-            }
-            Some(_) | None => all.push(next),
+        let belongs = |last: &Meeting| {
+            let apart = next.start - (last.start + last.lasts);
+            let press = last.peak_force.is_some() && next.peak_force.is_some();
+            let goes_on = press && last.lasts > 0.0 && apart <= TOGETHER;
+            let slight = last.impulse <= ROUNDING * largest && apart <= SAME;
+            next.start - latest <= TOGETHER || goes_on || slight
+        };
+        match all.last_mut().filter(|last| belongs(last)) {
+            Some(last) => last.add(&next),
+            None => all.push(next),
         }
         latest = next.start;
     }
@@ -153,7 +155,8 @@ impl Meeting {
     }
 }
 
-/// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\].
+/// Touches that begin within this of each other are the same one, where the numbers of touches differ \[s\]; bounces of no impulse
+/// belong to what follows within it.
 pub(super) const SAME: f64 = 1e-7;
 
 /// For every touch of a pair the same touch in another run: the one of the same number, or where the runs count differently, the one
