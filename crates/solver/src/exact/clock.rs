@@ -14,8 +14,8 @@ use crate::model::sampling::Sampling;
 pub(super) struct LocalClock {
     /// The instant at which it shows 0 \[s\], a whole number of units.
     zero: f64,
-    /// A power of two \[s\]: what the clock is set back by has no rounding, however often.
-    unit: f64,
+    /// Its unit is a power of two: what the clock is set back by has no rounding, however often.
+    sampling: Sampling,
 }
 
 /// An instant that a clock has told.
@@ -54,7 +54,7 @@ impl LocalClock {
     pub(super) fn new(sampling: Sampling) -> Self {
         Self {
             zero: 0.0,
-            unit: sampling.unit(),
+            sampling,
         }
     }
 
@@ -85,7 +85,7 @@ impl<R: Recorder> Run<'_, R> {
     ///
     /// It depends on the instant alone: what a body does has the same bits whatever others do.
     pub(super) fn set_clock(&mut self, now: f64) -> f64 {
-        let by = (now / self.clock.unit).floor() * self.clock.unit;
+        let [by, _] = self.clock.sampling.split(now);
         if by == 0.0 {
             return by;
         }

@@ -6,7 +6,7 @@ const COARSE: u64 = !0 << 27;
 /// The least unit \[s\]: no run has too many of it to count.
 const LEAST: f64 = 1.0 / 1_048_576.0;
 
-/// The time between two samples, and instants told on clocks that show 0 at whole multiples of a [unit](Self::unit).
+/// The time between two samples, and instants told on clocks that show 0 at whole multiples of a unit.
 ///
 /// Told since t = 0, a sample is late by up to 1e-15 s after 10 s. Floors that rest against each other under grounds that move at
 /// different times press by differences of ground accelerations, of which that is 1e-12.
@@ -17,6 +17,7 @@ pub(crate) struct Sampling {
     /// The same as two numbers of few digits: whole multiples of the first one have no rounding.
     coarse: f64,
     fine: f64,
+    /// A power of two \[s\], at most the time between two samples but for the shortest of them.
     unit: f64,
 }
 
@@ -32,11 +33,6 @@ impl Sampling {
             fine: step - coarse,
             unit: unit.max(LEAST),
         }
-    }
-
-    /// A power of two \[s\], at most the time between two samples but for the shortest of them.
-    pub(crate) fn unit(&self) -> f64 {
-        self.unit
     }
 
     /// When a sample arrives where the motion arrives at some time, on a clock that shows 0 at `zero`, a whole number of units \[s\].
