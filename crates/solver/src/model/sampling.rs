@@ -1,7 +1,6 @@
 //! When the samples of a ground motion arrive.
 
-/// Sign, exponent and the first 26 digits of a number.
-const COARSE: u64 = !0 << 27;
+use crate::sum::{Sum, split};
 
 /// The least unit \[s\]: no run has too many of it to count.
 const LEAST: f64 = 1.0 / 1_048_576.0;
@@ -24,13 +23,13 @@ pub(crate) struct Sampling {
 impl Sampling {
     /// Of samples this far apart \[s\].
     pub(crate) fn new(step: f64) -> Self {
-        let coarse = f64::from_bits(step.to_bits() & COARSE);
+        let [coarse, fine] = split(step);
         // Its power of two: the number without its fraction.
         let unit = f64::from_bits(step.to_bits() & f64::INFINITY.to_bits());
         Self {
             step,
             coarse,
-            fine: step - coarse,
+            fine,
             unit: unit.max(LEAST),
         }
     }
@@ -39,11 +38,23 @@ impl Sampling {
     ///
     /// Within four units it is one number whatever `zero` is: a whole multiple of a part of the unit that such a clock can tell.
     pub(crate) fn on_clock(&self, zero: f64, index: usize, arrival: f64) -> f64 {
+        let [whole, rest] = self.terms(zero, index, arrival);
+        whole + rest
+    }
+
+    /// The same as a sum of two numbers \[s\].
+    fn terms(&self, zero: f64, index: usize, arrival: f64) -> [f64; 2] {
         let index = index as f64;
         // Of the terms only this one is rounded: to a part of the unit, whatever the clock shows.
         let grid = 3.0 * self.unit;
         let rest = ((arrival + index * self.fine) + grid) - grid;
-        (index * self.coarse - zero) + rest
+        [index * self.coarse - zero, rest]
+    }
+
+    /// Time from that instant to a time of that clock, however long \[s\].
+    pub(crate) fn since(&self, [zero, time]: [f64; 2], index: usize, arrival: f64) -> Sum {
+        let [whole, rest] = self.terms(zero, index, arrival);
+        Sum::of(time).plus(-rest).plus(-whole)
     }
 
     /// The same instant since t = 0, rounded once \[s\].

@@ -153,7 +153,8 @@ impl Travel {
         let Some((index, part)) = self.place(position) else {
             return Motion::default();
         };
-        self.cubic(index, part * self.sampling.step).motion()
+        let after = Sum::of(part * self.sampling.step);
+        self.cubic(index, after).motion()
     }
 
     /// The last sample at or before a position, and how far behind it that is; nothing before the first one.
@@ -170,17 +171,20 @@ impl Travel {
         Some((index, position - index as f64))
     }
 
-    /// Displacement of the ground as a cubic about an instant s \[s\] after a sample.
-    fn cubic(&self, index: usize, s: f64) -> Cubic {
+    /// Displacement of the ground as a cubic about an instant \[s\] after a sample.
+    fn cubic(&self, index: usize, after: Sum) -> Cubic {
         let sample = &self.samples[index];
-        // Behind the last sample the ground is not accelerated.
-        let (acceleration, slope) = match self.samples.get(index + 1) {
-            Some(next) => (
-                sample.acceleration,
-                (next.acceleration - sample.acceleration) / self.sampling.step,
-            ),
-            None => (0.0, 0.0),
+        let Some(next) = self.samples.get(index + 1) else {
+            // Nothing accelerates it any more. It goes on for metres while two grounds stay as far apart as they are.
+            return Cubic {
+                displacement: sample.displacement.plus_product(sample.velocity, after),
+                velocity: sample.velocity,
+                ..Cubic::default()
+            };
         };
+        let s = after.rounded();
+        let acceleration = sample.acceleration;
+        let slope = (next.acceleration - acceleration) / self.sampling.step;
         let moved = s * (sample.velocity.rounded() + s * (0.5 * acceleration + s * (slope / 6.0)));
         let faster = s * (acceleration + s * (0.5 * slope));
         Cubic {
@@ -198,7 +202,7 @@ impl Travel {
         let arrives = |index: usize| self.sampling.on_clock(zero, index, arrival);
         let last = self.sampling.last(time, self.samples.len() - 1, arrives);
         last.map_or_else(Cubic::default, |index| {
-            self.cubic(index, time - arrives(index))
+            self.cubic(index, self.sampling.since(instant, index, arrival))
         })
     }
 

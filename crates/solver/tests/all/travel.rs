@@ -389,3 +389,21 @@ fn limit_displacements_over_grounds_mirror() {
         }
     }
 }
+
+#[test]
+fn extreme_grounds_stay_as_far_apart_as_they_are_long_after_the_record() {
+    // The ground keeps 0.8 m/s and goes 8 km while two sites of it stay 0.1 m apart.
+    let samples = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+    let excitation = Excitation::new(0.1, &samples).expect("it is valid");
+    let velocity = 0.8;
+    let node = elastic((1.0, 1.0, 0.0));
+    let pairs = pairs(2, 0.01, STEREOMECHANICAL);
+    let row = Row::new(vec![node, node], pairs).expect("it is valid");
+    let row = row.delayed(vec![0.0, 0.125]).expect("they are valid");
+    let travel = row.travel(excitation).expect("it travels");
+    for time in [2.0, 31.4, 1e3, 1e4] {
+        let apart = travel.opening([0, 1], time).displacement;
+        let off = apart - velocity * 0.125;
+        assert!(off.abs() < 1e-16, "{time} s: {off:e}");
+    }
+}
