@@ -4,52 +4,65 @@ use pounding_solver::Excitation;
 
 use super::model::{displacement, velocity};
 use super::motion::Segment;
-use super::state::State;
+use super::state::{State, Sum};
 
 /// Part of the interval between samples below which two instants are one: quotients of decimal numbers miss a whole number
 /// by a rounding, and no segment is made for that.
 const SAME: f64 = 1e-9;
 
-/// An instant \[s\], and what its rounding left: ground accelerations are integrated twice to what grounds move against each other, and a
-/// sample that comes 1e-15 s late would be 1e-12 of that.
-#[derive(Debug, Clone, Copy)]
-struct Instant {
-    time: f64,
-    rest: f64,
+/// When a sample arrives \[s\]: ground accelerations are integrated twice to what grounds move against each other, and one that comes
+/// 1e-15 s late would be 1e-12 of that.
+fn instant(sample: f64, interval: f64, arrival: f64) -> Sum {
+    Sum::default()
+        .plus_product(Sum::of(sample), Sum::of(interval))
+        .plus(arrival)
 }
 
-impl Instant {
-    /// When a sample arrives.
-    fn of(sample: f64, interval: f64, arrival: f64) -> Self {
-        let product = sample * interval;
-        let time = product + arrival;
-        let taken = time - product;
-        let lost = (product - (time - taken)) + (arrival - taken);
-        Self {
-            time,
-            rest: lost + sample.mul_add(interval, -product),
-        }
-    }
+/// The ground at a sample of the record, where it has arrived, and at an instant after it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Ground {
+    /// Acceleration \[m/s²\], and its rate until the next sample \[m/s³\].
+    acceleration: f64,
+    rate: f64,
+    /// Velocity \[m/s\] and displacement \[m\].
+    velocity: Sum,
+    displacement: Sum,
+}
 
-    fn since(self, earlier: Self) -> f64 {
-        (self.time - earlier.time) + (self.rest - earlier.rest)
+impl Ground {
+    /// The ground later \[s\], before the next sample: it moves by metres, and two grounds far less than that against each other.
+    fn after(&self, since: Sum) -> Self {
+        let Self {
+            acceleration,
+            rate,
+            velocity,
+            displacement,
+        } = *self;
+        let s = since.rounded();
+        let bent = s * s * (0.5 * acceleration + s * (rate / 6.0));
+        Self {
+            acceleration: acceleration + rate * s,
+            rate,
+            velocity: velocity.plus(s * (acceleration + s * (0.5 * rate))),
+            displacement: displacement.plus_product(velocity, since).plus(bent),
+        }
     }
 }
 
 /// The segments of a run, in the order of time.
-pub(super) struct Segments<'a> {
-    excitation: Excitation<'a>,
+pub(super) struct Segments {
+    interval: f64,
+    /// The ground at every sample; behind the last one nothing accelerates it.
+    samples: Vec<Ground>,
     /// Arrival at every structure \[s\].
     arrivals: Vec<f64>,
     /// Instants at which a sample arrives somewhere, and the end of the run.
-    instants: Vec<Instant>,
+    instants: Vec<Sum>,
     next: usize,
-    /// Where the ground under every structure has moved by then, and how fast it moves.
-    moved: State,
 }
 
-impl<'a> Segments<'a> {
-    pub(super) fn new(excitation: Excitation<'a>, arrivals: Vec<f64>, duration: f64) -> Self {
+impl Segments {
+    pub(super) fn new(excitation: Excitation<'_>, arrivals: Vec<f64>, duration: f64) -> Self {
         let interval = excitation.time_step();
         let mut different = arrivals.clone();
         different.push(0.0);
@@ -57,30 +70,24 @@ impl<'a> Segments<'a> {
         different.dedup();
         let mut instants = Vec::new();
         for arrival in different {
-            let samples =
-                (0..).map(|sample: u32| Instant::of(f64::from(sample), interval, arrival));
-            instants.extend(samples.take_while(|one| duration - one.time > SAME * interval));
+            let samples = (0..).map(|sample: u32| instant(f64::from(sample), interval, arrival));
+            instants.extend(samples.take_while(|one| duration - one.high > SAME * interval));
         }
-        instants.sort_by(|one, other| one.since(*other).total_cmp(&0.0));
-        instants.dedup_by(|later, earlier| later.since(*earlier) <= SAME * interval);
-        instants.push(Instant {
-            time: duration,
-            rest: 0.0,
-        });
+        instants.sort_by(|one, other| one.less(*other).rounded().total_cmp(&0.0));
+        instants.dedup_by(|later, earlier| later.less(*earlier).rounded() <= SAME * interval);
+        instants.push(Sum::of(duration));
         Self {
-            // As many unknowns as come before the displacement of one more.
-            moved: State::zero(displacement(arrivals.len())),
-            excitation,
+            interval,
+            samples: integrated(excitation.samples(), interval),
             arrivals,
             instants,
             next: 0,
         }
     }
 
-    /// Acceleration of the ground at an instant, and its rate, where the motion arrives at some time.
-    fn ground(&self, now: Instant, arrival: f64) -> (f64, f64) {
-        let interval = self.excitation.time_step();
-        let position = (now.time - arrival) / interval;
+    /// The ground at an instant, where the motion arrives at some time.
+    fn ground(&self, now: Sum, arrival: f64) -> Ground {
+        let position = (now.high - arrival) / self.interval;
         let nearest = position.round();
         let whole = if (position - nearest).abs() <= SAME {
             nearest
@@ -88,22 +95,38 @@ impl<'a> Segments<'a> {
             position.floor()
         };
         if whole < 0.0 {
-            return (0.0, 0.0);
+            return Ground::default();
         }
+        let last = self.samples.len() - 1;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a whole number >= 0; beyond the last sample nothing follows"
         )]
-        let sample = self.excitation.samples().windows(2).nth(whole as usize);
-        let ends = sample.map_or([0.0; 2], |pair| [pair[0], pair[1]]);
-        let rate = (ends[1] - ends[0]) / interval;
-        let since = now.since(Instant::of(whole, interval, arrival));
-        (ends[0] + rate * since, rate)
+        let index = (whole as usize).min(last);
+        let arrives = instant(index as f64, self.interval, arrival);
+        self.samples[index].after(now.less(arrives))
     }
 }
 
-impl Iterator for Segments<'_> {
+/// The ground at every sample of a record.
+fn integrated(samples: &[f64], interval: f64) -> Vec<Ground> {
+    let mut all: Vec<Ground> = Vec::with_capacity(samples.len());
+    for (index, &acceleration) in samples.iter().enumerate() {
+        let before = all.last().map(|before| before.after(Sum::of(interval)));
+        let before = before.unwrap_or_default();
+        // The ground keeps the velocity of the last sample.
+        let next = samples.get(index + 1);
+        all.push(Ground {
+            acceleration: next.map_or(0.0, |_| acceleration),
+            rate: next.map_or(0.0, |next| (next - acceleration) / interval),
+            ..before
+        });
+    }
+    all
+}
+
+impl Iterator for Segments {
     type Item = Segment;
 
     fn next(&mut self) -> Option<Segment> {
@@ -111,22 +134,53 @@ impl Iterator for Segments<'_> {
             return None;
         };
         self.next += 1;
-        let arrivals = self.arrivals.iter();
-        let grounds = arrivals.map(|arrival| self.ground(start, *arrival));
-        let (grounds, length): (Vec<_>, _) = (grounds.collect(), end.since(start));
-        let moved = self.moved.clone();
-        for (index, (acceleration, rate)) in grounds.iter().enumerate() {
-            let faster = length * (acceleration + length * (0.5 * rate));
-            let further = length * (0.5 * acceleration + length * (rate / 6.0));
-            let further = length * (moved.high[velocity(index)] + further);
-            self.moved.add(&moved, displacement(index), further);
-            self.moved.add(&moved, velocity(index), faster);
+        // As many unknowns as come before the displacement of one more.
+        let mut moved = State::zero(displacement(self.arrivals.len()));
+        let mut grounds = Vec::with_capacity(self.arrivals.len());
+        for (index, arrival) in self.arrivals.iter().enumerate() {
+            let ground = self.ground(start, *arrival);
+            grounds.push((ground.acceleration, ground.rate));
+            moved.put_sum(displacement(index), ground.displacement);
+            moved.put_sum(velocity(index), ground.velocity);
         }
         Some(Segment {
-            start: start.time,
-            length,
+            start: start.high,
+            length: end.less(start).rounded(),
             grounds,
             moved,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How far the grounds of two structures stay from what the same velocity makes of their arrivals, behind the record \[m\].
+    fn off(samples: &[f64], arrivals: [f64; 2]) -> f64 {
+        let excitation = Excitation::new(0.1, samples).expect("finite samples");
+        let n = samples.len() as f64;
+        let velocity: f64 = 0.1
+            * samples
+                .windows(2)
+                .map(|ends| 0.5 * (ends[0] + ends[1]))
+                .sum::<f64>();
+        let wanted = velocity * (arrivals[1] - arrivals[0]);
+        let segments = Segments::new(excitation, arrivals.to_vec(), 30.0);
+        let last = segments.filter(|segment| segment.start > 0.1 * n + arrivals[1]);
+        let apart = last.map(|segment| {
+            let [first, second] = [0, 1].map(displacement);
+            (segment.moved.difference(first, second) - wanted).abs()
+        });
+        apart.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn extreme_grounds_stay_as_far_apart_as_they_are_behind_the_record() {
+        for arrivals in [[0.0, 0.125], [0.0, 0.0137], [0.3, 0.8]] {
+            assert!(off(&[1.0; 9], arrivals) < 1e-16, "{arrivals:?}");
+            // A record of one sample shakes nothing.
+            assert!(off(&[1.0], arrivals) == 0.0, "{arrivals:?}");
+        }
     }
 }

@@ -18,11 +18,27 @@ use super::phases::Contact;
 /// Closing acceleration, as a part of those it is the difference of, that is rounding.
 const IDLE: f64 = 1e-13;
 
-/// Time over which the force of a pair at rest is differenced for its rate \[s\].
-const PROBE: f64 = 1e-6;
+/// How the rate of the force of a pair at rest is found.
+#[derive(Debug, Clone, Copy)]
+struct Probe {
+    /// Time over which the force is differenced \[s\], along a straight line of the unknowns.
+    time: f64,
+    /// Part of the forces it is the difference of that rounding leaves of the rate \[1/s\].
+    rounding: f64,
+}
 
-/// Rate of a force at rest, as a part of the forces it is the difference of, that is rounding \[1/s\].
-const STEADY: f64 = 1e-8;
+impl Probe {
+    /// Forces of columns and grounds are straight along the line.
+    const STRAIGHT: Self = Self {
+        time: 1e-4,
+        rounding: 1e-10,
+    };
+    /// Those of compliant contacts bend.
+    const BENT: Self = Self {
+        time: 1e-6,
+        rounding: 1e-8,
+    };
+}
 
 impl Motion {
     /// Whether any pair is at rest.
@@ -255,13 +271,21 @@ impl Motion {
             self.slope(NOW, &near, &mut change);
             change[self.model.impulse(pair)]
         };
-        let rate = (force(PROBE) - force(-PROBE)) / (2.0 * PROBE);
+        let touches =
+            |phase: &Contact| phase.touches() && !matches!(phase, Contact::Resting { .. });
+        let bent = self
+            .phases
+            .pairs
+            .iter()
+            .any(|phase| touches(&phase.contact));
+        let Probe { time, rounding } = if bent { Probe::BENT } else { Probe::STRAIGHT };
+        let rate = (force(time) - force(-time)) / (2.0 * time);
         let terms = self.terms(y);
         let block = self.blocks().find(|block| block.contains(&pair));
         let sizes = block.map_or([0.0; 2], |block| {
             self.squeeze(&block, pair, |floor| terms[floor])
         });
-        [rate, STEADY * (sizes[0] + sizes[1])]
+        [rate, rounding * (sizes[0] + sizes[1])]
     }
 
     /// Negative once the force of a pair at rest has passed a maximum or minimum.

@@ -1,3 +1,46 @@
+/// A sum, and what rounding took from it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sum {
+    pub high: f64,
+    pub low: f64,
+}
+
+impl Sum {
+    pub(super) fn of(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+
+    /// With one more term.
+    pub(super) fn plus(self, term: f64) -> Self {
+        let sum = self.high + term;
+        let part = sum - self.high;
+        Self {
+            high: sum,
+            low: self.low + ((self.high - (sum - part)) + (term - part)),
+        }
+    }
+
+    /// With a product; only that of what rounding took from both is lost.
+    pub(super) fn plus_product(self, one: Self, other: Self) -> Self {
+        let product = one.high * other.high;
+        let lost = one.high.mul_add(other.high, -product);
+        let mut sum = self.plus(product);
+        sum.low += lost + (one.high * other.low + one.low * other.high);
+        sum
+    }
+
+    /// What it is more than another one.
+    pub(super) fn less(self, other: Self) -> Self {
+        let mut sum = self.plus(-other.high);
+        sum.low -= other.low;
+        sum
+    }
+
+    pub(super) fn rounded(self) -> f64 {
+        self.high + self.low
+    }
+}
+
 /// The vector of unknowns, each number with what rounding took from it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct State {
@@ -37,10 +80,12 @@ impl State {
 
     /// Sets an unknown to a sum.
     fn put(&mut self, index: usize, base: f64, added: f64) {
-        let sum = base + added;
-        let part = sum - base;
-        self.high[index] = sum;
-        self.low[index] = (base - (sum - part)) + (added - part);
+        self.put_sum(index, Sum::of(base).plus(added));
+    }
+
+    /// Sets an unknown to a sum with what rounding took from it.
+    pub(super) fn put_sum(&mut self, index: usize, Sum { high, low }: Sum) {
+        (self.high[index], self.low[index]) = (high, low);
     }
 
     /// One unknown less another one, with what rounding took from both.

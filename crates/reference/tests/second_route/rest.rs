@@ -116,6 +116,28 @@ fn reference_two_structures_swing_together() {
     }
 }
 
+/// Neighbours without a gap begin at one velocity. The right one is a ten-thousandth stiffer than swinging alike asks for, so that they
+/// press slightly.
+#[test]
+fn reference_the_peak_of_a_slight_force_at_rest() {
+    let (masses, stiffnesses, speed) = ([3e5, 1e5], [4e7, 4e7 / 3.0 * 1.0001], 0.3_f64);
+    let node = |index: usize| {
+        let stiffness = stiffnesses[index];
+        moving(masses[index], speed, Elastic { stiffness })
+    };
+    let pairs = pairs(2, 0.0, stereomechanical(0.0));
+    let row = Row::new(vec![node(0), node(1)], pairs).expect("a valid row");
+    let mass = masses[0] + masses[1];
+    let omega = ((stiffnesses[0] + stiffnesses[1]) / mass).sqrt();
+    let press = (masses[0] * stiffnesses[1] - masses[1] * stiffnesses[0]) / mass * speed / omega;
+    let response = run(&row, &[0.0], 3.0 / omega);
+    let [met] = response.collisions[0][..] else {
+        panic!("{:?}", response.collisions);
+    };
+    let peak = met.peak_force.expect("no impact");
+    close(peak, press, 1e-11, "a quarter of a period after the start");
+}
+
 /// Columns that yield at a part of their stiffness times a metre.
 fn structure(mass: f64, period: f64, yields: f64) -> Node<ElastoPlastic> {
     let omega = 2.0 * std::f64::consts::PI / period;
