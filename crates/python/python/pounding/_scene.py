@@ -317,6 +317,7 @@ class Scene:
         samples: Mapping[str, Any] | None = None,
         outputs: Mapping[str, Sequence[str]] | None = None,
         verdict: bool = True,
+        summary: Mapping[str, Any] | None = None,
         budget: Mapping[str, Any] | None = None,
         progress: Progress | bool = False,
     ) -> pandas.DataFrame:
@@ -343,6 +344,9 @@ class Scene:
             ``{"structures": ["peak_displacement_m"], "pairs": ["peak_force_n"]}``: which numbers.
         verdict
             Whether each run is held to the laws of mechanics.
+        summary
+            Sums the runs up instead of keeping a row of each: ``{"by": ["contacts[0].gap_m"], "exceedance": {"peak_force_n": [1e7]}}``, or
+            ``{}`` for the default statistics over all runs.
         budget
             What every run may cost.
         progress
@@ -351,7 +355,8 @@ class Scene:
         Returns
         -------
         pandas.DataFrame
-            A row for each run; SI units in the names, the reason in the last column where a run failed.
+            A row for each run, with the reason in the last column where it failed; with ``summary`` a row for each statistic. SI units in the
+            names.
         """
         return frame(
             self.sweep_table(
@@ -364,6 +369,7 @@ class Scene:
                 samples=samples,
                 outputs=outputs,
                 verdict=verdict,
+                summary=summary,
                 budget=budget,
                 progress=progress,
             )
@@ -381,6 +387,7 @@ class Scene:
         samples: Mapping[str, Any] | None = None,
         outputs: Mapping[str, Sequence[str]] | None = None,
         verdict: bool = True,
+        summary: Mapping[str, Any] | None = None,
         budget: Mapping[str, Any] | None = None,
         progress: Progress | bool = False,
     ) -> _pounding.Table:
@@ -402,6 +409,7 @@ class Scene:
                     "directions": directions,
                     "samples": samples,
                     "outputs": outputs,
+                    "summary": summary,
                     "budget": budget,
                 },
                 {},
