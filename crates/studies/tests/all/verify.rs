@@ -26,10 +26,10 @@ fn checked(scenes: &[usize], n_threads: usize) -> Vec<Checked> {
 
 /// Of the first 84 scenes of the seed these agree. Of the others three end by a limit that has a name, and number 44 takes
 /// more pieces than its budget; the rest are further apart than is allowed, most by what the second route differs from itself.
-const AGREE: [usize; 64] = [
+const AGREE: [usize; 63] = [
     0, 1, 3, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 27, 28, 30, 31, 32, 33,
     34, 35, 36, 37, 39, 40, 43, 45, 47, 48, 49, 51, 53, 54, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65,
-    66, 67, 70, 71, 72, 73, 74, 76, 77, 78, 79, 80, 81, 82, 83,
+    66, 67, 70, 71, 72, 73, 74, 76, 77, 78, 80, 81, 82, 83,
 ];
 
 #[test]
@@ -52,16 +52,17 @@ fn reference_random_scenes_are_the_same_by_both_routes() {
 /// yield force off. 2/380: a floor caught between two neighbours bounced once more from the elastic one. 2/201: the exact method's clock
 /// told samples up to 1e-15 s late, and a rest under a travelling motion had 2.4e-12 too little impulse. In the second route: 2/341, 2/392
 /// had a force that an impact lets press or push anew; 2/164 had samples that arrive 1e-15 s late;
-/// 1/103, 1/172 gaps that drifted over travelling grounds, and floors at rest there with velocities of their own.
+/// 1/103, 1/172 gaps that drifted over travelling grounds, and floors at rest there with velocities of their own; 3/301 had grounds that
+/// one motion moved apart by 2e-16 m.
 #[test]
 fn issue_scenes_of_the_campaign_that_found_faults_agree() {
     for (seed, scenes) in [
         (1, vec![54, 103, 172, 202, 225, 354]),
         (2, vec![17, 18, 164, 201, 341, 350, 380, 392]),
-        (3, vec![4, 44, 50]),
+        (3, vec![4, 44, 50, 301]),
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
-        // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much.
+        // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much; 3/301 is 5.4e-11 s off where bounces have faded.
         let found =
             |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds(_));
         let apart: Vec<String> = checked
@@ -156,12 +157,12 @@ fn issue_floors_that_move_by_rounding_do_not_touch_for_ever() {
     assert!(outcome.work.events < 10_000, "{:?}", outcome.work);
 }
 
-/// What no route can decide is told from what one does wrong: 2/608 loses touches with the last digits of its data, and changes of
+/// What no route can decide is told from what one does wrong: 1/67 loses touches with the last digits of its data, and changes of
 /// its data by 1e-15 move 2/197.
 #[test]
 fn limit_what_rounding_decides_is_no_disagreement() {
     let verdict = |seed, scene| campaign(seed).run(&[scene], &|_| ()).remove(0).verdict;
-    let lost = verdict(2, 608);
+    let lost = verdict(1, 67);
     assert!(matches!(lost, Verdict::Unknowable(_)), "{lost:?}");
     let rounds = verdict(2, 197);
     assert!(matches!(rounds, Verdict::ExactRounds(_)), "{rounds:?}");

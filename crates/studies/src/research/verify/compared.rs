@@ -19,7 +19,7 @@ pub enum Compared {
     Start,
     /// Instant at which it ends \[s\]; not of laws that let go before neighbours part.
     End,
-    /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself.
+    /// Impulse of a touch, relative to the largest of its pair; of the first touch, relative to itself where it is not slight.
     Impulse,
     /// Peak force of a touch, by the same rule.
     PoundingForce,

@@ -7,16 +7,17 @@ use super::compared::Two;
 use super::numbers::Numbers;
 use super::random::Random;
 use super::stage::{ALLOWED, Stage};
+use super::written::rewritten;
 use crate::research::work_precision::{Known, under};
 use pounding_motion::Record;
-use pounding_scene::{Extras, Options, Scene, Simulation, Structure};
+use pounding_scene::{Extras, Options, Scene, Simulation};
 
 /// Relative changes of the data; the second where the first does not explain a distance. It is as small as rounding, so that what the
 /// exact run itself rounds over many touches shows in it; and of a motion that bounces apart the first is too large to show by how much.
 const CHANGES: [f64; 2] = [1e-12, 1e-15];
 /// Records with other samples; more of them find a larger condition, and allow more.
 const N_RECORDS: usize = 4;
-/// Scenes with other masses, columns and gaps.
+/// Scenes with other structures, contacts and arrivals.
 const N_SCENES: usize = 4;
 /// Everything that is tried with a change: the scaled record and those above, and a record with its samples further apart, as if all
 /// structures were faster.
@@ -131,41 +132,30 @@ impl Data<'_> {
     }
 }
 
-/// The scene with other masses, columns, gaps and arrivals: as if all of them were written down with an error, gaps with one of the
-/// largest displacement \[m\], too. What has no gap keeps having none.
+/// The scene with other structures, contacts and arrivals: as if all of them were written down with an error, gaps with one of the
+/// largest displacement \[m\], too. What has no gap keeps having none: floors at rest would touch for the first time.
 fn changed(scene: &Scene, change: f64, index: usize, largest: f64) -> Scene {
     let mut random = Random::new(0, index);
     let mut factor = || 1.0 + change * random.within(-1.0, 1.0);
     let mut scene = scene.clone();
-    for structure in &mut scene.structures {
-        match structure {
-            Structure::Sdof(sdof) => {
-                sdof.mass_kg *= factor();
-                sdof.stiffness_n_per_m *= factor();
-                sdof.yield_force_n = sdof.yield_force_n.map(|force| force * factor());
-            }
-            Structure::Building(building) => {
-                for storey in &mut building.storeys {
-                    storey.mass_kg *= factor();
-                    storey.columns.stiffness_n_per_m *= factor();
-                    let yields = &mut storey.columns.yield_force_n;
-                    *yields = yields.map(|force| force * factor());
-                }
-            }
-            Structure::Wall => {}
-        }
-    }
-    for arrival in scene.arrivals_s.iter_mut().flatten() {
-        *arrival *= factor();
-    }
     for contact in scene.contacts.iter_mut().flatten() {
         if contact.gap_m > 0.0 {
             let moved = contact.gap_m + largest * (factor() - 1.0);
-            contact.gap_m = (moved * factor()).max(0.5 * contact.gap_m);
+            contact.gap_m = moved.max(0.5 * contact.gap_m);
         }
     }
+    let mut each = |number: f64| {
+        let is_choice = CHOICES.contains(&number);
+        if is_choice { number } else { number * factor() }
+    };
+    scene.structures = rewritten(&scene.structures, &mut each);
+    scene.contacts = rewritten(&scene.contacts, &mut each);
+    scene.arrivals_s = rewritten(&scene.arrivals_s, &mut each);
     scene
 }
+
+/// Numbers that may stand for a choice: nothing, Bouc–Wen columns that unload straight, impacts without a loss.
+const CHOICES: [f64; 3] = [0.0, 0.5, 1.0];
 
 /// The distance of two numbers that their condition allows.
 pub(super) fn allowed(two: &Two, condition: f64) -> f64 {

@@ -4,9 +4,8 @@
 
 use std::f64::consts::PI;
 
-use serde_json::Value;
-
 use super::random::Random;
+use super::written::rewritten;
 use super::{contacts, motions};
 use pounding_scene::{
     BoucWen, Building, Columns, Contact, Damping, Method, RunBudget, Scene, Sdof, Storey, Structure,
@@ -35,26 +34,12 @@ pub(super) fn scene(seed: u64, index: usize) -> Scene {
         method: Method::EXACT,
         budget: RunBudget::default(),
     };
-    in_few_digits(&scene)
+    rewritten(&scene, &mut in_few_digits)
 }
 
-/// The scene with all numbers rounded to five digits: a file of it is easy to read, and is the same scene.
-fn in_few_digits(scene: &Scene) -> Scene {
-    let mut value = serde_json::to_value(scene).expect("a scene is written without errors");
-    round(&mut value);
-    serde_json::from_value(value).expect("a rounded scene is a scene")
-}
-
-fn round(value: &mut Value) {
-    match value {
-        Value::Number(number) if number.is_f64() => {
-            let digits = format!("{:.4e}", number.as_f64().unwrap_or(0.0));
-            *value = digits.parse::<f64>().map_or(Value::Null, Value::from);
-        }
-        Value::Array(all) => all.iter_mut().for_each(round),
-        Value::Object(fields) => fields.values_mut().for_each(round),
-        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
-    }
+/// A number in five digits: a file of them is easy to read, and is the same scene.
+fn in_few_digits(number: f64) -> f64 {
+    format!("{number:.4e}").parse().unwrap_or(f64::NAN)
 }
 
 /// Two to five buildings, or one beside a wall; walls at either end or at both.

@@ -114,7 +114,7 @@ impl Meeting {
     }
 
     /// Whether it begins without an approach: where the force between neighbours at rest leaves zero.
-    fn presses_out_of_rest(&self) -> bool {
+    pub(super) fn presses_out_of_rest(&self) -> bool {
         self.uncertainty.is_none() && self.peak_force.is_some()
     }
 

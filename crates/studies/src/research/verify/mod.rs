@@ -19,6 +19,7 @@ mod random;
 mod room;
 mod stage;
 mod table;
+mod written;
 
 pub use campaign::Campaign;
 pub use check::{Checked, Disagreement, Failure, RESIDUAL, Verdict};

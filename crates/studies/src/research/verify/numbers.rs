@@ -6,7 +6,8 @@ use pounding_reference::Response;
 use pounding_scene::{RunResult, Simulation, ZERO, relative_to};
 use pounding_solver::Pair;
 
-/// Part of the largest impulse and force of a pair below which those of its first touch are differences of far larger forces.
+/// Part of the largest impulse and force of a pair, and where it rests of the force that shakes its lighter floor, below which those of
+/// its first touch are differences of far larger forces.
 const SLIGHT: f64 = 1e-6;
 
 /// What a run says of a floor.
@@ -28,6 +29,8 @@ pub(super) struct Numbers {
     pinched: Vec<bool>,
     /// The touches of every pair in their order.
     pairs: Vec<Vec<Meeting>>,
+    /// The largest force that shakes the lighter floor of every pair \[N\].
+    shaking: Vec<f64>,
 }
 
 impl Numbers {
@@ -94,10 +97,17 @@ impl Numbers {
         };
         let pinched = (0..floors.len()).map(pinched).collect();
         let pairs = pairs.into_iter().map(as_one).collect();
+        let acceleration = prepared.record().peak().1.abs();
+        let mass = |floor: usize| Some(prepared.floors().all()[floor].made_of?.mass_kg);
+        let shaking = prepared.pairs().iter().map(|pair| {
+            let masses = [pair.left, pair.right].into_iter().filter_map(mass);
+            acceleration * masses.fold(f64::INFINITY, f64::min)
+        });
         Self {
             floors,
             pinched,
             pairs,
+            shaking: shaking.collect(),
         }
     }
 
@@ -125,7 +135,11 @@ impl Numbers {
             for (touch, (one, same)) in first.iter().zip(matched(first, second)).enumerate() {
                 // Later touches may be bounces that come to rest, differences of far larger velocities.
                 let scale = if touch == 0 {
-                    Largest::of(&first[..1]).at_least(SLIGHT, largest)
+                    let mut own = Largest::of(&first[..1]).at_least(SLIGHT, largest);
+                    if one.presses_out_of_rest() {
+                        own.force = own.force.max(SLIGHT * self.shaking[pair]);
+                    }
+                    own
                 } else {
                     largest
                 };
