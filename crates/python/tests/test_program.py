@@ -150,12 +150,12 @@ def test_limit_a_sweep_has_the_rows_of_the_program(program: str, tmp_path: pathl
 def test_limit_a_summary_has_the_lines_of_the_program(program: str, tmp_path: pathlib.Path) -> None:
     path = ROOT / "studies" / "examples" / "two-structures.json"
     gap, summary = "contacts[0].gap_m", {"by": ["contacts[0].gap_m"], "exceedance": {"peak_displacement_m": [0.1]}}
-    periods = {"field": "structures[0].sdof.period_s", "values": [0.8, 1.0, 1.2]}
-    sweep = {"scene": str(path), "vary": [{"field": gap, "values": [0.01, 0.04]}, periods], "summary": summary}
+    masses = {"field": "structures[0].sdof.mass_kg", "values": [6e4, 75e3, 9e4]}
+    sweep = {"scene": str(path), "vary": [{"field": gap, "values": [0.01, 0.04]}, masses], "summary": summary}
     (tmp_path / "sweep.json").write_text(json.dumps(sweep))
     asked(program, "sweep", tmp_path / "sweep.json", "--out", tmp_path / "out.csv")
     theirs = table_of((tmp_path / "out.csv").read_text(encoding="utf-8"))
-    vary = {gap: [0.01, 0.04], periods["field"]: periods["values"]}
+    vary = {gap: [0.01, 0.04], masses["field"]: masses["values"]}
     ours = pounding.scene(path).sweep(vary, summary=summary)
     assert set(ours["statistic"]) >= {"runs", "mean", "quantile", "exceedance"}
     pandas.testing.assert_frame_equal(ours, theirs, check_exact=True, check_dtype=False)
