@@ -197,3 +197,39 @@ def test_reference_compare_stands_side_by_side(towers, pulse) -> None:
     assert list(table.columns) == ["row", "wide"]
     collisions = table.loc[("gap", 0, 1, "collisions")]
     assert collisions["row"] > 0 and collisions["wide"] == 0
+
+
+def test_limit_a_path_is_its_record(towers, tmp_path) -> None:
+    (tmp_path / "pulse.csv").write_text("time_s,acceleration_m_per_s2\n" + "".join(f"{0.1 * i!r},{i % 3}.0\n" for i in range(50)))
+    path = str(tmp_path / "pulse.csv")
+    record = pounding.read(path)
+    assert towers.run(path) == towers.run(record) == towers.under(path).run()
+    assert towers.required_gap(record).equals(towers.required_gap([path]))
+    assert towers.sweep(gap=[0.01, 0.02], record=path).equals(towers.sweep(gap=[0.01, 0.02], record=record))
+
+
+def test_limit_a_gap_is_replaced(towers, pulse) -> None:
+    wider = towers.replace(gap=0.13)
+    assert wider.to_dict()["contacts"][0]["gap_m"] == 0.13
+    assert wider.replace(gap=0.03).run(pulse).impacts.equals(towers.run(pulse).impacts)
+
+
+def test_limit_the_lowest_storey_has_a_drift(pulse) -> None:
+    storeys = [{"mass": 1e5, "stiffness": 2e8, "height": 3.0}] * 2
+    beside = pounding.sdof(mass=3e6, period=0.3, height=3.0)
+    row = pounding.row(pounding.building(storeys), beside, gap=0.03)
+    run = row.run(pulse)
+    peaks = run.peaks
+    assert peaks.loc[peaks["storey"] == 1, "peak_drift_m"].notna().all()
+    largest = abs(run.drift).max(axis=0)
+    assert largest == pytest.approx(peaks["peak_drift_m"].abs(), rel=1e-2)
+
+
+def test_limit_a_notebook_shows_a_plot(towers, pulse) -> None:
+    assert towers.run(pulse).plot()._repr_png_().startswith(b"\x89PNG")
+
+
+def test_limit_values_far_from_usual_warn(pulse) -> None:
+    row = pounding.row(pounding.sdof(mass=1e5, period=1.0, damping=5), pounding.sdof(mass=1e5, period=0.5), gap=0.02)
+    with pytest.warns(pounding.PoundingWarning, match="500 %"):
+        row.run(pulse)

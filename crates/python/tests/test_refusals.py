@@ -97,3 +97,15 @@ def test_issue_a_report_replaces_results_and_no_input(tmp_path) -> None:
     with pytest.raises(pounding.Refused, match="cannot be made again"):
         row.run(read).report(out, both=False, overwrite=True)
     assert inside.read_bytes() == before
+
+
+def test_limit_structures_in_a_list_are_refused() -> None:
+    with pytest.raises(pounding.Refused, match="one by one"):
+        pounding.row([pounding.sdof(mass=1e5, period=1.0)])
+
+
+def test_limit_two_restitutions_are_refused() -> None:
+    law = {"hertz_damp": {"impact_stiffness_n_per_m1_5": 1e9, "restitution": 0.5}}
+    weak = pounding.sdof(mass=1e5, period=1.0)
+    with pytest.raises(pounding.Refused, match="one of them"):
+        pounding.row(weak, weak, gap=0.01, law=law, restitution=0.65)

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _pounding
-from ._record import Record
+from ._record import Record, read
 
 if TYPE_CHECKING:
     import pandas
@@ -31,7 +31,8 @@ def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Pa
     else:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            all_of_them = list(records)
+            given = [records] if isinstance(records, Record) else records
+            all_of_them = [one if isinstance(one, Record) else read(one) for one in given]
             width = len(str(len(all_of_them)))
             for number, record in enumerate(all_of_them, 1):
                 stem = Path(record.name).name

@@ -26,6 +26,14 @@ if TYPE_CHECKING:
 __all__ = ["Run"]
 
 
+#: What the drift of a storey on the ground is equal to.
+_ON_THE_GROUND = {
+    "peak_drift_m": "peak_displacement_m",
+    "peak_drift_time_s": "peak_displacement_time_s",
+    "residual_drift_at_end_m": "residual_displacement_at_end_m",
+}
+
+
 class Run:
     """What a run of a scene leaves behind. It does not change.
 
@@ -54,8 +62,9 @@ class Run:
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before believing the numbers, the most harmful first."""
-        return self._native.notices()
+        """What to know before believing the numbers, the most harmful first; then values that are far from usual."""
+        unusual = [f"{one['place']}: found {one['found']}, usual is {one['usual']}" for one in self.summary["unusual"]]
+        return [*self._native.notices(), *unusual]
 
     def _warn(self) -> None:
         for notice in self.warnings:
@@ -67,8 +76,15 @@ class Run:
 
     @property
     def peaks(self) -> pandas.DataFrame:
-        """A row for each floor and wall, SI units in the names of the columns."""
-        return frame(self.table("peaks"))
+        """A row for each floor and wall, SI units in the names of the columns.
+
+        The drift of a storey on the ground, which the table of a file leaves out, is the displacement of its floor.
+        """
+        found = frame(self.table("peaks"))
+        for drift, displacement in _ON_THE_GROUND.items():
+            if drift in found.columns:
+                found[drift] = found[drift].fillna(found[displacement].where(found["storey"] == 1))
+        return found
 
     @property
     def pairs(self) -> pandas.DataFrame:
@@ -136,11 +152,11 @@ class Run:
 
     def plot(self) -> Figure:
         """Displacements and openings over time, by matplotlib."""
-        from matplotlib.figure import Figure
+        from ._figures import Picture
 
         names = [str(name) for name in self._native.table("peaks").column("name")]
         pairs = self._native.table("pairs")
-        figure = Figure(figsize=(8, 5), layout="constrained")
+        figure = Picture(figsize=(8, 5), layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True)
         for name, column in zip(names, self.displacement.T):
             above.plot(self.time, 1e3 * column, linewidth=0.8, label=name)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _pounding
 from ._errors import PoundingWarning, Refused
-from ._record import Record
+from ._record import Record, read
 from ._run import Run
 from ._tables import frame
 from ._structures import Law, for_each, law_of
@@ -27,6 +27,15 @@ if TYPE_CHECKING:
     from ._folder import Assessment
 
 __all__ = ["Scene", "row", "scene"]
+
+#: A record, or the path of one.
+Shaking = Record | str | os.PathLike[str]
+
+
+def record_of(given: Shaking) -> Record:
+    """The record itself; a path is read."""
+    return given if isinstance(given, Record) else read(given)
+
 
 #: Told of what is done, and of all.
 Progress = Callable[[int, int], object]
@@ -78,6 +87,10 @@ def row(
     """
     named = []
     for index, structure in enumerate(structures, 1):
+        if not isinstance(structure, Mapping):
+            found, allowed = type(structure).__name__, "structures one by one"
+            message = f"structures[{index - 1}]: found {found}, allowed are {allowed}: row(sdof(…), building(…), gap=…)"
+            raise Refused(message, f"structures[{index - 1}]", found, allowed)
         kind, fields = next(iter(structure.items()))
         if kind != "wall":
             fields = {"name": f"structure {index}", **fields}
@@ -146,20 +159,27 @@ class Scene:
         return str(self.to_dict()["name"])
 
     def replace(self, **fields: Any) -> Scene:
-        """The same with other fields of a file, such as ``method="exact"``, ``duration_s=20.0`` or ``name="b"``."""
+        """The same with other fields of a file, such as ``method="exact"``, ``duration_s=20.0`` or ``name="b"``; ``gap=0.05`` [m] is that of
+        every contact.
+        """
         changed = {**self.to_dict(), **fields}
+        if "gap" in fields:
+            contacts = changed.get("contacts", [])
+            gaps = for_each(changed.pop("gap"), len(contacts), "gap")
+            changed["contacts"] = [{**contact, "gap_m": gap} for contact, gap in zip(contacts, gaps)]
         own = self._own or "record" in fields
         record = None if "record" in fields else self._record
         if not own and record is None:
             changed["record"] = _NOBODY
         return Scene(to_json(changed), self._path, record, own)
 
-    def under(self, record: Record) -> Scene:
+    def under(self, record: Shaking) -> Scene:
         """The same with a record of its own."""
+        record = record_of(record)
         return Scene(to_json({**self.to_dict(), "record": record.words}), self._path, record, True)
 
-    def _given(self, record: Record | None) -> tuple[str, Path, _pounding.Record | None]:
-        record = record or self._record
+    def _given(self, record: Shaking | None) -> tuple[str, Path, _pounding.Record | None]:
+        record = self._record if record is None else record_of(record)
         if record is not None:
             words_of_it = self.to_dict()
             return to_json({**words_of_it, "record": record.words}), Path(self._path), record._native
@@ -170,7 +190,7 @@ class Scene:
 
     def run(
         self,
-        record: Record | None = None,
+        record: Shaking | None = None,
         *,
         errors: bool = True,
         full: bool = False,
@@ -183,7 +203,7 @@ class Scene:
         Parameters
         ----------
         record
-            What shakes it; without it the record of the scene.
+            What shakes it, a record or the path of one; without it the record of the scene.
         errors
             Of a method with steps, also run the exact one and say how far the numbers are from it.
         full
@@ -198,11 +218,12 @@ class Scene:
         """
         text, path, native = self._given(record)
         options = {"errors": errors, "full": full, "force": force}
-        run = Run(_pounding.run(text, path, native, errors, full, force), self, record, options)
+        shaken_by = None if record is None else record_of(record)
+        run = Run(_pounding.run(text, path, native, errors, full, force), self, shaken_by, options)
         run._warn()
         return run
 
-    def effects(self, record: Record | None = None) -> dict[str, Any]:
+    def effects(self, record: Shaking | None = None) -> dict[str, Any]:
         """What pounding does to every storey against the same building alone, in both directions of shaking, by 24 exact runs.
 
         Units stand in the names.
@@ -216,7 +237,7 @@ class Scene:
         error: float = 0.01,
         quantity: str = "all",
         *,
-        record: Record | None = None,
+        record: Shaking | None = None,
         progress: Progress | None = None,
     ) -> dict[str, Any]:
         """The cheapest method and time step for an accuracy.
@@ -311,7 +332,7 @@ class Scene:
         *,
         gap: ArrayLike | None = None,
         restitution: ArrayLike | None = None,
-        record: Record | None = None,
+        record: Shaking | None = None,
         records: str | os.PathLike[str] | Iterable[Record] | None = None,
         directions: str | None = None,
         samples: Mapping[str, Any] | None = None,
@@ -345,8 +366,8 @@ class Scene:
         verdict
             Whether each run is held to the laws of mechanics.
         summary
-            Sums the runs up instead of keeping a row of each: ``{"by": ["contacts[0].gap_m"], "exceedance": {"peak_force_n": [1e7]}}``, or
-            ``{}`` for the default statistics over all runs.
+            Sums the runs up instead of keeping a row of each: ``{"by": ["gap"], "exceedance": {"peak_force_n": [1e7]}}``, or ``{}`` for the
+            default statistics over all runs. ``by`` names columns, those of ``gap`` and ``restitution`` by these words.
         budget
             What every run may cost.
         progress
@@ -381,7 +402,7 @@ class Scene:
         *,
         gap: ArrayLike | None = None,
         restitution: ArrayLike | None = None,
-        record: Record | None = None,
+        record: Shaking | None = None,
         records: str | os.PathLike[str] | Iterable[Record] | None = None,
         directions: str | None = None,
         samples: Mapping[str, Any] | None = None,
@@ -394,12 +415,17 @@ class Scene:
         """The same as :meth:`sweep`, as an Arrow table."""
         from ._folder import folder_of, shown
 
+        record = None if record is None else record_of(record)
         scene, base = self._for_sweep(record, records is not None)
         fields = dict(vary or {})
+        named = {"gap": "contacts[*].gap_m"}
         if gap is not None:
-            fields["contacts[*].gap_m"] = gap
+            fields[named["gap"]] = gap
         if restitution is not None:
-            fields[restitution_of(scene)] = restitution
+            named["restitution"] = restitution_of(scene)
+            fields[named["restitution"]] = restitution
+        if summary is not None and "by" in summary:
+            summary = {**summary, "by": [named.get(field, field) for field in summary["by"]]}
         given: dict[str, Any] = {
             "scene": scene,
             "vary": [spread(field, values) for field, values in fields.items()],

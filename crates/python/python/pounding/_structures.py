@@ -118,6 +118,10 @@ def law_of(law: Law | None, restitution: float | None) -> Any:
         return law
     if restitution is None:
         return dict(law)
+    for name, parameters in law.items():
+        if "restitution" in parameters:
+            found, allowed = f"one in {name} and restitution={restitution}", "one of them"
+            raise Refused(f"restitution: found {found}, allowed is {allowed}", "restitution", found, allowed)
     return {name: {**parameters, "restitution": restitution} for name, parameters in law.items()}
 
 
