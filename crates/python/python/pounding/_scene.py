@@ -216,9 +216,9 @@ class Scene:
         Refused
             Names the place, what stands there, what may, and what to do.
         """
-        text, path, native = self._given(record)
-        options = {"errors": errors, "full": full, "force": force}
         shaken_by = None if record is None else record_of(record)
+        text, path, native = self._given(shaken_by)
+        options = {"errors": errors, "full": full, "force": force}
         run = Run(_pounding.run(text, path, native, errors, full, force), self, shaken_by, options)
         run._warn()
         return run

@@ -62,7 +62,7 @@ fn issue_scenes_of_the_campaign_that_found_faults_agree() {
         (3, vec![4, 44, 50, 301]),
     ] {
         let checked = campaign(seed).run(&scenes, &|_| ());
-        // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much; 3/301 is 5.4e-11 s off where bounces have faded.
+        // 3/44 is 2.0e-12 off after 301 touches, of which it rounds as much.
         let found =
             |one: &&Checked| !matches!(one.verdict, Verdict::Agrees | Verdict::ExactRounds(_));
         let apart: Vec<String> = checked
