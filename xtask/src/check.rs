@@ -1,5 +1,6 @@
 //! What must pass before a change lands.
 
+use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::Command;
@@ -78,11 +79,42 @@ fn oldest(root: &Path) -> Result<(), String> {
     }
 }
 
+/// Holds the packages below `cargo xtask` to the features that they have below the tests: others are built a second time, and with them
+/// all that is above.
+fn built_once(root: &Path, cargo: &OsStr) -> Result<(), String> {
+    let packages = |of: &[&str]| {
+        let mut command = Command::new(cargo);
+        command.args(["tree", "--prefix", "none", "--format", "{p} {f}"]);
+        let output = command.args(of).current_dir(root).output();
+        let output = output.map_err(|error| format!("cannot start cargo: {error}"))?;
+        if !output.status.success() {
+            return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+        }
+        let text = String::from_utf8_lossy(&output.stdout);
+        let lines = text
+            .lines()
+            .map(|line| line.trim_end_matches(" (*)").to_owned());
+        Ok(lines.collect::<BTreeSet<String>>())
+    };
+    println!("── features: cargo tree --package xtask, and of the workspace");
+    let tests = packages(&["--workspace", "--edges", "normal,build,dev"])?;
+    let own = packages(&["--package", "xtask", "--edges", "normal,build"])?;
+    let others: Vec<&str> = own.difference(&tests).map(String::as_str).collect();
+    if others.is_empty() {
+        return Ok(());
+    }
+    Err(format!(
+        "packages that cargo xtask builds with other features than the tests (give them the same in xtask/Cargo.toml):\n{}",
+        others.join("\n")
+    ))
+}
+
 /// Runs every step and stops at the first that fails.
 pub(crate) fn run(root: &Path) -> Result<(), String> {
     println!("── rooms: cargo xtask rooms");
     crate::rooms::check(root)?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    built_once(root, &cargo)?;
     denied(root, &cargo)?;
     oldest(root)?;
     for (name, arguments, (variable, value)) in STEPS {
