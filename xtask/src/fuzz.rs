@@ -21,7 +21,12 @@ pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
             .exists()
             .then(|| format!("-dict={dictionary}"));
         // Without a sanitizer it runs on stable Rust; there is no unsafe code for one to watch.
-        let arguments = ["fuzz", "run", "--sanitizer", "none", &target, "--"];
+        // Inputs that it makes go where nobody commits them; it begins from the seeds, too.
+        let made = root.join("target/fuzz").join(&target);
+        fs::create_dir_all(&made).map_err(|error| format!("{}: {error}", made.display()))?;
+        let seeds = Path::new("fuzz/corpus").join(&target);
+        let arguments = ["fuzz", "run", "--sanitizer", "none", &target];
+        let folders = [made.as_path(), &seeds, Path::new("--")];
         let limits = [
             format!("-max_total_time={seconds}"),
             format!("-timeout={HANG}"),
@@ -31,6 +36,7 @@ pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let status = Command::new(cargo)
             .args(arguments)
+            .args(folders)
             .args(limits)
             .args(dictionary)
             .current_dir(root)

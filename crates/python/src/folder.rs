@@ -101,9 +101,19 @@ impl Assessment {
         self.report.to_csv()
     }
 
-    /// The answers, in sentences.
+    /// The answer in sentences: the gaps, what is proposed, what touching does.
     fn answers(&self) -> Vec<String> {
-        self.report.answers()
+        self.report.sentences()
+    }
+
+    /// The motions in a few lines.
+    fn shaking(&self) -> Vec<String> {
+        self.report.shaking()
+    }
+
+    /// What is said of records that are left out, or whose direction nothing tells.
+    fn remarks(&self) -> Vec<String> {
+        self.report.remarks().to_vec()
     }
 
     /// What to know before believing them.

@@ -181,6 +181,8 @@ impl Run {
         let all = 0..floors.all().len();
         let summary = serde_json::json!(self.report().summary().structures);
         let name = |index: usize| floors.all()[index].name.clone();
+        let structures = &self.simulation.scene().structures;
+        let building = |index: usize| structures[floors.all()[index].structure].name().to_owned();
         let counts = |count: &dyn Fn(usize) -> usize| {
             Column::Counts(all.clone().map(|index| count(index) as u64).collect())
         };
@@ -193,9 +195,21 @@ impl Run {
                 "storey".to_owned(),
                 counts(&|index| floors.storey_of(index)),
             ),
+            (
+                "building".to_owned(),
+                Column::texts(all.clone().map(building)),
+            ),
             ("name".to_owned(), Column::texts(all.clone().map(name))),
         ];
         Table::new(first.into_iter().chain(columns(&summary, &PEAKS)))
+    }
+
+    /// At which storey a pair of floors faces each other.
+    fn level(&self, pair: usize) -> u64 {
+        let floors = self.simulation.floors();
+        let one = &floors.facing()[pair];
+        let is_wall = floors.all()[one.left].is_wall();
+        floors.storey_of(if is_wall { one.right } else { one.left }) as u64
     }
 
     /// A row for each pair of floors that face each other.
@@ -203,11 +217,6 @@ impl Run {
         let floors = self.simulation.floors();
         let facing = floors.facing();
         let pairs = self.report().summary().pairs;
-        let level = |index: usize| {
-            let one = &facing[index];
-            let is_wall = floors.all()[one.left].is_wall();
-            floors.storey_of(if is_wall { one.right } else { one.left }) as u64
-        };
         let first = [
             (
                 "contact".to_owned(),
@@ -215,7 +224,7 @@ impl Run {
             ),
             (
                 "level".to_owned(),
-                Column::Counts((0..facing.len()).map(level).collect()),
+                Column::Counts((0..facing.len()).map(|pair| self.level(pair)).collect()),
             ),
             (
                 "left".to_owned(),
@@ -250,11 +259,14 @@ impl Run {
             // A negative zero loses its sign, as in files.
             Column::numbers(all.iter().map(|one| value(one).map(|value| value + 0.0)))
         };
+        let facing = self.simulation.floors().facing();
+        let counts = |of: &dyn Fn(usize) -> u64| {
+            Column::Counts(all.iter().map(|one| of(one.pair)).collect())
+        };
         Table::new([
-            (
-                "pair",
-                Column::Counts(all.iter().map(|one| one.pair as u64).collect()),
-            ),
+            ("pair", counts(&|pair| pair as u64)),
+            ("contact", counts(&|pair| facing[pair].contact as u64)),
+            ("level", counts(&|pair| self.level(pair))),
             ("left", names(0)),
             ("right", names(1)),
             ("start_s", column(|one| Some(one.start))),

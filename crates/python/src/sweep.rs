@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use pounding_scene::lines::said_of_untold;
 use pounding_sweep::{Sweep, SweepColumn, SweepFile};
 use pyo3::prelude::*;
 
@@ -12,7 +13,7 @@ use crate::waiting::wait;
 /// Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 ///
 /// `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-/// reasons, and the names of those whose direction nothing tells.
+/// reasons, and what is said of those whose direction nothing tells.
 #[pyfunction]
 #[pyo3(signature = (text, path, progress=None))]
 pub(crate) fn sweep(
@@ -20,7 +21,7 @@ pub(crate) fn sweep(
     text: &str,
     path: PathBuf,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(Table, Vec<String>, Vec<String>)> {
+) -> PyResult<(Table, Vec<String>, Option<String>)> {
     let ran = wait(py, progress, |watch| -> Result<_, String> {
         let words = |error: pounding_scene::Error| crate::refused::said(&error);
         let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
@@ -28,7 +29,7 @@ pub(crate) fn sweep(
         let of = sweep.n_runs();
         let columns = sweep.table(watch.stop, &|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;
-        let told = (sweep.left_out().to_vec(), sweep.untold().to_vec());
+        let told = (sweep.left_out().to_vec(), said_of_untold(sweep.untold()));
         Ok((columns, told))
     })?;
     let (columns, (left_out, untold)) = ran.or_refused(py)?;

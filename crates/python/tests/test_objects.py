@@ -233,3 +233,26 @@ def test_limit_values_far_from_usual_warn(pulse) -> None:
     row = pounding.row(pounding.sdof(mass=1e5, period=1.0, damping=5), pounding.sdof(mass=1e5, period=0.5), gap=0.02)
     with pytest.warns(pounding.PoundingWarning, match="500 %"):
         row.run(pulse)
+
+
+def test_issue_components_of_one_event_are_one_event(towers, pulse) -> None:
+    one, other = (pounding.record(sign * pulse.acceleration, pulse.dt, name=f"ABC-{end}") for sign, end in [(1, "EW"), (2, "NS")])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pounding.PoundingWarning)
+        assert towers.assess([one, other]).facts["events"] == 1
+        assert towers.assess([one, one.using(scale=2.0)]).facts["events"] == 2
+
+
+def test_issue_an_assessment_says_what_the_program_does(towers, pulse) -> None:
+    with pytest.warns(pounding.PoundingWarning, match="not scaled") as told:
+        found = towers.assess([pulse])
+    assert [str(one.message) for one in told] == found.warnings
+    assert found.answers[0] in repr(found) and len(found.answers) > 1
+    assert all(line in repr(found) for line in [*found.motions, *found.warnings])
+
+
+def test_issue_tables_name_building_and_level(towers, pulse) -> None:
+    run = towers.run(pulse)
+    assert list(run.peaks["building"]) == [structure["sdof"]["name"] for structure in towers.to_dict()["structures"]]
+    assert set(run.impacts["level"]) == set(run.pairs["level"]) == {1}
+    assert set(run.impacts["contact"]) == {0}

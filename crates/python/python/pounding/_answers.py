@@ -97,7 +97,7 @@ def compare(runs: Sequence[Run], names: Sequence[str] | None = None) -> pandas.D
         names = own if len(set(own)) == len(own) else [f"{name} ({n})" for n, name in enumerate(own, 1)]
     columns = {}
     for name, run in zip(names, runs):
-        floors = run.peaks.drop(columns="name").melt(["structure", "storey"], var_name="quantity")
+        floors = run.peaks.drop(columns=["building", "name"]).melt(["structure", "storey"], var_name="quantity")
         floors.insert(0, "of", "structure")
         floors = floors.rename(columns={"structure": "place", "storey": "level"})
         pairs = run.pairs.drop(columns=["left", "right", "law"])

@@ -7,9 +7,8 @@ import csv
 import io
 import json
 import os
-import sys
 import tempfile
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,15 +32,32 @@ def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Pa
             folder = Path(name)
             given = [records] if isinstance(records, Record) else records
             all_of_them = [one if isinstance(one, Record) else read(one) for one in given]
-            width = len(str(len(all_of_them)))
-            for number, record in enumerate(all_of_them, 1):
-                stem = Path(record.name).name
-                before = f"{number:0{width}}-" if len(all_of_them) > 1 else ""
+            for record, own in zip(all_of_them, _names(all_of_them)):
                 if record._native.kind == "file" and not _is_used(record):
-                    (folder / f"{before}{stem}").write_bytes(record._native.raw)
+                    (folder / own).write_bytes(record._native.raw)
                 else:
-                    _write(record, folder / f"{before}{stem}.csv")
+                    _write(record, folder / own)
             yield folder
+
+
+def _names(records: Sequence[Record]) -> list[str]:
+    """A name for each, by which components of one event are known; of those that have the same one, with a number before it.
+
+    Two components of one file get the ends that components of one event have.
+    """
+    own = [Path(record.name).name for record in records]
+    names = []
+    for number, (record, name) in enumerate(zip(records, own)):
+        alike = [other for other, its in zip(records, own) if its == name]
+        components = [other.words.get("component") for other in alike]
+        stem, ending = os.path.splitext(name)
+        if len(alike) == 1:
+            names.append(name)
+        elif len(alike) == 2 and None not in components and components[0] != components[1]:
+            names.append(f"{stem}-H{components.index(record.words['component']) + 1}{ending}")
+        else:
+            names.append(f"{own[:number].count(name) + 1:0{len(str(len(alike)))}}-{name}")
+    return names
 
 
 def _is_used(record: Record) -> bool:
@@ -54,20 +70,6 @@ def _write(record: Record, path: Path) -> None:
     rows = ["time_s,acceleration_m_per_s2"]
     rows += [f"{time!r},{one!r}" for time, one in zip(record.time.tolist(), record.acceleration.tolist())]
     path.write_text("\n".join(rows) + "\n", encoding="utf-8")
-
-
-def shown(progress: Callable[[int, int], object] | bool) -> Callable[[int, int], object] | None:
-    """What is told of progress: a line on standard error, which a notebook shows too, where nobody gives another."""
-    if not progress:
-        return None
-    if progress is True:
-        return _line
-    return progress
-
-
-def _line(done: int, of: int) -> None:
-    end = "\n" if done == of else ""
-    print(f"\r{done} of {of} runs", end=end, file=sys.stderr, flush=True)
 
 
 class Assessment:
@@ -88,13 +90,18 @@ class Assessment:
 
     @property
     def answers(self) -> list[str]:
-        """Whether the gaps are enough, in sentences."""
+        """The answer in sentences: whether the gaps are enough, what is proposed, and what touching does."""
         return self._native.answers()
 
     @property
+    def motions(self) -> list[str]:
+        """The motions in a few lines: how many, of how many events, how scaled."""
+        return self._native.shaking()
+
+    @property
     def warnings(self) -> list[str]:
-        """What to know before believing it."""
-        return self._native.warnings()
+        """What to know before believing it; then records that are left out, or whose direction nothing tells."""
+        return [*self._native.warnings(), *self._native.remarks()]
 
     @property
     def table(self) -> pandas.DataFrame:
@@ -121,9 +128,10 @@ class Assessment:
         return hash(self._native.facts())
 
     def __repr__(self) -> str:
-        return "\n".join(self.answers)
+        parts = [("Answer", self.answers), ("Motions", self.motions), ("Warnings", self.warnings)]
+        return "\n".join(line for title, lines in parts if lines for line in [title, *(f"  {one}" for one in lines)])
 
     def _repr_html_(self) -> str:
-        answers = "".join(f"<p>{escape(answer)}</p>" for answer in self.answers)
+        answers = "".join(f"<p>{escape(answer)}</p>" for answer in [*self.answers, "; ".join(self.motions)])
         notices = "".join(f"<li>{escape(notice)}</li>" for notice in self.warnings)
         return f"{answers}<ul>{notices}</ul>"

@@ -27,7 +27,7 @@ class Assessment:
     """
     def answers(self, /) -> list[str]:
         """
-        The answers, in sentences.
+        The answer in sentences: the gaps, what is proposed, what touching does.
         """
     def csv(self, /) -> str:
         """
@@ -40,6 +40,14 @@ class Assessment:
     def files(self, /) -> dict[str, bytes]:
         """
         The files of a report, by name.
+        """
+    def remarks(self, /) -> list[str]:
+        """
+        What is said of records that are left out, or whose direction nothing tells.
+        """
+    def shaking(self, /) -> list[str]:
+        """
+        The motions in a few lines.
         """
     def warnings(self, /) -> list[str]:
         """
@@ -256,12 +264,12 @@ def sketch_scene(text: str, path: str | PathLike[str]) -> str:
     The row of a scene as SVG.
     """
 
-def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], list[str]]:
+def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], str | None]:
     """
     Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 
     `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-    reasons, and the names of those whose direction nothing tells.
+    reasons, and what is said of those whose direction nothing tells.
     """
 
 def words_of(text: str, path: str | PathLike[str]) -> str:

@@ -6,7 +6,7 @@ import contextlib
 import json
 import os
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _pounding
 from ._errors import PoundingWarning, Refused
+from ._progress import Progress, shown
 from ._record import Record, read
 from ._run import Run
 from ._tables import frame
@@ -36,9 +37,6 @@ def record_of(given: Shaking) -> Record:
     """The record itself; a path is read."""
     return given if isinstance(given, Record) else read(given)
 
-
-#: Told of what is done, and of all.
-Progress = Callable[[int, int], object]
 
 #: What shakes a row that names no record, until one is given.
 _NOBODY = {"generated": {"half_sine": {"amplitude_m_per_s2": 0.0, "duration_s": 1.0, "time_step_s": 0.5}}}
@@ -238,7 +236,7 @@ class Scene:
         quantity: str = "all",
         *,
         record: Shaking | None = None,
-        progress: Progress | None = None,
+        progress: Progress | bool = False,
     ) -> dict[str, Any]:
         """The cheapest method and time step for an accuracy.
 
@@ -251,7 +249,7 @@ class Scene:
         record
             What shakes it; without it the record of the scene.
         progress
-            Called with the numbers of runs that are done, and of all.
+            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
 
         Returns
         -------
@@ -260,7 +258,7 @@ class Scene:
         """
         text, path, native = self._given(record)
         found: dict[str, Any] = json.loads(
-            _pounding.advise(text, path, error, quantity, native, progress)
+            _pounding.advise(text, path, error, quantity, native, shown(progress))
         )
         return found
 
@@ -271,9 +269,11 @@ class Scene:
         scale: str | Mapping[str, Any] = "scene",
         target: str | os.PathLike[str] | None = None,
         stiffness: tuple[float, float] = (0.1, 10.0),
-        progress: Progress | None = None,
+        progress: Progress | bool = False,
     ) -> Assessment:
         """Says under many records whether the gaps are enough, and what touching does: both directions, exact method.
+
+        What harms the answer, and what is said of records that are left out, are warnings of the class :class:`PoundingWarning`.
 
         Parameters
         ----------
@@ -288,7 +288,7 @@ class Scene:
         stiffness
             Range of the stiffness of impacts, as factors on that of the scene [–].
         progress
-            Called with the numbers of runs that are done, and of all.
+            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
         """
         from ._folder import Assessment, folder_of
 
@@ -296,15 +296,18 @@ class Scene:
         spectrum = None if target is None else os.fspath(target)
         with folder_of(records) as folder:
             native = _pounding.assess(
-                self._text, Path(self._path), folder, scale, spectrum, list(stiffness), progress
+                self._text, Path(self._path), folder, scale, spectrum, list(stiffness), shown(progress)
             )
-        return Assessment(native)
+        found = Assessment(native)
+        for one in found.warnings:
+            warnings.warn(one, PoundingWarning, stacklevel=2)
+        return found
 
     def required_gap(
         self,
         records: str | os.PathLike[str] | Iterable[Record],
         *,
-        progress: Progress | None = None,
+        progress: Progress | bool = False,
     ) -> pandas.DataFrame:
         """Which gaps nothing closes, under every record in both directions, by the exact method.
 
@@ -316,12 +319,12 @@ class Scene:
         records
             A folder, or records of :func:`read`, :func:`record` or :func:`formula`.
         progress
-            Called with the numbers of runs that are done, and of all.
+            Called with the numbers of runs that are done, and of all; ``True`` shows a line.
         """
         from ._folder import folder_of
 
         with folder_of(records) as folder:
-            table, said = _pounding.required_gap(self._text, Path(self._path), folder, progress)
+            table, said = _pounding.required_gap(self._text, Path(self._path), folder, shown(progress))
         for one in said:
             warnings.warn(one, PoundingWarning, stacklevel=2)
         return frame(table)
@@ -413,8 +416,10 @@ class Scene:
         progress: Progress | bool = False,
     ) -> _pounding.Table:
         """The same as :meth:`sweep`, as an Arrow table."""
-        from ._folder import folder_of, shown
+        from ._folder import folder_of
 
+        if record is not None and records is not None:
+            raise Refused("record: found one beside records, allowed is one of both", "record", "records", "one of both")
         record = None if record is None else record_of(record)
         scene, base = self._for_sweep(record, records is not None)
         fields = dict(vary or {})
@@ -454,8 +459,7 @@ class Scene:
         for one in left_out:
             warnings.warn(f"left out: {one}", PoundingWarning, stacklevel=3)
         if untold:
-            told = f"nothing tells the direction, they count as horizontal: {', '.join(untold)}"
-            warnings.warn(told, PoundingWarning, stacklevel=3)
+            warnings.warn(untold, PoundingWarning, stacklevel=3)
         return native
 
     def _for_sweep(self, record: Record | None, replaced: bool) -> tuple[dict[str, Any], Path]:

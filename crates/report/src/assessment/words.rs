@@ -40,6 +40,13 @@ impl AssessmentReport {
         )
     }
 
+    /// The answer in full: what it leaves out, the gaps, what is proposed, and what touching does.
+    pub fn sentences(&self) -> Vec<String> {
+        let answers = self.before().into_iter().chain(self.answers());
+        let more = self.proposals().into_iter().chain(self.consequences());
+        answers.chain(more).collect()
+    }
+
     /// What is said before the answer: how many motions of the folder shake nothing, unless they are vertical.
     pub fn before(&self) -> Option<String> {
         let failed = self.folder.failed;
@@ -254,12 +261,12 @@ impl AssessmentReport {
         if let Some((floor, one)) = worse.first() {
             let Worst { what, ratio, .. } = Worst::of(one);
             said.push(format!(
-                "When they touch, {} get worse by more than 10 %; {} most: its {what} becomes {} times as large in the median of those runs, \
-                 and at most {} times in 84 % of them.",
+                "When they touch, {} get worse by more than 10 %; {} most: its {what} becomes up to {} times as large in 84 % of those \
+                 runs, and {} times in the median.",
                 storeys(worse.len()),
                 self.floor_name(*floor),
-                two_decimals(ratio.median()),
                 two_decimals(ratio.p84()),
+                two_decimals(ratio.median()),
             ));
         }
         if let Some((index, pair)) = self.hit().first() {

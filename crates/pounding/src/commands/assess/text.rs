@@ -10,11 +10,8 @@ use crate::text::{NONE, paragraph, short, table};
 const MOST: usize = 6;
 
 pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
-    let answers = report.before().into_iter().chain(report.answers());
-    let more = report.proposals().into_iter().chain(report.consequences());
-    let answer: Vec<String> = answers.chain(more).collect();
     let mut parts = vec![
-        paragraph("Answer", &answer.join("\n")),
+        paragraph("Answer", &report.sentences().join("\n")),
         paragraph("Motions", &report.shaking().join("\n")),
     ];
     let warnings = report.warnings();
