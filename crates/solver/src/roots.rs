@@ -160,8 +160,8 @@ fn quick_root_of_monotone(coefficients: &[f64], width: f64) -> f64 {
         let next = if inside { newton } else { 0.5 * (low + high) };
         let change = (next - x).abs();
         let fall = change / before;
-        // Where steps fall as squares do, the next one is this one times the square of its fall.
-        let rest = if fall < FAST {
+        // Where steps fall as squares do, the next one is this one times the square of its fall. A half of the bracket is no such step.
+        let rest = if inside && fall < FAST {
             change * fall * fall
         } else {
             change
@@ -254,6 +254,42 @@ mod tests {
             None,
             "a near miss"
         );
+    }
+
+    /// Newton's method that overshot an end at the zero by rounding halved the bracket, and took that for the end of its own steps: the zero
+    /// was 2.5e-11 off, and a structure side by side began there with a velocity of zero.
+    #[test]
+    fn issue_a_zero_at_the_end_is_found_there() {
+        let polynomial = [
+            -0.248_985_178_817_134_56,
+            14.744_441_708_421_17,
+            217.823_740_868_573_8,
+            -5740.505_198_305_289,
+            -42_403.040_464_264_77,
+            670_491.306_149_943_5,
+            3_301_784.889_827_831_6,
+            -37_292_104.514_340_01,
+            -137_731_659.679_184_73,
+            1_209_922_152.664_742,
+            3_574_903_338.695_657,
+            -25_694_358_263.400_646,
+            -63_264_984_265.84132,
+            384_756_715_824.0415,
+            812_016_863_443.6525,
+            -4_279_962_328_369.284,
+            -7_903_634_328_601.824,
+            36_757_339_916_959.75,
+            60_336_268_054_429.75,
+            -251_067_790_454_177.3,
+            -370_909_434_279_232.1,
+            1_396_415_761_982_716.0,
+        ];
+        let whole = root_of_monotone(&polynomial, 0.02);
+        for ulps in 0..8_u64 {
+            let width = f64::from_bits(whole.to_bits() + ulps - 4);
+            let found = quick_root_of_monotone(&polynomial, width);
+            assert!((found - whole).abs() < 1e-17, "{found} {whole}");
+        }
     }
 
     /// A coefficient that was no number had the search look at stretches of 1e-15 of the whole, one by one.

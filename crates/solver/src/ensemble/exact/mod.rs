@@ -53,6 +53,8 @@ struct Interval {
     /// Acceleration at the start \[m/s²\] and its slope \[m/s³\].
     value: f64,
     slope: f64,
+    /// Whether the acceleration jumps at the start, behind a record that does not end with zero.
+    jumps: bool,
 }
 
 impl ExactSideBySide {
@@ -126,11 +128,13 @@ fn intervals(excitation: Excitation<'_>, end: f64) -> Vec<Interval> {
             length,
             value,
             slope: (last - value) / step,
+            jumps: false,
         },
         _ => Interval {
             length,
             value: 0.0,
             slope: 0.0,
+            jumps: index + 1 == samples.len() && samples[index] != 0.0,
         },
     };
     #[expect(

@@ -5,7 +5,7 @@
 
 use pounding_contact::{Action, Form, Number};
 
-/// What a branch of the force is away from its end at least, for its end to be looked for.
+/// How far from its end a branch of the force is, for the point itself to tell the branch.
 const SLOWLY: f64 = 1e-5;
 
 /// Displacements and velocities of both sides, left, left, right, right, and the impulse so far.
@@ -129,13 +129,15 @@ impl<N: Number> Pressed<N> {
         }
     }
 
-    /// Where the force changes its branch in a step; not where it has just done so.
+    /// The same where a step begins; where the force bends there, that of the branch on which it goes on, this much farther.
     #[inline(always)]
-    pub(super) fn bends(&self, here: &Point<N>, next: &Point<N>) -> N::Mask {
-        let before = self.side_of(Corner::Bend, &here.state);
-        let after = self.side_of(Corner::Bend, &next.state);
-        let zero = before.like(0.0);
-        before.abs().exceeds(before.like(SLOWLY)) & zero.exceeds(before * after)
+    pub(super) fn side_behind(&self, corner: Corner, here: &Point<N>, probe: N) -> N {
+        let side = self.side_of(corner, &here.state);
+        let bends = !side.abs().exceeds(side.like(SLOWLY));
+        if corner == Corner::Parting || !N::any(bends) {
+            return side;
+        }
+        N::select(bends, self.side_of(corner, &here.moved(probe)), side)
     }
 
     /// Where neighbours are apart after a step. Who has just touched is together to rounding, and parts where the rate says so.

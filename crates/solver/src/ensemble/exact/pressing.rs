@@ -1,5 +1,7 @@
 //! Steps in compliant contact in lanes: error control, and what ends a step.
 
+mod follow;
+
 use fearless_simd::Simd;
 use pounding_contact::{Form, Number, Term};
 
@@ -22,6 +24,8 @@ const ROUGHLY: f64 = 1e-2;
 /// Part of a step over which a slope is taken, and by which its end is moved at most on a line, from the corner of the
 /// polynomial to that of the motion.
 const PROBE: f64 = 1e-4;
+/// How near to its end a branch of the force is at an end of a step that may leave it between.
+const NEAR: f64 = 0.5;
 const MOST_REST: f64 = 0.01;
 
 /// Contacts in lanes.
@@ -38,7 +42,7 @@ pub(super) struct Pressing<S: Simd> {
     used: Lanes<S>,
     /// Steps that were tried.
     tried: Lanes<S>,
-    /// How fast the force changes here \[N/s\]; no number just after a touch or a bend.
+    /// How fast the force changes here \[N/s\]; no number just after a touch or a bend, or where the ground's acceleration jumps.
     climb: Lanes<S>,
     peak_force: Lanes<S>,
     /// Least and largest displacements of both sides.
@@ -135,6 +139,11 @@ impl<S: Simd> Pressing<S> {
                 extreme.set(lane, of_side);
             }
         }
+        let climb = if interval.jumps {
+            f64::NAN
+        } else {
+            contact.climb
+        };
         let [left, right] = &scene.sides;
         let largest = left.inverse_mass.max(right.inverse_mass);
         let Form { spring, damper, .. } = contact.form;
@@ -155,7 +164,7 @@ impl<S: Simd> Pressing<S> {
             (&mut self.tolerance, scene.tolerance),
             (&mut self.used, 1.0),
             (&mut self.tried, 0.0),
-            (&mut self.climb, contact.climb),
+            (&mut self.climb, climb),
             (&mut self.peak_force, scene.tally.peak_force),
         ] {
             number.set(lane, of_scene);
@@ -232,15 +241,23 @@ impl<S: Simd> Pressing<S> {
     fn reach(&self, step: Lanes<S>) -> Reached<S> {
         let (pressed, here) = (&self.pressed, &self.here);
         let [zero, one] = [0.0, 1.0].map(|number| step.like(number));
+        let probe = step * step.like(PROBE);
         let used = self.used.exceeds(zero);
         let mut stepped = pressed.step(here, step);
-        let (mut length, mut next) = (step, stepped.next);
+        let mut length = self.before_a_dip(&stepped, step);
+        if Lanes::any(step.exceeds(length)) {
+            stepped = pressed.step(here, length);
+        }
+        let mut next = stepped.next;
         let mut found = [Mask::splat(step.token(), false); 2];
         let mut too_long = found[0];
         for (corner, found) in [Corner::Bend, Corner::Parting].into_iter().zip(&mut found) {
             // What would bend behind a parting bends nothing.
             let mut passed = match corner {
-                Corner::Bend => used & pressed.bends(here, &next),
+                Corner::Bend => {
+                    let before = pressed.side_behind(corner, here, probe);
+                    used & zero.exceeds(before * pressed.side_of(corner, &next.state))
+                }
                 Corner::Parting => used & pressed.parts(here, &next),
             };
             if corner == Corner::Parting {
@@ -252,8 +269,8 @@ impl<S: Simd> Pressing<S> {
                 continue;
             }
             let way = stepped.way(here, length);
-            let [before, after] =
-                [&here.state, &stepped.next.state].map(|s| pressed.side_of(corner, s));
+            let before = pressed.side_behind(corner, here, probe);
+            let after = pressed.side_of(corner, &stepped.next.state);
             let sign = Number::select(zero.exceeds(before), one, zero - one);
             let number = |part| sign * pressed.side_of(corner, &way.at(part));
             let part = rise(passed, [sign * before, sign * after], FINELY, number);
@@ -284,6 +301,44 @@ impl<S: Simd> Pressing<S> {
         }
     }
 
+    /// A step no longer than to the least deformation on the way where that is negative, or to where the force bends farthest, though at
+    /// the end neighbours touch again, or the force is on its branch again: what is between would be missed.
+    #[inline(always)]
+    fn before_a_dip(&self, stepped: &Stepped<Lanes<S>>, step: Lanes<S>) -> Lanes<S> {
+        let (pressed, here, next) = (&self.pressed, &self.here, &stepped.next);
+        let [zero, one, probe] = [0.0, 1.0, PROBE].map(|number| step.like(number));
+        let mut length = step;
+        for corner in [Corner::Parting, Corner::Bend] {
+            let value = |state: &_| pressed.side_of(corner, state);
+            let before = pressed.side_behind(corner, here, probe * step);
+            let after = value(&next.state);
+            let near = match corner {
+                Corner::Parting => zero.exceeds(rate(&here.state)),
+                Corner::Bend => step.like(NEAR).exceeds(before.abs().min(after.abs())),
+            };
+            let same = self.used.exceeds(zero) & near & (before * after).exceeds(zero);
+            if !Lanes::any(same) {
+                continue;
+            }
+            let sign = Number::select(zero.exceeds(before), zero - one, one);
+            let starts = sign * (value(&here.moved(probe * step)) - value(&here.state));
+            let ends = sign * (after - value(&next.moved(zero - probe * step)));
+            let turns = same & zero.exceeds(starts) & ends.exceeds(zero);
+            if !Lanes::any(turns) {
+                continue;
+            }
+            let way = stepped.way(here, step);
+            let climbs = |part: Lanes<S>| {
+                let [before, after] = [part - probe, part + probe];
+                sign * (value(&way.at(after)) - value(&way.at(before)))
+            };
+            let part = rise(turns, [starts, ends], ROUGHLY, climbs);
+            let dips = turns & zero.exceeds(sign * value(&way.at(part)));
+            length = Number::select(dips, length.min(part * step), length);
+        }
+        length
+    }
+
     /// A point near a corner brought to it on a line, and where it was near enough for that.
     #[inline(always)]
     fn settle(
@@ -302,63 +357,4 @@ impl<S: Simd> Pressing<S> {
         let rest = Number::select(close, rest.min(self.end - near.s), zero);
         (pressed.at(near.s + rest, near.moved(rest)), close)
     }
-
-    /// What is largest on the way of a step that is taken.
-    #[inline(always)]
-    fn follow(&mut self, reached: &Reached<S>, taken: Mask<S>) {
-        let Self { pressed, here, .. } = self;
-        let next = &reached.next;
-        let zero = here.s.like(0.0);
-        let approaches = rate(&here.state).exceeds(zero);
-        let [force, climb] = pressed.climb(next, approaches);
-        let mut peak_force = self.peak_force.max(force);
-        let tops = taken & !zero.reaches(self.climb) & !climb.exceeds(zero);
-        let turns = [1, 3].map(|v: usize| taken & zero.exceeds(here.state[v] * next.state[v]));
-        if Lanes::any(tops | turns[0] | turns[1]) {
-            let way = reached.stepped.way(here, reached.length);
-            if Lanes::any(tops) {
-                let probe = here.s.like(PROBE);
-                let number = |part: Lanes<S>| {
-                    let [before, after] = [part - probe, part + probe];
-                    pressed.force(&way.at(before)) - pressed.force(&way.at(after))
-                };
-                // The same at the ends, from how fast the force changes there.
-                let [before, after] =
-                    [(&*here, self.climb), (next, climb)].map(|(point, climb)| {
-                        let time = here.s.like(-8.0) * point.s * point.s * point.s;
-                        time * reached.length * probe * climb
-                    });
-                let before = Number::select(before.differs(before), zero - after, before);
-                let top = rise(tops, [before, after], ROUGHLY, number);
-                let force = pressed.force(&way.at(top));
-                peak_force = Number::select(tops, peak_force.max(force), peak_force);
-            }
-            for (side, turns) in turns.into_iter().enumerate() {
-                if Lanes::any(turns) {
-                    let [u, v] = [2 * side, 2 * side + 1];
-                    let [before, after] = [here.state[v], next.state[v]];
-                    let sign =
-                        Number::select(before.exceeds(zero), here.s.like(-1.0), here.s.like(1.0));
-                    let number = |part| sign * way.at(part)[v];
-                    let turn = rise(turns, [sign * before, sign * after], ROUGHLY, number);
-                    self.extremes[side] = reach(turns, self.extremes[side], way.at(turn)[u]);
-                }
-            }
-        }
-        for side in 0..2 {
-            self.extremes[side] = reach(taken, self.extremes[side], next.state[2 * side]);
-        }
-        let climb = Number::select(reached.bends, zero.like(f64::NAN), climb);
-        self.climb = Number::select(taken, climb, self.climb);
-        self.peak_force = Number::select(taken, peak_force, self.peak_force);
-    }
-}
-
-/// Least and largest displacement with another one, where it counts.
-#[inline(always)]
-fn reach<S: Simd>(counts: Mask<S>, [least, largest]: [Lanes<S>; 2], u: Lanes<S>) -> [Lanes<S>; 2] {
-    [
-        Number::select(counts, least.min(u), least),
-        Number::select(counts, largest.max(u), largest),
-    ]
 }

@@ -187,7 +187,7 @@ impl Interval {
         Self {
             length: self.length - at,
             value: self.value + self.slope * at,
-            slope: self.slope,
+            ..*self
         }
     }
 }
