@@ -356,6 +356,15 @@ impl Contact {
             .then(|| 0.4 * coefficient * deformation * deformation * deformation.sqrt())
     }
 
+    /// Whether it has gone past its parting.
+    pub(super) fn has_parted(&self) -> bool {
+        let returns = match self.link {
+            Link::Apart | Link::Resting | Link::Touching(Phase::Approach) => false,
+            Link::Touching(Phase::Restitution | Phase::Clamped | Phase::Parting) => true,
+        };
+        returns && self.deformation <= 0.0 && self.rate < 0.0
+    }
+
     /// The power of x with which the deformation begins; nothing as long as it is not known.
     fn leading(&self, power: Power, n: usize) -> Option<usize> {
         if self.deformation > 0.0 {

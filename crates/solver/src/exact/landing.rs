@@ -57,6 +57,13 @@ impl<R: Recorder> Run<'_, R> {
                 self.apply(*event, time);
             }
         }
+        for place in self.groups.around(first) {
+            let pair = self.groups.pair(place);
+            // What another event of this instant ends just behind the parting has parted; its forces are powers of a negative number.
+            if self.contacts[pair].has_parted() {
+                self.apply(Event::Part(pair), time);
+            }
+        }
         self.bodies[first].events = events;
     }
 

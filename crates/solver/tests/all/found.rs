@@ -1,7 +1,7 @@
 //! Brutal random rows that the exact method once got wrong.
 
 use crate::watch::Watch;
-use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_contact::{ContactLaw, HertzDamp, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     Clock, ElastoPlastic, Exact, Excitation, Integrator, Ledger, Node, Pair, Row,
 };
@@ -176,4 +176,56 @@ fn issue_rounding_of_a_force_near_zero_is_that_of_its_amplitude() {
     [1_391, 21_209, 20_195, 20_205, 20_633, 21_370]
         .into_iter()
         .for_each(check);
+}
+
+/// A light structure between two others parts from one at the instant at which the other lets go of it: a deformation of −3e-22 m was raised to
+/// the power 3/2, and the run ended "beyond the range of numbers".
+#[test]
+fn issue_a_parting_at_another_event_was_gone_past() {
+    let node = |mass: f64, period: f64, ratio: f64| {
+        let omega = 2.0 * std::f64::consts::PI / period;
+        let column = ElastoPlastic {
+            stiffness: mass * omega * omega,
+            yield_force: f64::INFINITY,
+        };
+        Node::structure(mass, 2.0 * ratio * omega * mass, column)
+    };
+    let pair = |left: usize, gap: f64, law: ContactLaw| Pair {
+        left,
+        right: left + 1,
+        gap,
+        law,
+    };
+    let nodes = vec![
+        node(683_390.819_104_801_4, 0.054_029_371_412_105_114, 0.0),
+        node(173.765_426_887_458_76, 0.325_640_712_577_910_5, 0.0),
+        node(
+            7_217_314.971_280_169,
+            0.508_338_192_654_488_1,
+            0.739_369_469_950_855,
+        ),
+    ];
+    let hard = ContactLaw::HertzDamp(HertzDamp {
+        impact_stiffness: 3_430_631_202.669_827_5,
+        impact_damping_factor: 9.998_159_397_495_668,
+    });
+    let soft = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+        impact_stiffness: 51_814_033_768.210_17,
+        impact_damping_ratio: 0.560_137_978_749_812_2,
+    });
+    let pairs = vec![
+        pair(0, 1.616_459_560_867_003_8e-6, hard),
+        pair(1, 0.0, soft),
+    ];
+    let row = Row::new(nodes, pairs).expect("the row is valid");
+    let ground = [7.446_364_965_487_091, -6.484_581_154_281_688];
+    let excitation = Excitation::new(0.01, &ground).expect("the record is finite");
+    let clock = Clock {
+        time_step: 0.01,
+        n_steps: 30,
+    };
+    let mut ledger = Ledger::new(&row, excitation);
+    let ran = Integrator::Exact(Exact::default()).watch(&row, excitation, clock, &mut ledger);
+    ran.expect("it runs to its end");
+    assert!(ledger.residual() < 1e-11, "{:e}", ledger.residual());
 }
