@@ -20,11 +20,11 @@ pub(crate) fn run(root: &Path, seconds: u32) -> Result<(), String> {
             .join(&dictionary)
             .exists()
             .then(|| format!("-dict={dictionary}"));
-        // Without a sanitizer it runs on stable Rust; there is no unsafe code for one to watch.
         // Inputs that it makes go where nobody commits them; it begins from the seeds, too.
         let made = root.join("target/fuzz").join(&target);
         fs::create_dir_all(&made).map_err(|error| format!("{}: {error}", made.display()))?;
         let seeds = Path::new("fuzz/corpus").join(&target);
+        // Without a sanitizer it runs on stable Rust; there is no unsafe code for one to watch.
         let arguments = ["fuzz", "run", "--sanitizer", "none", &target];
         let folders = [made.as_path(), &seeds, Path::new("--")];
         let limits = [

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use pounding_report::{AssessmentReport, ScalingAsked};
-use pounding_scene::lines::{Line, Watched, left_out, lines_of, untold};
+use pounding_report::{AssessmentReport, ScalingAsked, remarks};
+use pounding_scene::lines::{Line, Watched, lines_of};
 use pounding_scene::{DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Separation};
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -101,8 +101,13 @@ impl Assessment {
         self.report.to_csv()
     }
 
-    /// The answer in sentences: the gaps, what is proposed, what touching does.
+    /// Whether the gaps are enough, in sentences.
     fn answers(&self) -> Vec<String> {
+        self.report.answers()
+    }
+
+    /// The answer in full: the gaps, what is proposed, what touching does.
+    fn sentences(&self) -> Vec<String> {
         self.report.sentences()
     }
 
@@ -152,8 +157,7 @@ pub(crate) fn required_gap(
         Ok((scene, lines.lines))
     })?;
     let (scene, lines) = found.or_refused(py)?;
-    let said = left_out(&lines).into_iter().chain(untold(&lines)).collect();
-    Ok((gaps(&scene, &lines), said))
+    Ok((gaps(&scene, &lines), remarks(&lines)))
 }
 
 /// The widths as columns.

@@ -29,7 +29,10 @@ pub(crate) fn sweep(
         let of = sweep.n_runs();
         let columns = sweep.table(watch.stop, &|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;
-        let told = (sweep.left_out().to_vec(), said_of_untold(sweep.untold()));
+        let told = (
+            sweep.left_out().to_vec(),
+            said_of_untold(sweep.untold()).map(|said| format!("direction {said}")),
+        );
         Ok((columns, told))
     })?;
     let (columns, (left_out, untold)) = ran.or_refused(py)?;

@@ -240,15 +240,17 @@ def test_issue_components_of_one_event_are_one_event(towers, pulse) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", pounding.PoundingWarning)
         assert towers.assess([one, other]).facts["events"] == 1
-        assert towers.assess([one, one.using(scale=2.0)]).facts["events"] == 2
+        alike = towers.assess([one, one.using(scale=2.0), other])
+        assert [motion["record"] for motion in alike.facts["motions"][::2]] == ["1-ABC-EW", "ABC-EW", "ABC-NS"]
 
 
 def test_issue_an_assessment_says_what_the_program_does(towers, pulse) -> None:
     with pytest.warns(pounding.PoundingWarning, match="not scaled") as told:
         found = towers.assess([pulse])
-    assert [str(one.message) for one in told] == found.warnings
-    assert found.answers[0] in repr(found) and len(found.answers) > 1
-    assert all(line in repr(found) for line in [*found.motions, *found.warnings])
+    assert [str(one.message) for one in told] == [*found.warnings, *found.remarks]
+    assert found.answers == found.facts["answers"] and found.sentences[: len(found.answers)] == found.answers
+    said = [*found.sentences, *found.motions, *found.warnings, *found.remarks]
+    assert len(found.sentences) > 1 and all(line in repr(found) for line in said)
 
 
 def test_issue_tables_name_building_and_level(towers, pulse) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import csv
 import io
+import itertools
 import json
 import os
 import tempfile
@@ -41,22 +42,14 @@ def folder_of(records: str | os.PathLike[str] | Iterable[Record]) -> Iterator[Pa
 
 
 def _names(records: Sequence[Record]) -> list[str]:
-    """A name for each, by which components of one event are known; of those that have the same one, with a number before it.
-
-    Two components of one file get the ends that components of one event have.
-    """
-    own = [Path(record.name).name for record in records]
-    names = []
-    for number, (record, name) in enumerate(zip(records, own)):
-        alike = [other for other, its in zip(records, own) if its == name]
-        components = [other.words.get("component") for other in alike]
-        stem, ending = os.path.splitext(name)
-        if len(alike) == 1:
-            names.append(name)
-        elif len(alike) == 2 and None not in components and components[0] != components[1]:
-            names.append(f"{stem}-H{components.index(record.words['component']) + 1}{ending}")
-        else:
-            names.append(f"{own[:number].count(name) + 1:0{len(str(len(alike)))}}-{name}")
+    """A name for each: its own, by which components of one event are known, with a number before it where another has that."""
+    names: list[str] = []
+    taken: set[str] = set()
+    for record in records:
+        own = Path(record.name).name.lstrip(".") or "record"
+        free = (name for number in itertools.count(1) if (name := f"{number}-{own}").lower() not in taken)
+        names.append(own if own.lower() not in taken else next(free))
+        taken.add(names[-1].lower())
     return names
 
 
@@ -90,8 +83,13 @@ class Assessment:
 
     @property
     def answers(self) -> list[str]:
-        """The answer in sentences: whether the gaps are enough, what is proposed, and what touching does."""
+        """Whether the gaps are enough, in sentences."""
         return self._native.answers()
+
+    @property
+    def sentences(self) -> list[str]:
+        """The answer in full: whether the gaps are enough, what is proposed, and what touching does."""
+        return self._native.sentences()
 
     @property
     def motions(self) -> list[str]:
@@ -100,8 +98,13 @@ class Assessment:
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before believing it; then records that are left out, or whose direction nothing tells."""
-        return [*self._native.warnings(), *self._native.remarks()]
+        """What to know before believing it."""
+        return self._native.warnings()
+
+    @property
+    def remarks(self) -> list[str]:
+        """Records that are left out, or whose direction nothing tells."""
+        return self._native.remarks()
 
     @property
     def table(self) -> pandas.DataFrame:
@@ -128,10 +131,15 @@ class Assessment:
         return hash(self._native.facts())
 
     def __repr__(self) -> str:
-        parts = [("Answer", self.answers), ("Motions", self.motions), ("Warnings", self.warnings)]
+        parts = [
+            ("Answer", self.sentences),
+            ("Motions", self.motions),
+            ("Warnings", self.warnings),
+            ("Records", self.remarks),
+        ]
         return "\n".join(line for title, lines in parts if lines for line in [title, *(f"  {one}" for one in lines)])
 
     def _repr_html_(self) -> str:
-        answers = "".join(f"<p>{escape(answer)}</p>" for answer in [*self.answers, "; ".join(self.motions)])
-        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self.warnings)
+        answers = "".join(f"<p>{escape(answer)}</p>" for answer in [*self.sentences, "; ".join(self.motions)])
+        notices = "".join(f"<li>{escape(notice)}</li>" for notice in [*self.warnings, *self.remarks])
         return f"{answers}<ul>{notices}</ul>"

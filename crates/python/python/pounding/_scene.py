@@ -299,7 +299,7 @@ class Scene:
                 self._text, Path(self._path), folder, scale, spectrum, list(stiffness), shown(progress)
             )
         found = Assessment(native)
-        for one in found.warnings:
+        for one in [*found.warnings, *found.remarks]:
             warnings.warn(one, PoundingWarning, stacklevel=2)
         return found
 
@@ -419,7 +419,7 @@ class Scene:
         from ._folder import folder_of
 
         if record is not None and records is not None:
-            raise Refused("record: found one beside records, allowed is one of both", "record", "records", "one of both")
+            raise Refused("record: found one beside records, allowed is one of the two", "record", "records", "one of the two")
         record = None if record is None else record_of(record)
         scene, base = self._for_sweep(record, records is not None)
         fields = dict(vary or {})

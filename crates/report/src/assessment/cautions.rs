@@ -82,7 +82,7 @@ impl AssessmentReport {
             .iter()
             .all(|one| (one.run.scale - 1.0).abs() <= 0.0)
         {
-            said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; the options scale and target choose one".into());
+            said.push("the records are not scaled: the answer is one for their earthquakes, not for a site; set one with the options scale and target".into());
         }
         said
     }

@@ -18,6 +18,8 @@ use pounding_scene::{
 };
 use serde_json::Value;
 
+pub use of_lines::remarks;
+
 use crate::animation::{Animation, FILE};
 
 /// A run of an assessment and the motion that it is of.

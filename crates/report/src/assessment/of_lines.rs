@@ -5,6 +5,12 @@ use pounding_scene::{AssessedRun, Error, MotionSpectrum, Scene};
 
 use super::{AssessedMotion, AssessmentReport, FolderOfMotions};
 
+/// What is said of motions that are left out, and of those whose direction nothing tells.
+pub fn remarks<T>(lines: &[Line<T>]) -> Vec<String> {
+    let untold = untold(lines).map(|said| format!("direction {said}"));
+    left_out(lines).into_iter().chain(untold).collect()
+}
+
 impl FolderOfMotions {
     /// What became of the motions of a folder.
     pub fn of_lines<T>(lines: &[Line<T>]) -> Self {
@@ -14,7 +20,7 @@ impl FolderOfMotions {
                 let mut same = lines.iter().filter(|other| other.motion == line.motion);
                 !line.vertical && same.all(|other| other.found.is_err())
             }),
-            remarks: left_out(lines).into_iter().chain(untold(lines)).collect(),
+            remarks: remarks(lines),
         }
     }
 }

@@ -201,7 +201,7 @@ pub fn said_of_untold(names: &[impl AsRef<str>]) -> Option<String> {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     let said =
         "they count as horizontal; take a vertical one out of the folder, or end its name in -UP";
-    (!names.is_empty()).then(|| format!("direction not told, {said}: {}", names.join(", ")))
+    (!names.is_empty()).then(|| format!("not told, {said}: {}", names.join(", ")))
 }
 
 /// How a line's motion lies, for a program: `null` where nothing tells.

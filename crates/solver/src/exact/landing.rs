@@ -59,7 +59,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         for place in self.groups.around(first) {
             let pair = self.groups.pair(place);
-            // What another event of this instant ends just behind the parting has parted; its forces are powers of a negative number.
+            // What another event of this instant ends just behind the parting has parted; its force would be a power of a negative number.
             if self.contacts[pair].has_parted() {
                 self.apply(Event::Part(pair), time);
             }

@@ -53,7 +53,7 @@ struct Interval {
     /// Acceleration at the start \[m/s²\] and its slope \[m/s³\].
     value: f64,
     slope: f64,
-    /// Whether the acceleration jumps at the start, behind a record that does not end with zero.
+    /// Whether the acceleration jumps where the interval begins, behind a record that does not end with zero.
     jumps: bool,
 }
 

@@ -5,7 +5,7 @@
 
 use pounding_contact::{Action, Form, Number};
 
-/// How far from its end a branch of the force is, for the point itself to tell the branch.
+/// A force nearer to the end of its branch than this has just bent, or is about to: which branch it is on is told a little later.
 const SLOWLY: f64 = 1e-5;
 
 /// Displacements and velocities of both sides, left, left, right, right, and the impulse so far.
@@ -129,7 +129,7 @@ impl<N: Number> Pressed<N> {
         }
     }
 
-    /// The same where a step begins; where the force bends there, that of the branch on which it goes on, this much farther.
+    /// The same where a step begins; where the force bends there, a little later, on the branch on which it goes on.
     #[inline(always)]
     pub(super) fn side_behind(&self, corner: Corner, here: &Point<N>, probe: N) -> N {
         let side = self.side_of(corner, &here.state);

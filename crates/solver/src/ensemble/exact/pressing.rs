@@ -24,9 +24,12 @@ const ROUGHLY: f64 = 1e-2;
 /// Part of a step over which a slope is taken, and by which its end is moved at most on a line, from the corner of the
 /// polynomial to that of the motion.
 const PROBE: f64 = 1e-4;
-/// How near to its end a branch of the force is at an end of a step that may leave it between.
-const NEAR: f64 = 0.5;
 const MOST_REST: f64 = 0.01;
+/// A branch of the force that is farther from its end than this at both ends of a step, in the measure of [`Pressed::side_of`], is not left
+/// between; without this bound no scene that was looked at came out otherwise.
+const NEAR: f64 = 0.5;
+/// Part of the approach speed below which neighbours may as well move apart.
+const FLAT: f64 = 1e-6;
 
 /// Contacts in lanes.
 pub(super) struct Pressing<S: Simd> {
@@ -301,8 +304,8 @@ impl<S: Simd> Pressing<S> {
         }
     }
 
-    /// A step no longer than to the least deformation on the way where that is negative, or to where the force bends farthest, though at
-    /// the end neighbours touch again, or the force is on its branch again: what is between would be missed.
+    /// A step shortened to where neighbours that touch at both ends are farthest apart on the way, or where a force that is on one branch at
+    /// both ends is farthest on the other: the corners on both sides of that would be missed.
     #[inline(always)]
     fn before_a_dip(&self, stepped: &Stepped<Lanes<S>>, step: Lanes<S>) -> Lanes<S> {
         let (pressed, here, next) = (&self.pressed, &self.here, &stepped.next);
@@ -313,7 +316,8 @@ impl<S: Simd> Pressing<S> {
             let before = pressed.side_behind(corner, here, probe * step);
             let after = value(&next.state);
             let near = match corner {
-                Corner::Parting => zero.exceeds(rate(&here.state)),
+                // After a turn of the deformation the rate is rounding.
+                Corner::Parting => (step.like(FLAT) * pressed.speed).exceeds(rate(&here.state)),
                 Corner::Bend => step.like(NEAR).exceeds(before.abs().min(after.abs())),
             };
             let same = self.used.exceeds(zero) & near & (before * after).exceeds(zero);
@@ -322,6 +326,10 @@ impl<S: Simd> Pressing<S> {
             }
             let sign = Number::select(zero.exceeds(before), zero - one, one);
             let starts = sign * (value(&here.moved(probe * step)) - value(&here.state));
+            let starts = match corner {
+                Corner::Parting => starts.min(step.like(-f64::MIN_POSITIVE)),
+                Corner::Bend => starts,
+            };
             let ends = sign * (after - value(&next.moved(zero - probe * step)));
             let turns = same & zero.exceeds(starts) & ends.exceeds(zero);
             if !Lanes::any(turns) {
