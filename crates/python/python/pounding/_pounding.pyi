@@ -27,7 +27,7 @@ class Assessment:
     """
     def answers(self, /) -> list[str]:
         """
-        The answer in sentences: the gaps, what is proposed, what touching does.
+        Whether the gaps are enough, in sentences.
         """
     def csv(self, /) -> str:
         """
@@ -44,6 +44,10 @@ class Assessment:
     def remarks(self, /) -> list[str]:
         """
         What is said of records that are left out, or whose direction nothing tells.
+        """
+    def sentences(self, /) -> list[str]:
+        """
+        The answer in full: the gaps, what is proposed, what touching does.
         """
     def shaking(self, /) -> list[str]:
         """
