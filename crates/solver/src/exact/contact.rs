@@ -358,11 +358,8 @@ impl Contact {
 
     /// Whether it has gone past its parting.
     pub(super) fn has_parted(&self) -> bool {
-        let returns = match self.link {
-            Link::Apart | Link::Resting | Link::Touching(Phase::Approach) => false,
-            Link::Touching(Phase::Restitution | Phase::Clamped | Phase::Parting) => true,
-        };
-        returns && self.deformation <= 0.0 && self.rate < 0.0
+        let touching = matches!(self.link, Link::Touching(phase) if phase != Phase::Approach);
+        touching && self.deformation <= 0.0 && self.rate < 0.0
     }
 
     /// The power of x with which the deformation begins; nothing as long as it is not known.

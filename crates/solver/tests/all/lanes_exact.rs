@@ -44,13 +44,7 @@ impl Case {
                 ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
             }
         };
-        let pair = Pair {
-            left: 0,
-            right: 1,
-            gap: self.gap,
-            law: self.law,
-        };
-        Row::new(self.sides.map(node).to_vec(), vec![pair]).expect("the row is valid")
+        row_of(self.sides.map(node), self.gap, self.law)
     }
 }
 
@@ -288,6 +282,16 @@ fn moving(
     }
 }
 
+fn row_of(nodes: [Node<Elastic>; 2], gap: f64, law: ContactLaw) -> Row<Elastic> {
+    let pair = Pair {
+        left: 0,
+        right: 1,
+        gap,
+        law,
+    };
+    Row::new(nodes.to_vec(), vec![pair]).expect("the row is valid")
+}
+
 /// Holds what is told at tolerances to what the exact method finds alone, within so many times the tolerance and what a record that differs
 /// by it changes.
 fn held_to_the_exact_method(row: &Row<Elastic>, ground: &[f64], tolerances: &[f64], times: f64) {
@@ -309,20 +313,15 @@ fn held_to_the_exact_method(row: &Row<Elastic>, ground: &[f64], tolerances: &[f6
 /// by a law that knows its approach speed the sum of impulses was 3.5 % off.
 #[test]
 fn issue_a_parting_within_a_step_is_a_parting() {
-    let nodes = vec![
+    let nodes = [
         moving(1.83e6, [0.2576, 0.0384], [-9.44e-3, 0.1822]),
         moving(8.92e6, [0.8102, 0.0946], [-1.576e-2, -0.3198]),
     ];
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.0128,
-        law: ContactLaw::ModifiedKelvin(ModifiedKelvin {
-            impact_stiffness: 3.37e9,
-            impact_damping_factor: 0.651,
-        }),
-    };
-    let row = Row::new(nodes, vec![pair]).expect("the row is valid");
+    let law = ContactLaw::ModifiedKelvin(ModifiedKelvin {
+        impact_stiffness: 3.37e9,
+        impact_damping_factor: 0.651,
+    });
+    let row = row_of(nodes, 0.0128, law);
     let ground = [3.36, 1.35, 3.91, 0.315, -2.93, -1.59, 0.0];
     let tolerances = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
     held_to_the_exact_method(&row, &ground, &tolerances, 10.0);
@@ -332,20 +331,15 @@ fn issue_a_parting_within_a_step_is_a_parting() {
 /// missed, and the peak was 0.8 % low at a tolerance of 1e-5.
 #[test]
 fn issue_a_top_behind_the_end_of_a_record_is_a_top() {
-    let nodes = vec![
+    let nodes = [
         moving(1.7805e6, [1.567, 0.1055], [0.06605, 0.3309]),
         Node::wall(Elastic { stiffness: 1.0 }),
     ];
-    let pair = Pair {
-        left: 0,
-        right: 1,
-        gap: 0.07146,
-        law: ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
-            impact_stiffness: 1e7,
-            impact_damping_ratio: 0.7075,
-        }),
-    };
-    let row = Row::new(nodes, vec![pair]).expect("the row is valid");
+    let law = ContactLaw::NonlinearViscoelastic(NonlinearViscoelastic {
+        impact_stiffness: 1e7,
+        impact_damping_ratio: 0.7075,
+    });
+    let row = row_of(nodes, 0.07146, law);
     let tolerances = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
     held_to_the_exact_method(&row, &[0.0, 0.0, 1.87], &tolerances, 10.0);
 }
@@ -378,17 +372,11 @@ fn issue_a_bend_and_back_within_a_step_is_seen() {
     ];
     for law in laws {
         for seed in [9, 238, 246, 282, 331, 397] {
-            let nodes = vec![
+            let nodes = [
                 moving(9.54e6, [1.96, 0.098], [0.0, 0.27]),
                 Node::wall(Elastic { stiffness: 1.0 }),
             ];
-            let pair = Pair {
-                left: 0,
-                right: 1,
-                gap: 0.0064,
-                law,
-            };
-            let row = Row::new(nodes, vec![pair]).expect("the row is valid");
+            let row = row_of(nodes, 0.0064, law);
             let tolerances = [1e-6, 1e-7, 1e-8, 1e-9];
             held_to_the_exact_method(&row, &noise(seed, 60), &tolerances, 100.0);
         }

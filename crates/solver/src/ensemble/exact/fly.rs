@@ -11,9 +11,8 @@ use crate::ensemble::number::{Lanes, MOST_LANES, Mask};
 /// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
 const NEWTON: usize = 3;
 const TERMS: usize = 22;
-/// Part of the time to a turn within which its jerk tells the rest, and part of the acceleration that the jerk changes there at most.
+/// Part of the time to a turn within which its jerk tells the rest.
 const NEAR: f64 = 1e-3;
-const STRAIGHT: f64 = 1e-2;
 
 /// A structure of every scene, or its wall.
 pub(super) struct Flyer<S: Simd> {
@@ -181,9 +180,7 @@ impl<S: Simd> Flyer<S> {
         let straight = (zero - v) / a;
         let way = straight - half * (jerk / a) * straight * straight;
         let turned = u + way * (v + way * (half * a + way * sixth * jerk));
-        let bent = (jerk * way).abs();
-        let found = like(NEAR).exceeds(way.abs()) & (like(STRAIGHT) * a.abs()).exceeds(bent);
-        (turned, found)
+        (turned, like(NEAR).exceeds(way.abs()))
     }
 
     #[inline(always)]
