@@ -1,14 +1,16 @@
 //! The exact method side by side: what it tells is what the exact method alone finds.
 
 use pounding_contact::{
-    Calibration, ContactLaw, FreePair, HertzDamp, LawName, ModifiedKelvin, NonlinearViscoelastic,
-    Stereomechanical,
+    Calibration, ContactLaw, FreePair, HertzDamp, KuwabaraKono, LawName, ModifiedKelvin,
+    NonlinearViscoelastic, Stereomechanical,
 };
 use pounding_solver::{
     Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Integrator, Node, Pair,
     PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
 };
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
 
 use crate::random_rows::{any_law, config};
 use crate::watch::Watch;
@@ -151,11 +153,10 @@ proptest! {
         let rows: Vec<_> = cases.iter().map(Case::row).collect();
         let tolerance = 1e-9;
         let told = beside(&rows, &ground, tolerance);
-        // Long steps give up touches alone that graze a parting. Fewer than six of eleven scenes were told in one case of a thousand.
+        // Long steps give up touches alone that graze a parting.
         let coarse = beside(&rows, &ground, 1e-3);
         let lost = told.iter().zip(&coarse).filter(|(fine, coarse)| fine.is_some() && coarse.is_none());
         prop_assert!(lost.count() <= 1, "{told:?} {coarse:?}");
-        prop_assert!(told.iter().flatten().count() >= 3, "some are told: {told:?}");
         let middle = beside(&rows, &ground, 1e-6);
         let all = [(tolerance, told), (1e-6, middle), (1e-3, coarse)];
         let all = all.iter().flat_map(|(tolerance, told)| {
@@ -206,6 +207,22 @@ proptest! {
         again.reverse();
         prop_assert_eq!(bits(beside(&many, &ground, 1e-8)), bits(again));
     }
+}
+
+/// Rows that are not told run alone, which costs most of what lanes save.
+#[test]
+fn limit_most_random_rows_are_told() {
+    let mut runner = TestRunner::deterministic();
+    let grounds = prop::collection::vec(-4.0..4.0_f64, 190);
+    let (mut told, mut all) = (0, 0);
+    for _ in 0..40 {
+        let drawn = (prop::collection::vec(cases(), 19), grounds.clone()).new_tree(&mut runner);
+        let (cases, ground) = drawn.expect("rows are drawn").current();
+        let rows: Vec<_> = cases.iter().map(Case::row).collect();
+        told += beside(&rows, &ground, 1e-9).iter().flatten().count();
+        all += rows.len();
+    }
+    assert!(10 * told >= 9 * all, "{told} of {all} are told");
 }
 
 /// A contact of a few long steps: their polynomials miss where the forces of these laws end, and what is lost there is not seen in the error of the step.
@@ -380,5 +397,23 @@ fn issue_a_bend_and_back_within_a_step_is_seen() {
             let tolerances = [1e-6, 1e-7, 1e-8, 1e-9];
             held_to_the_exact_method(&row, &noise(seed, 60), &tolerances, 100.0);
         }
+    }
+}
+
+/// A force that is clamped before neighbours part, where a step ends behind both: where it is clamped was not looked for, and impulses were off
+/// by up to 3.5e-4, whatever the tolerance above 1e-8.
+#[test]
+fn issue_a_force_that_is_clamped_in_the_step_that_parts() {
+    let law = ContactLaw::KuwabaraKono(KuwabaraKono {
+        impact_stiffness: 2e7,
+        impact_damping: 2.1e5,
+    });
+    for seed in [8, 10, 23, 27, 49] {
+        let nodes = [
+            moving(3.7e6, [1.508, 0.0095], [0.0, 0.0]),
+            Node::wall(Elastic { stiffness: 1.0 }),
+        ];
+        let row = row_of(nodes, 0.002, law);
+        held_to_the_exact_method(&row, &noise(seed, 190), &[1e-7, 1e-8], 4.0);
     }
 }

@@ -116,15 +116,22 @@ impl<N: Number> Pressed<N> {
     /// A number that goes through zero at a corner.
     ///
     /// At a bend it says on which of its smooth branches the force is: with or without a damper that acts on approach alone; pushing,
-    /// or clamped where the formula would pull. Its magnitude is 1 in the ordinary.
+    /// or clamped where the formula would pull. Its magnitude is 1 in the ordinary. Without a deformation it is that of the least one:
+    /// a force that is clamped before neighbours part is found where a step ends behind both.
     #[inline(always)]
     pub(super) fn side_of(&self, corner: Corner, state: &State<N>) -> N {
         match (corner, self.form.action) {
             (Corner::Parting, _) => self.deformation(state),
             (Corner::Bend, Action::Approach) => rate(state) / self.speed,
             (Corner::Bend, Action::Both) => {
-                let deformation = self.deformation(state);
-                self.form.unclamped(deformation, rate(state)) / self.form.spring.at(deformation)
+                let (deformation, rate) = (self.deformation(state), rate(state));
+                let Form { spring, damper, .. } = &self.form;
+                if spring.power == damper.power {
+                    return rate.like(1.0) + damper.coefficient / spring.coefficient * rate;
+                }
+                let touch = deformation.exceeds(rate.like(0.0));
+                let side = self.form.unclamped(deformation, rate) / spring.at(deformation);
+                N::select(touch, side, rate / self.speed)
             }
         }
     }

@@ -3,7 +3,8 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::{PROBE, Pressing, ROUGHLY, Reached};
+use super::Pressing;
+use super::reach::{PROBE, ROUGHLY, Reached};
 use crate::ensemble::exact::pressed::rate;
 use crate::ensemble::exact::search::rise;
 use crate::ensemble::number::{Lanes, Mask};
