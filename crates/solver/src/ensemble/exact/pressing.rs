@@ -2,6 +2,7 @@
 
 mod follow;
 mod reach;
+mod turns;
 
 use fearless_simd::Simd;
 use pounding_contact::{Form, Number, Term};
@@ -184,7 +185,9 @@ impl<S: Simd> Pressing<S> {
         let step = self.step;
         let like = |number: f64| step.like(number);
         let rest = self.end - self.here.s;
-        let reached = self.reach(step.min(rest).max(like(0.0)));
+        let mut reached = self.reach(step.min(rest).max(like(0.0)));
+        let force = self.force_at(&reached);
+        self.stop_between_turns(force, &mut reached);
         let Reached { length, next, .. } = reached;
         let error = reached.error() / self.tolerance;
         let used = self.used.exceeds(like(0.0));
@@ -193,11 +196,11 @@ impl<S: Simd> Pressing<S> {
         let sound = sound & !error.differs(error);
         let broken = used & (self.tried.exceeds(like(MOST_STEPS)) | !sound);
         let taken = used & sound & like(1.0).reaches(error);
-        self.follow(&reached, taken);
+        self.follow(&reached, force, taken);
         // Roots of order 4 and 8 on purpose: shrinks more than order 5 asks for, and grows less.
         let root = error.sqrt().sqrt();
         let shrunk = length * (like(0.9) / root).max(like(LEAST_SHRINK));
-        let shrunk = Number::select(reached.dips, length, shrunk);
+        let shrunk = Number::select(reached.again, length, shrunk);
         let grown = length * (like(0.9) / root.sqrt()).min(like(MOST_GROWTH));
         let cut = step.exceeds(length);
         let grown = Number::select(cut, step.max(grown), grown);

@@ -10,14 +10,24 @@ use crate::ensemble::exact::search::rise;
 use crate::ensemble::number::{Lanes, Mask};
 
 impl<S: Simd> Pressing<S> {
-    /// What is largest on the way of a step that is taken.
+    /// The force at the end of a step \[N\], and how fast it changes \[N/s\].
     #[inline(always)]
-    pub(super) fn follow(&mut self, reached: &Reached<S>, taken: Mask<S>) {
+    pub(super) fn force_at(&self, reached: &Reached<S>) -> [Lanes<S>; 2] {
+        let approaches = rate(&self.here.state).exceeds(self.here.s.like(0.0));
+        self.pressed.climb(&reached.next, approaches)
+    }
+
+    /// What is largest on the way of a step that is taken, at whose end is this force.
+    #[inline(always)]
+    pub(super) fn follow(
+        &mut self,
+        reached: &Reached<S>,
+        [force, climb]: [Lanes<S>; 2],
+        taken: Mask<S>,
+    ) {
         let Self { pressed, here, .. } = self;
         let next = &reached.next;
         let zero = here.s.like(0.0);
-        let approaches = rate(&here.state).exceeds(zero);
-        let [force, climb] = pressed.climb(next, approaches);
         let mut peak_force = self.peak_force.max(force);
         let tops = taken & !zero.reaches(self.climb) & !climb.exceeds(zero);
         let turns = [1, 3].map(|v: usize| taken & zero.exceeds(here.state[v] * next.state[v]));

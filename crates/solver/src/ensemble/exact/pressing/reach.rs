@@ -30,8 +30,8 @@ pub(super) struct Reached<S: Simd> {
     pub(super) next: Point<Lanes<S>>,
     pub(super) bends: Mask<S>,
     pub(super) parts: Mask<S>,
-    /// Would miss corners: to be tried again up to `length`.
-    pub(super) dips: Mask<S>,
+    /// Would miss corners or turns: to be tried again up to `length`.
+    pub(super) again: Mask<S>,
     /// Not to be taken, whatever its error.
     too_long: Mask<S>,
 }
@@ -41,7 +41,14 @@ impl<S: Simd> Reached<S> {
     #[inline(always)]
     pub(super) fn error(&self) -> Lanes<S> {
         let error = self.stepped.error;
-        Number::select(self.too_long | self.dips, error.like(f64::INFINITY), error)
+        Number::select(self.too_long | self.again, error.like(f64::INFINITY), error)
+    }
+
+    /// The step is tried again up to a part of it.
+    #[inline(always)]
+    pub(super) fn try_again(&mut self, lanes: Mask<S>, part: Lanes<S>) {
+        self.length = Number::select(lanes, part * self.length, self.length);
+        self.again = self.again | lanes;
     }
 }
 
@@ -58,7 +65,7 @@ impl<S: Simd> Pressing<S> {
             length: step,
             bends: none,
             parts: none,
-            dips: none,
+            again: none,
             too_long: none,
         };
         let probe = step * step.like(PROBE);
@@ -77,7 +84,7 @@ impl<S: Simd> Pressing<S> {
     fn stop_at(&self, corner: Corner, before: Lanes<S>, reached: &mut Reached<S>) {
         let (pressed, here) = (&self.pressed, &self.here);
         let [zero, one] = [0.0, 1.0].map(|number| before.like(number));
-        let mut passed = self.used.exceeds(zero) & !reached.dips;
+        let mut passed = self.used.exceeds(zero) & !reached.again;
         passed = passed
             & match corner {
                 Corner::Bend => zero.exceeds(before * pressed.side_of(corner, &reached.next.state)),
@@ -160,9 +167,7 @@ impl<S: Simd> Pressing<S> {
         let part = rise(turns, [starts, ends], ROUGHLY, climbs);
         let there = pressed.side_of(corner, &way.at(part));
         let dips = turns & zero.exceeds(sign * there);
-        let length = reached.length.min(part * step);
-        reached.length = Number::select(dips, length, reached.length);
-        reached.dips = reached.dips | dips;
+        reached.try_again(dips & !reached.again, part);
     }
 
     /// A point near a corner brought to it on a line, and where it was near enough for that.
