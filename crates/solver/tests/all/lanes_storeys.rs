@@ -7,7 +7,7 @@ use pounding_solver::{
 };
 use proptest::prelude::*;
 
-use crate::lanes::{CLOCK, SCENES, SETTINGS, all, compare, stiffer};
+use crate::lanes::{BEYOND_THE_CLOCK, CLOCK, SCENES, SETTINGS, all, compare, stiffer};
 use crate::random_rows::{any_law, config, stereomechanical};
 
 /// A building, or a wall.
@@ -114,7 +114,7 @@ fn row<Column: Hysteretic>(
         let building = &case.buildings[place];
         let [mass, mut period, yields] = building.storey;
         period *= if place % 2 == 0 { factor } else { 1.0 };
-        if scene == 5 && place == 0 {
+        if scene == BEYOND_THE_CLOCK && place == 0 {
             period = 1e-3;
         }
         let omega = 2.0 * std::f64::consts::PI / period;
