@@ -1,5 +1,9 @@
 //! What many scenes side by side leave.
 
+/// Displacements that no structure reaches \[m\]: the scene grows without bound, and what its numbers round to breaks laws. Far below, a step
+/// rounds less than what methods take for a touch.
+const FARTHEST: f64 = 1e3;
+
 /// What happened to one pair of a scene.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PairSums {
@@ -43,7 +47,7 @@ impl SceneSums {
         self.pairs[scene * self.n_pairs + pair]
     }
 
-    /// Whether what happened in a scene is known. It is not where numbers have grown without bound, or a floor or
+    /// Whether what happened in a scene is known. It is not where structures have gone further than any does, or a floor or
     /// a storey has gone as far to the left as to the right, so that only the order tells the sign of its peak: a run of the scene alone
     /// says.
     pub fn is_told(&self, scene: usize) -> bool {
@@ -85,7 +89,8 @@ impl SceneSums {
         self.displacements[scene * self.n_structures + node] = displacement;
         self.drifts[scene * self.n_structures + node] = drift;
         // The first of a scene says, and any other may take it back.
-        let known = peaks.iter().all(Option::is_some);
+        let is_known = |peak: f64| peak.abs() < FARTHEST;
+        let known = peaks.iter().all(|peak| peak.is_some_and(is_known));
         self.told[scene] = known && (node == 0 || self.told[scene]);
     }
 

@@ -169,8 +169,7 @@ impl<S: Simd, Column: SideBySideColumn> Motion<S, Column> {
     /// Displacement of the largest magnitude so far in a lane \[m\], where lanes know it.
     #[inline(always)]
     pub(super) fn peak(&self, lane: usize) -> Option<f64> {
-        let peak = self.extremes.peak(self.displacement, lane);
-        peak.filter(|peak| peak.abs() < FARTHEST)
+        self.extremes.peak(self.displacement, lane)
     }
 
     /// This one where the mask says so, else the other.
@@ -187,6 +186,3 @@ impl<S: Simd, Column: SideBySideColumn> Motion<S, Column> {
         }
     }
 }
-
-/// Displacements up to which rounding of a step is far below [`NEAR`](super::NEAR) \[m\]; a scene with larger ones runs alone.
-const FARTHEST: f64 = 1e3;
