@@ -3,15 +3,15 @@
 
 mod buildings;
 mod by_hand;
-mod towers;
+pub(super) mod towers;
 
 use std::fs;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-pub(super) use by_hand::instructions;
-use by_hand::{GROUP, Group, Law};
+use by_hand::{GROUP, Group};
+pub(super) use by_hand::{Law, STOREYS, instructions};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
     Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row, RowsOf,

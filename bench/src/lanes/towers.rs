@@ -23,7 +23,7 @@ const HARDENING: f64 = 0.05;
 const DAMPED_TO: f64 = 5.0;
 
 /// Towers at random, in groups.
-pub(super) fn groups() -> Vec<Towers> {
+pub(crate) fn groups() -> Vec<Towers> {
     let mut random = setting::random();
     let mut group = || Towers {
         left: std::array::from_fn(|_| tower(&mut random)),
@@ -55,7 +55,7 @@ fn tower<const N: usize>(random: &mut Pcg64) -> [Storey<Bilinear>; N] {
 }
 
 /// The same scenes as rows.
-pub(super) fn rows(
+pub(crate) fn rows(
     group: &Towers,
     levels: &Levels,
     law: Law,

@@ -3,6 +3,7 @@
 use pounding_studies::Competitor;
 
 use super::own::{EXACT, EXACT_LANES, LANES, VERLET_LANES};
+use super::scenes::Kind;
 
 /// A method of somebody over a ladder of settings.
 #[derive(Debug, Clone, Copy)]
@@ -14,8 +15,8 @@ pub(super) struct Entrant {
     /// Name in figures.
     pub(super) label: &'static str,
     pub(super) knob: Knob,
-    /// The law that it is for, where it is not for both.
-    pub(super) only: Option<Kind>,
+    /// The kinds of scenes that it runs.
+    pub(super) runs: &'static [Kind],
 }
 
 /// What a ladder changes.
@@ -29,13 +30,6 @@ pub(super) enum Knob {
     OwnTolerance,
     /// Nothing: the exact method has no setting where contact is impulsive.
     Nothing,
-}
-
-/// Kinds of laws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Impulsive,
-    Compliant,
 }
 
 /// Time steps \[s\]: they divide the step of the record, so that its corners are nodes.
@@ -71,7 +65,7 @@ const fn entrant(
     competitor: Competitor,
     [tool, method, label]: [&'static str; 3],
     knob: Knob,
-    only: Option<Kind>,
+    runs: &'static [Kind],
 ) -> Entrant {
     Entrant {
         competitor,
@@ -79,7 +73,7 @@ const fn entrant(
         method,
         label,
         knob,
-        only,
+        runs,
     }
 }
 
@@ -90,74 +84,98 @@ pub(super) const OURS: &str = "pounding";
 pub(super) const ENTRANTS: [Entrant; 16] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
     use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
-    let (impulsive, compliant) = (Some(Kind::Impulsive), Some(Kind::Compliant));
+    const STRUCTURES: &[Kind] = &[Kind::Impulsive, Kind::Compliant];
+    const IMPULSIVE: &[Kind] = &[Kind::Impulsive];
+    const COMPLIANT: &[Kind] = &[Kind::Compliant];
+    const PRESSED: &[Kind] = &[Kind::Compliant, Kind::Towers];
+    const ALL: &[Kind] = &[Kind::Impulsive, Kind::Compliant, Kind::Towers];
     let stepping = "central_difference";
     [
         entrant(
             Ours,
             [OURS, LANES, "Ours: central difference, lanes"],
             TimeStep,
-            None,
+            ALL,
         ),
         entrant(
             Ours,
             [OURS, VERLET_LANES, "Ours: Verlet, lanes"],
             TimeStep,
-            None,
+            STRUCTURES,
         ),
         entrant(
             Ours,
             [OURS, EXACT_LANES, "Ours: exact, lanes"],
             Nothing,
-            impulsive,
+            IMPULSIVE,
         ),
         entrant(
             Ours,
             [OURS, EXACT_LANES, "Ours: exact, lanes"],
             OwnTolerance,
-            compliant,
+            COMPLIANT,
         ),
-        entrant(Ours, [OURS, EXACT, "Ours: exact"], Nothing, impulsive),
-        entrant(Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, compliant),
+        entrant(Ours, [OURS, EXACT, "Ours: exact"], Nothing, IMPULSIVE),
+        entrant(Ours, [OURS, EXACT, "Ours: exact"], OwnTolerance, PRESSED),
         entrant(
             Loop,
             ["numba", stepping, "Numba: central difference"],
             TimeStep,
-            None,
+            STRUCTURES,
         ),
         entrant(
             Loop,
             ["numba", "velocity_verlet", "Numba: Verlet"],
             TimeStep,
-            None,
+            STRUCTURES,
         ),
-        entrant(Loop, ["numba", "rk4", "Numba: Runge–Kutta"], TimeStep, None),
+        entrant(
+            Loop,
+            ["numba", "rk4", "Numba: Runge–Kutta"],
+            TimeStep,
+            STRUCTURES,
+        ),
         entrant(
             Loop,
             ["c", stepping, "C: central difference"],
             TimeStep,
-            None,
+            STRUCTURES,
         ),
-        entrant(Scipy, ["scipy", "DOP853", "SciPy: DOP853"], Tolerance, None),
-        entrant(Scipy, ["scipy", "LSODA", "SciPy: LSODA"], Tolerance, None),
-        entrant(Scipy, ["scipy", "Radau", "SciPy: Radau"], Tolerance, None),
+        entrant(
+            Scipy,
+            ["scipy", "DOP853", "SciPy: DOP853"],
+            Tolerance,
+            STRUCTURES,
+        ),
+        entrant(
+            Scipy,
+            ["scipy", "LSODA", "SciPy: LSODA"],
+            Tolerance,
+            STRUCTURES,
+        ),
+        entrant(
+            Scipy,
+            ["scipy", "Radau", "SciPy: Radau"],
+            Tolerance,
+            STRUCTURES,
+        ),
         entrant(
             Sundials,
             ["sundials", "adams", "SUNDIALS: CVODE, Adams"],
             Tolerance,
-            None,
+            STRUCTURES,
         ),
         entrant(
             Sundials,
             ["sundials", "bdf", "SUNDIALS: CVODE, BDF"],
             Tolerance,
-            None,
+            STRUCTURES,
         ),
         entrant(
             OpenSees,
             ["opensees", "newmark", "OpenSees: Newmark"],
             TimeStep,
-            compliant,
+            PRESSED,
         ),
     ]
 };

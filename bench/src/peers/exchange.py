@@ -11,8 +11,9 @@ class Law:
     def __init__(self, words):
         self.name = words["name"]
         self.kind, self.a, self.b = words["kind"], words["a"], words["b"]
-        # A row each: masses, stiffnesses, dampings of both structures, and the gap.
-        self.scenes = np.array(words["scenes"])
+        # Of two structures a row each: masses, stiffnesses, dampings of both, and the gap. Of towers their storeys, and the gap.
+        scenes = words["scenes"]
+        self.scenes = scenes if isinstance(scenes[0], dict) else np.array(scenes)
 
 
 class Study:

@@ -1,6 +1,7 @@
 //! The same scenes by this project, by other programs and by compiled loops: CPU time and error of each, in one run.
 //!
-//! Two elastic structures under El Centro, with impacts and with the nonlinear viscoelastic element. Other programs run in one Python
+//! Two elastic structures under El Centro, with impacts and with the nonlinear viscoelastic element, and two towers of several storeys that
+//! yield, with that element. Other programs run in one Python
 //! process (`worker.py`); all settings take turns, so that what else the machine does meets everybody. Only ratios are kept.
 
 mod entrants;
@@ -30,7 +31,7 @@ const HEADER: &str =
 /// Races all and keeps ratios and a figure.
 pub(super) fn run(root: &Path) -> Result<(), String> {
     let ground = scenes::ground(root)?;
-    let all = Scenes::of_all_laws(&ground)?;
+    let all = Scenes::of_all_kinds(&ground)?;
     let own = std::env::current_exe().map_err(|error| format!("this program: {error}"))?;
     let home = own.with_file_name("peers");
     environment::prepare(&home, &scenes::as_json(&all, &ground))?;

@@ -5,11 +5,11 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use pounding_solver::{
-    CentralDifference, Exact, ExactSideBySide, Integrator, RowsOf, SceneSums, SideBySide,
-    SimultaneousImpacts, Stepping, Verlet, VerletImpacts,
+    CentralDifference, Exact, ExactSideBySide, Hysteretic, Integrator, Row, RowsOf, SceneSums,
+    SideBySide, SimultaneousImpacts, Stepping, Verlet, VerletImpacts,
 };
 
-use super::scenes::{Found, IN_LANES, Measured, SCENES, Scenes, clock, exact, solved};
+use super::scenes::{Found, IN_LANES, Measured, Rows, SCENES, Scenes, clock, exact, solved};
 
 /// Names of the methods in tables.
 pub(super) const LANES: &str = "central_difference_in_lanes";
@@ -39,7 +39,10 @@ pub(super) fn measured(
         VERLET_LANES => in_lanes(scenes, VERLET, setting),
         // The exact method keeps no time step; a clock says how long it runs.
         EXACT_LANES => exact_in_lanes(scenes, setting),
-        EXACT => Ok(alone(scenes, exact(setting), 0.02)),
+        EXACT => Ok(match &scenes.rows {
+            Rows::Structures(rows) => alone(scenes, rows, exact(setting)),
+            Rows::Towers(rows) => alone(scenes, rows, exact(setting)),
+        }),
         _ => Err(format!(
             "{method}: no such method; name one of those in own.rs"
         )),
@@ -51,11 +54,16 @@ fn in_lanes(scenes: &Scenes<'_>, stepping: Stepping, time_step: f64) -> Result<M
     let clock = clock(time_step);
     let together = SideBySide::new(stepping, scenes.excitation, clock);
     let together = together.map_err(|error| error.to_string())?;
-    let rows: Vec<_> = scenes.rows.iter().collect();
     let n_steps = [clock.n_steps; IN_LANES];
-    Ok(beside(|tallies| {
-        together.run(RowsOf::Elastic(&rows), &n_steps, tallies);
-    }))
+    let run = |rows: RowsOf<'_>| {
+        beside(scenes, |tallies| {
+            together.run(rows, &n_steps, tallies);
+        })
+    };
+    Ok(match &scenes.rows {
+        Rows::Structures(rows) => run(RowsOf::Elastic(&rows.iter().collect::<Vec<_>>())),
+        Rows::Towers(rows) => run(RowsOf::Bilinear(&rows.iter().collect::<Vec<_>>())),
+    })
 }
 
 /// The same by the exact method.
@@ -67,15 +75,18 @@ fn exact_in_lanes(scenes: &Scenes<'_>, tolerance: f64) -> Result<Measured, Strin
     };
     let together = ExactSideBySide::new(settings, scenes.excitation, clock(0.02));
     let together = together.map_err(|error| error.to_string())?;
-    let rows: Vec<_> = scenes.rows.iter().enumerate().collect();
-    Ok(beside(|tallies| {
+    let Rows::Structures(rows) = &scenes.rows else {
+        return Err("the exact method runs towers one by one".into());
+    };
+    let rows: Vec<_> = rows.iter().enumerate().collect();
+    Ok(beside(scenes, |tallies| {
         tallies.begin(rows.len(), (2, 1));
         together.run(&rows, tallies);
     }))
 }
 
 /// What a run of all scenes side by side takes and tells; a scene that it does not tell has no error that could be compared.
-fn beside(mut run: impl FnMut(&mut SceneSums)) -> Measured {
+fn beside(scenes: &Scenes<'_>, mut run: impl FnMut(&mut SceneSums)) -> Measured {
     let mut tallies = SceneSums::default();
     let seconds = timed(|| {
         run(&mut tallies);
@@ -85,8 +96,11 @@ fn beside(mut run: impl FnMut(&mut SceneSums)) -> Measured {
         if scene >= tallies.len() || !tallies.is_told(scene) {
             return [f64::NAN; 3];
         }
-        let peak = |structure| tallies.displacement(scene, structure).abs();
-        [peak(0), peak(1), tallies.pair(scene, 0).impulse]
+        let [left, right] = scenes
+            .tops
+            .map(|top| tallies.displacement(scene, top).abs());
+        let impulses = (0..scenes.n_pairs()).map(|pair| tallies.pair(scene, pair).impulse);
+        [left, right, impulses.sum()]
     };
     Measured {
         seconds: seconds / IN_LANES as f64,
@@ -95,16 +109,19 @@ fn beside(mut run: impl FnMut(&mut SceneSums)) -> Measured {
 }
 
 /// One scene after the other, each with its recorders.
-fn alone(scenes: &Scenes<'_>, integrator: Integrator, time_step: f64) -> Measured {
-    let clock = clock(time_step);
+fn alone<Column: Hysteretic>(
+    scenes: &Scenes<'_>,
+    rows: &[Row<Column>],
+    integrator: Integrator,
+) -> Measured {
+    let run = (integrator, clock(0.02));
     let mut found = Vec::new();
     let seconds = timed(|| {
-        let rows = scenes.rows[..SCENES].iter();
         let one = |row| {
-            let solved = solved(row, scenes.excitation, integrator, clock);
+            let solved = solved(row, scenes.tops, scenes.excitation, run);
             solved.map_or([f64::NAN; 3], |one| one.0)
         };
-        found = rows.map(one).collect();
+        found = rows[..SCENES].iter().map(one).collect();
     });
     Measured {
         seconds: seconds / SCENES as f64,

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::entrants::{ENTRANTS, Entrant, Kind, OURS};
+use super::entrants::{ENTRANTS, Entrant, OURS};
 use super::environment::Worker;
 use super::scenes::{Measured, SCENES, Scenes};
 use super::{own, work};
@@ -22,9 +22,10 @@ pub(super) struct Run {
     pub(super) rungs: Vec<Rung>,
 }
 
-/// All that ran the scenes of a law.
+/// All that ran the scenes of a kind.
 #[derive(Debug, Clone)]
 pub(super) struct Raced {
+    /// Name of the kind in tables.
     pub(super) law: &'static str,
     /// Title of its panel.
     pub(super) title: &'static str,
@@ -76,20 +77,15 @@ fn measured(
     if entrant.tool == OURS {
         own::measured(scenes, entrant.method, setting)
     } else {
-        worker.ask(entrant, setting, scenes.law)
+        worker.ask(entrant, setting, scenes.kind.names()[0])
     }
 }
 
-/// Races everybody on the scenes of a law.
+/// Races everybody on the scenes of a kind.
 pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, String> {
-    let (kind, title) = if scenes.is_impulsive() {
-        (Kind::Impulsive, "Impacts, e = 0.65")
-    } else {
-        (Kind::Compliant, "Nonlinear viscoelastic element")
-    };
+    let [law, title] = scenes.kind.names();
     let takes_part = |entrant: &&Entrant| {
-        entrant.only.is_none_or(|only| only == kind)
-            && (entrant.tool == OURS || worker.has(entrant.tool))
+        entrant.runs.contains(&scenes.kind) && (entrant.tool == OURS || worker.has(entrant.tool))
     };
     let entrants: Vec<&Entrant> = ENTRANTS.iter().filter(takes_part).collect();
     let mut runs = Vec::new();
@@ -106,12 +102,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, Str
                 break;
             }
         }
-        println!(
-            "{}: {}, {} settings",
-            scenes.law,
-            entrant.label,
-            rungs.len()
-        );
+        println!("{}: {}, {} settings", law, entrant.label, rungs.len());
         runs.push(Run {
             entrant: *entrant,
             rungs,
@@ -133,7 +124,7 @@ pub(super) fn run(scenes: &Scenes<'_>, worker: &mut Worker) -> Result<Raced, Str
         run.rungs.iter().find(step)
     });
     Ok(Raced {
-        law: scenes.law,
+        law,
         title,
         unit: unit
             .ok_or("lanes have no time step that is the unit")?

@@ -58,7 +58,8 @@ pub(super) fn settings_csv(all: &[Raced]) -> String {
 
 /// At every error level our cheapest method, and the best package and the best compiled loop over it.
 ///
-/// Where nobody comes to the error the ratio has a `>`: that of what was spent on the finest settings, in vain.
+/// Where nobody comes to the error the ratio has a `>`: that of what was spent on the finest settings, in vain. Where the coarsest setting is as
+/// accurate it has a `<`: a coarser one might do.
 pub(super) fn levels(all: &[Raced]) -> Vec<String> {
     let mut lines = Vec::new();
     for raced in all {
@@ -87,7 +88,12 @@ pub(super) fn levels(all: &[Raced]) -> Vec<String> {
 fn beside(points: &[(&Run, Vec<(f64, f64)>)], level: f64, ours: f64) -> String {
     if let Some((run, seconds)) = work::cheapest(points, level) {
         let name = format!("{} {}", run.entrant.tool, run.entrant.method);
-        return format!("{name},{}", ratio(seconds / ours));
+        let bound = if work::is_bound(&run.points(), level) {
+            "<"
+        } else {
+            ""
+        };
+        return format!("{name},{bound}{}", ratio(seconds / ours));
     }
     let bound = work::spent_in_vain(points);
     bound.map_or_else(

@@ -31,6 +31,12 @@ pub(super) fn at_error(points: &[(f64, f64)], error: f64) -> Option<f64> {
     None
 }
 
+/// Whether the cheapest setting has an error at most: nobody knows how much less would do.
+pub(super) fn is_bound(points: &[(f64, f64)], error: f64) -> bool {
+    let cheapest = points.iter().min_by(|one, other| one.0.total_cmp(&other.0));
+    cheapest.is_some_and(|(_, reached)| *reached <= error)
+}
+
 /// The least CPU time of several methods to come to an error, and which of them.
 pub(super) fn cheapest<T: Copy>(methods: &[(T, Vec<(f64, f64)>)], error: f64) -> Option<(T, f64)> {
     let reaching = methods.iter();
@@ -70,6 +76,12 @@ mod tests {
         assert_eq!(at_error(&ORDER_TWO, 0.5), Some(1.0), "accurate already");
         assert_eq!(at_error(&ORDER_TWO, 1e-6), None, "never as accurate");
         assert_eq!(at_error(&[], 1.0), None, "no setting");
+    }
+
+    #[test]
+    fn limit_a_cheapest_setting_that_is_accurate_is_a_bound() {
+        assert!(is_bound(&ORDER_TWO, 0.5), "coarser settings may do");
+        assert!(!is_bound(&ORDER_TWO, 1e-2), "between two settings");
     }
 
     #[test]

@@ -16,7 +16,7 @@ mod vector;
 /// Scenes in a group.
 pub(super) const GROUP: usize = 16;
 /// Storeys of both towers, their floors, and the levels at which they touch.
-pub(super) const STOREYS: [usize; 2] = [8, 5];
+pub(crate) const STOREYS: [usize; 2] = [8, 5];
 pub(super) const FLOORS: usize = STOREYS[0] + STOREYS[1];
 pub(super) const LEVELS: usize = STOREYS[1];
 
@@ -32,7 +32,7 @@ pub(super) struct Group {
 
 /// What acts between the two, in all scenes.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Law {
+pub(crate) enum Law {
     /// e \[–\].
     Stereomechanical(f64),
     /// β̄ \[N/m^1.5\] and ξ̄ \[–\].
@@ -48,7 +48,7 @@ pub(super) struct Found {
 
 /// Two towers in a group of scenes; their storeys from the ground up.
 #[derive(Debug, Clone)]
-pub(super) struct Towers {
+pub(crate) struct Towers {
     pub(super) left: [[Storey<Bilinear>; STOREYS[0]]; GROUP],
     pub(super) right: [[Storey<Bilinear>; STOREYS[1]]; GROUP],
     pub(super) gaps: [f64; GROUP],

@@ -19,6 +19,7 @@ mod lanes;
 mod lanes_books;
 mod lanes_chains;
 mod lanes_exact;
+mod lanes_in_contact;
 mod lanes_storeys;
 mod lanes_verlet;
 mod ledger;

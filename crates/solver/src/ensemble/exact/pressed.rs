@@ -116,8 +116,8 @@ impl<N: Number> Pressed<N> {
     /// A number that goes through zero at a corner.
     ///
     /// At a bend it says on which of its smooth branches the force is: with or without a damper that acts on approach alone; pushing,
-    /// or clamped where the formula would pull. Its magnitude is 1 in the ordinary. Without a deformation it is that of the least one:
-    /// a force that is clamped before neighbours part is found where a step ends behind both.
+    /// or clamped where the formula would pull. Its magnitude is 1 in the ordinary. Without a deformation it has the sign of a very
+    /// small one: a force that is clamped before neighbours part is found where a step ends behind both.
     #[inline(always)]
     pub(super) fn side_of(&self, corner: Corner, state: &State<N>) -> N {
         match (corner, self.form.action) {
@@ -129,9 +129,11 @@ impl<N: Number> Pressed<N> {
                 if spring.power == damper.power {
                     return rate.like(1.0) + damper.coefficient / spring.coefficient * rate;
                 }
-                let touch = deformation.exceeds(rate.like(0.0));
+                let zero = rate.like(0.0);
                 let side = self.form.unclamped(deformation, rate) / spring.at(deformation);
-                N::select(touch, side, rate / self.speed)
+                let damped = damper.coefficient.exceeds(zero);
+                let at_the_touch = N::select(damped, rate / self.speed, rate.like(1.0));
+                N::select(deformation.exceeds(zero), side, at_the_touch)
             }
         }
     }

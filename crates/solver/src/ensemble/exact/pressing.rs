@@ -1,4 +1,4 @@
-//! Steps in compliant contact in lanes: error control, and what ends a step.
+//! Steps in compliant contact in lanes, with their error under control.
 
 mod follow;
 mod reach;
@@ -19,6 +19,7 @@ const MOST_STEPS: f64 = 10_000.0;
 /// A step shrinks to this part at least, and grows by no more than this.
 const LEAST_SHRINK: f64 = 0.2;
 const MOST_GROWTH: f64 = 4.0;
+
 /// Contacts in lanes.
 pub(super) struct Pressing<S: Simd> {
     pressed: Pressed<Lanes<S>>,

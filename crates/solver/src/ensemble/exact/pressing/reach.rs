@@ -16,7 +16,7 @@ pub(super) const ROUGHLY: f64 = 1e-2;
 /// polynomial to that of the motion.
 pub(super) const PROBE: f64 = 1e-4;
 const MOST_REST: f64 = 0.01;
-/// A branch of the force that is farther from its end than this at both ends of a step, in the measure of [`Pressed::side_of`], is not left
+/// A branch of the force that is farther from its end than this at both ends of a step, in the measure of `Pressed::side_of`, is not left
 /// between; without this bound no scene that was looked at came out otherwise.
 const NEAR: f64 = 0.5;
 /// Part of the approach speed below which neighbours may as well move apart.
@@ -44,16 +44,17 @@ impl<S: Simd> Reached<S> {
         Number::select(self.too_long | self.again, error.like(f64::INFINITY), error)
     }
 
-    /// The step is tried again up to a part of it.
+    /// The step is tried again up to a part of it, in lanes in which it is not yet.
     #[inline(always)]
     pub(super) fn try_again(&mut self, lanes: Mask<S>, part: Lanes<S>) {
+        let lanes = lanes & !self.again;
         self.length = Number::select(lanes, part * self.length, self.length);
         self.again = self.again | lanes;
     }
 }
 
 impl<S: Simd> Pressing<S> {
-    /// A step, no longer than to where the force bends sharply or neighbours part.
+    /// A step, no longer than to where the force bends sharply or neighbours part, or one to be tried again.
     // Loops over both corners cost a fifth of all time: their iterators copy lanes through memory.
     #[inline(always)]
     pub(super) fn reach(&self, step: Lanes<S>) -> Reached<S> {
@@ -167,7 +168,7 @@ impl<S: Simd> Pressing<S> {
         let part = rise(turns, [starts, ends], ROUGHLY, climbs);
         let there = pressed.side_of(corner, &way.at(part));
         let dips = turns & zero.exceeds(sign * there);
-        reached.try_again(dips & !reached.again, part);
+        reached.try_again(dips, part);
     }
 
     /// A point near a corner brought to it on a line, and where it was near enough for that.

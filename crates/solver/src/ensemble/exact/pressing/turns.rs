@@ -7,14 +7,16 @@ use super::Pressing;
 use super::reach::Reached;
 use crate::ensemble::number::{Lanes, Mask};
 
-/// A number at both ends of a step, and its derivatives there by the part of the step.
-struct Ends<S: Simd> {
+/// The cubic through a number at both ends of a step, with its derivatives there by the part of the step.
+struct Cubic<S: Simd> {
     values: [Lanes<S>; 2],
     slopes: [Lanes<S>; 2],
 }
 
-impl<S: Simd> Ends<S> {
-    /// Where the cubic through the ends turns twice, and the part of the step where it is steepest between its turns, with its slope there.
+impl<S: Simd> Cubic<S> {
+    /// Where it turns twice, and the part of the step where it is steepest between its turns, with its slope there.
+    ///
+    /// The slope at a part τ is start − 2 falls τ + bends τ²; it is least or largest at τ = falls / bends.
     #[inline(always)]
     fn turns_twice(&self) -> (Mask<S>, Lanes<S>, Lanes<S>) {
         let Self {
@@ -35,13 +37,16 @@ impl<S: Simd> Ends<S> {
 
 impl<S: Simd> Pressing<S> {
     /// Shortens a step in which the force or a displacement turns twice and may be largest between: each turn has a step of its own.
+    ///
+    /// A cubic may see turns that are not there, in the first steps of a contact; that costs a try. Behind a touch, a bend and a jump of the
+    /// ground's acceleration nobody knows how fast the force changes, and two turns of it in one step are not seen.
     #[inline(always)]
     pub(super) fn stop_between_turns(&self, force: [Lanes<S>; 2], reached: &mut Reached<S>) {
         let (here, next) = (&self.here, reached.next);
         let [start, end] = [here.s, next.s].map(|s| s.like(4.0) * s * s * s);
         let length = next.s - here.s;
         let zero = length.like(0.0);
-        let forces = Ends {
+        let forces = Cubic {
             values: [here.slope[4] / start, force[0]],
             slopes: [length * start * self.climb, length * end * force[1]],
         };
@@ -49,7 +54,7 @@ impl<S: Simd> Pressing<S> {
         self.stop_between(&forces, [zero - peak, peak], reached);
         for side in 0..2 {
             let u = 2 * side;
-            let displacements = Ends {
+            let displacements = Cubic {
                 values: [here.state[u], next.state[u]],
                 slopes: [length * here.slope[u], length * next.slope[u]],
             };
@@ -61,16 +66,16 @@ impl<S: Simd> Pressing<S> {
     #[inline(always)]
     fn stop_between(
         &self,
-        ends: &Ends<S>,
+        cubic: &Cubic<S>,
         [least, largest]: [Lanes<S>; 2],
         reached: &mut Reached<S>,
     ) {
-        let (turns, part, slope) = ends.turns_twice();
+        let (turns, part, slope) = cubic.turns_twice();
         let wanted = turns & self.used.exceeds(part.like(0.0));
         if !Lanes::any(wanted) {
             return;
         }
-        let [from, to] = ends.values;
+        let [from, to] = cubic.values;
         // No further between the turns than this.
         let excursion = slope.abs();
         let beyond =
