@@ -1,8 +1,8 @@
 //! The same scenes by this project, by other programs and by compiled loops: CPU time and error of each, in one run.
 //!
 //! Two elastic structures under El Centro, with impacts and with the nonlinear viscoelastic element, and two towers of several storeys that
-//! yield, with that element. Other programs run in one Python
-//! process (`worker.py`); all settings take turns, so that what else the machine does meets everybody. Only ratios are kept.
+//! yield, with that element. Other programs run in one Python process (`worker.py`); all settings take turns, so that what else the machine
+//! does meets everybody. Only ratios are kept.
 
 mod entrants;
 mod environment;
