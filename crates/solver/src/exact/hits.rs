@@ -5,10 +5,7 @@ use std::ops::Range;
 use crate::Recorder;
 use crate::exact::contact::{Contact, Gap, Link};
 use crate::exact::member::Member;
-use crate::exact::{CHATTER, Run};
-
-/// Impacts of a pair within the shortest remainder after which the next one is plastic, whatever its neighbours do.
-const BURST: u32 = 50;
+use crate::exact::{BURST, CHATTER, Run};
 
 /// A chain of impulsive pairs that touch at one instant.
 pub(super) struct Hit {

@@ -80,7 +80,9 @@ impl Default for Exact {
 }
 
 /// Remaining duration of bounces below which they are summed \[s\].
-const CHATTER: f64 = 1e-12;
+pub(crate) const CHATTER: f64 = 1e-12;
+/// Impacts of a pair within the shortest remainder after which the next one is plastic, whatever its neighbours do.
+pub(crate) const BURST: u32 = 50;
 /// Rounding of a deformation, relative to displacements and gap.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Events at one instant after which a run gives up, and those that each structure adds to them.

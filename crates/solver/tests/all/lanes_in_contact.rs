@@ -8,7 +8,7 @@ use pounding_solver::{Elastic, Node, Row};
 use crate::lanes_exact::{alone, beside, distance, row_of, scaled};
 
 /// A structure by its period, damping ratio, displacement and velocity at the start.
-fn moving(
+pub(crate) fn moving(
     mass: f64,
     [period, ratio]: [f64; 2],
     [displacement, velocity]: [f64; 2],

@@ -16,6 +16,7 @@ mod flights;
 mod found;
 mod impacts;
 mod lanes;
+mod lanes_at_rest;
 mod lanes_books;
 mod lanes_chains;
 mod lanes_exact;

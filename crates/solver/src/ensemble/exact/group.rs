@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use super::fly::Flyer;
-use super::pair::{Scene, Side, Stage};
+use super::pair::{Link, Scene, Side, Stage};
 use super::press::press;
 use super::{ExactSideBySide, Interval};
 use crate::ensemble::SceneSums;
@@ -22,7 +22,10 @@ pub(super) fn run<S: Simd>(
     tallies: &mut SceneSums,
 ) {
     for rows in rows.chunks(BATCH) {
-        let mut scenes: Vec<Scene> = rows.iter().map(|(_, row)| method.scene(row)).collect();
+        let mut scenes: Vec<Scene> = rows
+            .iter()
+            .map(|(_, row)| Scene::new(row, method.tolerance, method.step))
+            .collect();
         let scenes_of_groups = scenes.chunks(Lanes::<S>::N);
         let mut groups: Vec<Group<S>> = scenes_of_groups
             .map(|scenes| Group::new(simd, scenes, method.step))
@@ -74,7 +77,7 @@ fn go_alone<S: Simd>(
         waiting.clear();
         for place in alone {
             let scene = &mut scenes[*place];
-            scene.fly_on(interval);
+            scene.go_on(interval);
             if scene.stage == Stage::OnTheWay {
                 waiting.push(*place);
             }
@@ -107,8 +110,8 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
 struct Group<S: Simd> {
     flyers: [Flyer<S>; 2],
     gap: Lanes<S>,
-    /// Lanes whose scenes are in compliant contact, whose scenes have been given up, and those that have scenes.
-    pressed: u64,
+    /// Lanes whose scenes are in contact, whose scenes have been given up, and those that have scenes.
+    touching: u64,
     lost: u64,
     all: u64,
     /// Intervals in which some scene went alone.
@@ -131,7 +134,7 @@ impl<S: Simd> Group<S> {
                 Flyer::new(simd, &side(1), step),
             ],
             gap: Lanes::new(simd, &std::array::from_fn(|lane| of(lane).gap)),
-            pressed: 0,
+            touching: 0,
             lost: given_up.fold(0, |lost, (lane, _)| lost | 1 << lane),
             all: !(u64::MAX << scenes.len()),
             alone: 0,
@@ -148,7 +151,7 @@ impl<S: Simd> Group<S> {
         let after = one.displacement - other.displacement;
         let reached = before.max(after) + one.bow + other.bow;
         let events = turns | also | reached.reaches(self.gap);
-        let mut alone = events.bits() | self.pressed;
+        let mut alone = events.bits() | self.touching;
         if interval.length < step {
             alone = u64::MAX;
         }
@@ -170,9 +173,9 @@ impl<S: Simd> Group<S> {
     #[inline(always)]
     fn take(&mut self, lane: usize, scene: &Scene) {
         let bit = 1 << lane;
-        self.pressed &= !bit;
-        if scene.contact.is_some() {
-            self.pressed |= bit;
+        self.touching &= !bit;
+        if !matches!(scene.link, Link::Apart) {
+            self.touching |= bit;
         }
         if scene.stage == Stage::GivenUp {
             self.lost |= bit;

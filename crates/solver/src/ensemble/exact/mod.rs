@@ -16,15 +16,13 @@ mod pair;
 mod press;
 mod pressed;
 mod pressing;
+mod rest;
 mod scene;
 mod search;
 
 use fearless_simd::{Level, dispatch};
 
-use pair::{Scene, Side};
-
 use super::SceneSums;
-use crate::exact::{LONGEST_LEAP, in_flight};
 use crate::{Budget, Clock, Elastic, Exact, Excitation, Pair, Row, RunError, Support};
 
 /// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
@@ -96,20 +94,10 @@ impl ExactSideBySide {
     /// Runs rows that it [takes](Self::takes) to the end of the clock, and tells what happened in each at its place among the
     /// scenes of `tallies` ([`SceneSums::begin`]).
     ///
-    /// A scene is not told where bounces come to rest, neighbours start in touch, a period is shorter than some six samples, or a structure
+    /// A scene is not told where bounces do not end, neighbours press from the start, rounding hides whether they part, a period is shorter than some six samples, or a structure
     /// goes further than 1 km: a run of it alone says what happens. What is told of a scene does not depend on the others.
     pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
         dispatch!(self.level, simd => group::run(simd, self, rows, tallies));
-    }
-
-    /// The scene of a row; given up at once where series do not reach over an interval.
-    fn scene(&self, row: &Row<Elastic>) -> Scene {
-        let leaps = [0, 1].map(|node: usize| self.step * Side::fastest_rate(&row.nodes()[node]));
-        let mut scene = Scene::new(row, (self.tolerance, leaps.map(in_flight)));
-        if !leaps.into_iter().all(|leap| leap <= LONGEST_LEAP) {
-            scene.give_up();
-        }
-        scene
     }
 }
 

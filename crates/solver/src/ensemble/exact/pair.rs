@@ -4,6 +4,7 @@ use pounding_contact::ContactLaw;
 
 use super::contact::Contact;
 use crate::ensemble::PairSums;
+use crate::exact::{LONGEST_LEAP, in_flight};
 use crate::span::Expansion;
 use crate::{Elastic, Flight, Node, Row};
 
@@ -35,14 +36,56 @@ pub(super) struct Scene {
     pub(super) reduced_mass: f64,
     pub(super) tolerance: f64,
     pub(super) tally: PairSums,
-    /// Compliant contact that goes on.
-    pub(super) contact: Option<Contact>,
-    /// Whether the gap is closed at this instant and opens: after an impact, or a parting.
-    pub(super) parts: bool,
+    pub(super) link: Link,
     /// Of the interval through which it goes alone: how far it is, the time since its start \[s\], and events so far.
     pub(super) stage: Stage,
     pub(super) at: f64,
     pub(super) events: usize,
+    /// Impacts that have followed each other at once.
+    pub(super) bounces: Bounces,
+}
+
+/// What is between two neighbours.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Link {
+    /// A gap.
+    Apart,
+    /// A gap that opens: it is closed at this instant, or was a moment ago, by an impact or a parting.
+    Parting(Opening),
+    /// A gap that is closed at this instant, and no rate: they part or press, as the first coefficient of their free deformation
+    /// from this order on says.
+    Closed(usize),
+    /// They press against each other and move as one, with a force that is zero up to this order at this instant.
+    Resting(usize),
+    /// Compliant contact.
+    Pressed(Contact),
+}
+
+/// What is known of a deformation where it is hardly any, better than displacements and velocities know it.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Opening {
+    /// Itself \[m\], ≤ 0, and its rate \[m/s\].
+    At(f64, f64),
+    /// So many of its first coefficients are zero.
+    Order(usize),
+}
+
+/// Impacts that follow each other at once.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bounces {
+    /// When the last one was, since the start of the interval \[s\].
+    pub(super) last: f64,
+    /// How many have followed the one before at once.
+    pub(super) burst: u32,
+}
+
+impl Default for Bounces {
+    fn default() -> Self {
+        Self {
+            last: f64::NEG_INFINITY,
+            burst: 0,
+        }
+    }
 }
 
 /// How far a scene is that goes alone through an interval.
@@ -53,29 +96,28 @@ pub(super) enum Stage {
     GivenUp,
 }
 
-/// Why a scene has to run alone.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct GivenUp;
-
 impl Side {
-    pub(super) fn new(node: &Node<Elastic>, len: usize) -> Self {
+    /// Of a record with samples this far apart \[s\].
+    fn new(node: &Node<Elastic>, step: f64) -> Self {
         let displacement = node.initial_displacement;
-        Self {
+        let mut side = Self {
             inverse_mass: node.inverse_mass,
             damping: node.damping,
             stiffness: node.column.stiffness,
             mobile: node.mobile(),
-            len,
+            len: 0,
             displacement,
             velocity: node.initial_velocity,
             extremes: [displacement; 2],
-        }
+        };
+        side.len = in_flight(step * side.fastest_rate());
+        side
     }
 
     /// The rate with which coefficients of its motion fall \[1/s\].
-    pub(super) fn fastest_rate(node: &Node<Elastic>) -> f64 {
-        let damping = node.damping * node.inverse_mass;
-        let stiffness = node.column.stiffness * node.inverse_mass;
+    pub(super) fn fastest_rate(&self) -> f64 {
+        let damping = self.damping * self.inverse_mass;
+        let stiffness = self.stiffness * self.inverse_mass;
         0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
     }
 
@@ -103,27 +145,41 @@ impl Side {
 }
 
 impl Scene {
-    pub(super) fn new(row: &Row<Elastic>, (tolerance, lens): (f64, [usize; 2])) -> Self {
+    /// The scene of a row under a record with samples this far apart \[s\]; given up at once where series do not reach over an interval.
+    pub(super) fn new(row: &Row<Elastic>, tolerance: f64, step: f64) -> Self {
         let pair = &row.pairs()[0];
-        let side = |node: usize| Side::new(&row.nodes()[node], lens[node]);
-        Self {
-            sides: [side(0), side(1)],
+        let sides = [0, 1].map(|node: usize| Side::new(&row.nodes()[node], step));
+        let reaches = |side: &Side| step * side.fastest_rate() <= LONGEST_LEAP;
+        let stage = if sides.iter().all(reaches) {
+            Stage::Arrived
+        } else {
+            Stage::GivenUp
+        };
+        let mut scene = Self {
+            sides,
             gap: pair.gap,
             law: pair.law,
             reduced_mass: row.reduced_mass(pair),
             tolerance,
             tally: PairSums::default(),
-            contact: None,
-            parts: false,
-            stage: Stage::Arrived,
+            link: Link::Apart,
+            stage,
             at: 0.0,
             events: 0,
+            bounces: Bounces::default(),
+        };
+        if pair.law.impulsive().is_some() && scene.closing() == (0.0, 0.0) {
+            scene.link = Link::Closed(2);
         }
+        scene
     }
 
     /// What happened to the pair, with a contact that goes on.
     pub(super) fn tally(&self) -> PairSums {
-        let open = self.contact.as_ref().map_or(0.0, |contact| contact.impulse);
+        let open = match &self.link {
+            Link::Pressed(contact) => contact.impulse,
+            Link::Apart | Link::Parting(_) | Link::Closed(_) | Link::Resting(_) => 0.0,
+        };
         PairSums {
             impulse: self.tally.impulse + open,
             ..self.tally

@@ -5,7 +5,8 @@
 use fearless_simd::Simd;
 
 use super::Interval;
-use super::pair::Scene;
+use super::contact::Contact;
+use super::pair::{Link, Scene};
 use super::pressing::Pressing;
 use crate::ensemble::number::{Lanes, MOST_LANES, Mask};
 
@@ -17,20 +18,19 @@ pub(super) fn press<S: Simd>(
     scenes: &mut [Scene],
     waiting: &[usize],
 ) {
-    let contact = |scene: &usize| scenes[*scene].contact;
-    let Some(first) = waiting.first().and_then(contact) else {
+    let Some(Link::Pressed(first)) = waiting.first().map(|scene| scenes[*scene].link) else {
         return;
     };
     let mut pressing = Pressing::new(simd, &first.form);
     let mut waiting = waiting.iter();
-    let mut inside = [None; MOST_LANES];
+    let mut inside: [Option<(usize, Contact)>; MOST_LANES] = [None; MOST_LANES];
     let inside = &mut inside[..Lanes::<S>::N];
     loop {
         let mut refilled = false;
         for (lane, inside) in inside.iter_mut().enumerate() {
             if inside.is_none()
                 && let Some(scene) = waiting.next()
-                && let Some(contact) = scenes[*scene].contact.take()
+                && let Link::Pressed(contact) = scenes[*scene].link
             {
                 pressing.take(lane, &scenes[*scene], &contact, interval);
                 *inside = Some((*scene, contact));
@@ -58,7 +58,8 @@ pub(super) fn press<S: Simd>(
                 } else if is_in(parted) {
                     scene.part(&contact, pressing.passed(lane), interval);
                 } else {
-                    scene.arrive(Some(contact));
+                    scene.link = Link::Pressed(contact);
+                    scene.arrive();
                 }
             }
         }

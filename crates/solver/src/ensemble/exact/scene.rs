@@ -1,17 +1,18 @@
 //! An interval in which a scene may touch or turn, from event to event.
 
-use pounding_contact::Action;
+use pounding_contact::{Action, Form};
 
 use super::Interval;
 use super::contact::Contact;
-use super::pair::{GivenUp, Scene, Stage};
-use crate::roots::{CAPACITY, quick_first_root};
+use super::pair::{Bounces, Link, Opening, Scene, Side, Stage};
+use crate::roots::{CAPACITY, quick_first_root, value_and_slope};
 use crate::span::{Expansion, value};
 
-/// Events of a scene between two samples; with more of them bounces come to rest.
-const MOST_EVENTS: usize = 64;
-/// Rate after an impact, relative to the velocities, below which a pair does not part.
-const SLOWEST_PARTING: f64 = 1e-9;
+/// Events of a scene between two samples; with more of them bounces may not end, and a run of it alone says so.
+const MOST_EVENTS: usize = 1000;
+
+/// A deformation smaller than this part of the displacements is carried on by itself: they know it less well.
+const NEAR: f64 = 1e-3;
 
 /// What ends a piece of free flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,43 +23,77 @@ enum Event {
     Turn(usize),
 }
 
+/// A piece of free flight.
+struct Flown {
+    /// How long it took \[s\].
+    length: f64,
+    event: Event,
+    /// Of the pair at its end \[m\], and its rate \[m/s\].
+    deformation: f64,
+    rate: f64,
+}
+
 impl Scene {
     /// Begins an interval in which the scene goes alone.
     pub(super) fn set_out(&mut self) {
         (self.stage, self.at, self.events) = (Stage::OnTheWay, 0.0, 0);
+        self.bounces = Bounces::default();
     }
 
-    /// Flies on, to the sample or into compliant contact.
-    pub(super) fn fly_on(&mut self, interval: &Interval) {
-        while self.stage == Stage::OnTheWay && self.contact.is_none() {
-            let (length, event) = self.fly(&interval.after(self.at));
-            self.at += length;
-            match event {
-                Event::Sample => self.arrive(None),
-                Event::Turn(side) => self.sides[side].velocity = 0.0,
-                Event::Touch => {
-                    if self.touch().is_err() {
-                        self.give_up();
-                    } else if self.contact.is_some() && self.at >= interval.length {
-                        let contact = self.contact.take();
-                        self.arrive(contact);
+    /// Goes on, to the sample or into compliant contact.
+    pub(super) fn go_on(&mut self, interval: &Interval) {
+        while self.stage == Stage::OnTheWay {
+            let ahead = interval.after(self.at);
+            match self.link {
+                Link::Pressed(_) => {
+                    // A touch at the sample has the next interval before it.
+                    if self.at >= interval.length {
+                        self.arrive();
                     }
+                    return;
                 }
+                Link::Apart => self.fly_on(&ahead, None),
+                Link::Parting(opening) => self.fly_on(&ahead, Some(opening)),
+                Link::Closed(from) => self.settle(&ahead, from),
+                Link::Resting(zeros) => self.rest_on(&ahead, zeros),
             }
             self.count();
         }
     }
 
-    /// The end of the interval, in compliant contact or not.
-    pub(super) fn arrive(&mut self, contact: Option<Contact>) {
-        (self.stage, self.contact) = (Stage::Arrived, contact);
+    /// Flies to the next event, from a gap that opens or from apart.
+    fn fly_on(&mut self, ahead: &Interval, opening: Option<Opening>) {
+        let Flown {
+            length,
+            event,
+            deformation,
+            rate,
+        } = self.fly(ahead, opening);
+        self.at += length;
+        let far = self.sides.iter().map(|side| side.displacement.abs());
+        let near = -deformation < NEAR * far.sum::<f64>();
+        self.link = match opening {
+            Some(_) if near => Link::Parting(Opening::At(deformation, rate)),
+            _ => Link::Apart,
+        };
+        match event {
+            Event::Sample => self.arrive(),
+            Event::Turn(side) => self.sides[side].velocity = 0.0,
+            Event::Touch => self.touch(rate, ahead.value + ahead.slope * length),
+        }
+    }
+
+    /// Is at the end of the interval.
+    pub(super) fn arrive(&mut self) {
+        self.stage = Stage::Arrived;
     }
 
     /// The end of a compliant contact, some time after \[s\] it was gone on with.
     pub(super) fn part(&mut self, contact: &Contact, passed: f64, interval: &Interval) {
         self.at = (self.at + passed).min(interval.length);
         self.tally.impulse += contact.impulse;
-        self.parts = true;
+        let (_, rate) = self.closing();
+        self.link = Link::Parting(Opening::At(0.0, rate));
         self.count();
     }
 
@@ -69,7 +104,9 @@ impl Scene {
 
     /// What its law branches on: scenes in contact at once go side by side where this is the same.
     pub(super) fn branches(&self) -> Option<[u64; 3]> {
-        let form = self.contact.as_ref()?.form;
+        let Link::Pressed(Contact { form, .. }) = self.link else {
+            return None;
+        };
         let powers = [form.spring.power, form.damper.power].map(|power| power.value().to_bits());
         let approach = u64::from(form.action == Action::Approach);
         Some([powers[0], powers[1], approach])
@@ -82,8 +119,8 @@ impl Scene {
         }
     }
 
-    /// Flies to the next event; returns how long that takes \[s\].
-    fn fly(&mut self, ahead: &Interval) -> (f64, Event) {
+    /// Flies to the next event.
+    fn fly(&mut self, ahead: &Interval, opening: Option<Opening>) -> Flown {
         let mut rooms = [Expansion::default(), Expansion::default()];
         for (side, room) in self.sides.iter().zip(&mut rooms) {
             side.expand([ahead.value, ahead.slope], room);
@@ -98,32 +135,17 @@ impl Scene {
                 *sum += sign * coefficient;
             }
         }
-        // A pair that parts is at zero, which displacements know to rounding only.
-        deformation[0] = if self.parts {
-            0.0
-        } else {
-            deformation[0] - self.gap
-        };
+        match opening {
+            None => deformation[0] -= self.gap,
+            Some(Opening::At(now, rate)) => deformation[..2].copy_from_slice(&[now, rate]),
+            Some(Opening::Order(order)) => deformation[..order].fill(0.0),
+        }
         if let Some(touch) = quick_first_root(deformation, length) {
             (length, event) = (touch, Event::Touch);
         }
         for (index, (side, room)) in self.sides.iter().zip(&rooms).enumerate() {
-            let rates = room.velocity(side.len);
-            let Some(first) = rates.iter().find(|rate| **rate != 0.0) else {
-                continue;
-            };
-            let displacements = room.displacement(side.len);
-            let [least, largest] = side.extremes;
-            let farther = bound(displacements, 1.0, length) > largest
-                || bound(displacements, -1.0, length) > -least;
-            if !farther {
-                continue;
-            }
-            let falling = &mut series[..side.len];
-            for (rate, coefficient) in falling.iter_mut().zip(rates) {
-                *rate = -first.signum() * coefficient;
-            }
-            if let Some(turn) = quick_first_root(falling, length) {
+            let series = [room.displacement(side.len), room.velocity(side.len)];
+            if let Some(turn) = side.turn(series, length) {
                 (length, event) = (turn, Event::Turn(index));
             }
         }
@@ -132,53 +154,56 @@ impl Scene {
             side.velocity = value(room.velocity(side.len), length);
             side.reach(side.displacement);
         }
-        self.parts = false;
-        (length, event)
-    }
-}
-
-/// What a polynomial, times this sign, does not exceed from 0 to x.
-fn bound(coefficients: &[f64], sign: f64, x: f64) -> f64 {
-    let sum = |sum: f64, coefficient: &f64| sum * x + (sign * coefficient).max(0.0);
-    let [start, rest @ ..] = coefficients else {
-        return 0.0;
-    };
-    sign * start + x * rest.iter().rev().fold(0.0, sum)
-}
-
-impl Scene {
-    /// The pair meets: an impact, or the beginning of compliant contact.
-    fn touch(&mut self) -> Result<(), GivenUp> {
-        let (_, rate) = self.closing();
-        let [left, right] = &mut self.sides;
-        if rate <= 0.0 {
-            return Err(GivenUp);
-        }
-        let Some(law) = self.law.impulsive() else {
-            self.begin(rate)?;
-            return Ok(());
-        };
-        let impulse = (1.0 + law.restitution) * self.reduced_mass * rate;
-        let speed = left.velocity.abs() + right.velocity.abs();
-        left.velocity -= left.inverse_mass * impulse;
-        right.velocity += right.inverse_mass * impulse;
-        self.tally.collisions += 1.0;
-        self.tally.impulse += impulse;
-        self.parts = true;
-        if right.velocity - left.velocity > SLOWEST_PARTING * speed {
-            Ok(())
-        } else {
-            Err(GivenUp)
+        let (deformation, rate) = value_and_slope(deformation, length);
+        Flown {
+            length,
+            event,
+            deformation,
+            rate,
         }
     }
 
-    fn begin(&mut self, rate: f64) -> Result<(), GivenUp> {
-        let form = self.law.form(self.reduced_mass, rate).ok_or(GivenUp)?;
+    /// The pair meets at a rate \[m/s\], under this ground acceleration \[m/s²\]: an impact, or the beginning of compliant contact.
+    fn touch(&mut self, rate: f64, ground: f64) {
+        let form = self.law.form(self.reduced_mass, rate);
+        match (self.law.impulsive(), form) {
+            _ if rate <= 0.0 => self.give_up(),
+            (Some(law), _) => self.strike(rate, law.restitution, ground),
+            (None, Some(form)) => self.begin(form, rate),
+            (None, None) => self.give_up(),
+        }
+    }
+
+    fn begin(&mut self, form: Form, rate: f64) {
         self.tally.collisions += 1.0;
         self.tally.peak_force = self.tally.peak_force.max(form.force(0.0, rate));
-        self.contact = Some(Contact::new(form, rate));
-        Ok(())
+        self.link = Link::Pressed(Contact::new(form, rate));
     }
+}
+
+impl Side {
+    /// When its velocity is zero first, if it could be farther within a length than it has been: by the series of its displacement, but
+    /// for where it is, and of its velocity.
+    pub(super) fn turn(&self, [displacement, rates]: [&[f64]; 2], length: f64) -> Option<f64> {
+        let first = rates.iter().find(|rate| **rate != 0.0)?;
+        let farther = |sign: f64| sign * self.displacement + rise_bound(displacement, sign, length);
+        let [least, largest] = self.extremes;
+        if farther(1.0) <= largest && farther(-1.0) <= -least {
+            return None;
+        }
+        let mut series = [0.0; CAPACITY];
+        let falling = &mut series[..rates.len()];
+        for (rate, coefficient) in falling.iter_mut().zip(rates) {
+            *rate = -first.signum() * coefficient;
+        }
+        quick_first_root(falling, length)
+    }
+}
+
+/// What a polynomial, times this sign, does not rise by from 0 to x.
+fn rise_bound(coefficients: &[f64], sign: f64, x: f64) -> f64 {
+    let sum = |sum: f64, coefficient: &f64| sum * x + (sign * coefficient).max(0.0);
+    x * coefficients.iter().skip(1).rev().fold(0.0, sum)
 }
 
 impl Interval {
