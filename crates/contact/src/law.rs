@@ -124,6 +124,7 @@ impl ContactLaw {
     }
 
     /// Whether the law gives a force over time, and not an impulse.
+    #[inline]
     pub const fn is_compliant(&self) -> bool {
         self.impulsive().is_none()
     }

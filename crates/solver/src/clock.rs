@@ -9,6 +9,7 @@ pub struct Clock {
 
 impl Clock {
     /// Time of node `step` \[s\].
+    #[inline]
     pub fn time(&self, step: usize) -> f64 {
         step as f64 * self.time_step
     }

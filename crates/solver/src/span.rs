@@ -26,6 +26,7 @@ pub struct State {
 
 impl State {
     /// Net pounding force \[N\], positive to the right.
+    #[inline]
     pub fn pounding_force(&self) -> f64 {
         self.force_from_left + self.force_from_right
     }

@@ -149,26 +149,19 @@ impl<Memory: Copy> Scratch<Memory> {
                 let drift = row.drift(index, &self.stages);
                 self.stages[index].restoring_force = node.column.respond(drift, *memory).force;
             }
-            self.accelerate(row, ground);
             self.add(row, stage, ground);
         }
     }
 
-    /// Gives the stage its accelerations, from equilibrium.
-    fn accelerate<Column: RestoringForce>(&mut self, row: &Row<Column>, ground: Ground<'_>) {
-        for node in 0..self.stages.len() {
-            self.stages[node].acceleration =
-                row.acceleration(node, &self.stages, ground.under(node));
-        }
-    }
-
-    /// Adds the slopes of a stage and keeps its loads.
+    /// Gives a stage its accelerations, from equilibrium, adds its slopes and keeps its loads.
     fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
-            let stage = &self.stages[node];
+            let load = row.load(node, &self.stages, ground.under(node));
+            let stage = &mut self.stages[node];
+            stage.acceleration = row.accelerated(node, &load);
             slopes.0 += WEIGHTS[index] * stage.velocity;
             slopes.1 += WEIGHTS[index] * stage.acceleration;
-            loads[index] = row.load(node, &self.stages, ground.under(node));
+            loads[index] = load;
         }
     }
 
@@ -204,7 +197,10 @@ impl<Memory: Copy> Scratch<Memory> {
             self.stages[structure].restoring_force = response.force;
             self.memories[structure] = response.memory;
         }
-        self.accelerate(row, ground);
+        for node in 0..self.stages.len() {
+            self.stages[node].acceleration =
+                row.acceleration(node, &self.stages, ground.under(node));
+        }
         let (starts, ends) = (&self.states, &self.stages);
         for (structure, (start, end)) in starts.iter().zip(ends).enumerate() {
             let (weights, loads) = ((sixth, WEIGHTS), self.loads[structure]);

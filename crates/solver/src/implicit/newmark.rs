@@ -386,6 +386,7 @@ fn storeys<Column: RestoringForce>(
 
 /// Accepts the end of a step and reports its spans; of each node, in the states at both ends, what the method made of
 /// which loads.
+#[inline]
 pub(crate) fn commit<Column: RestoringForce, R: Recorder, const N: usize>(
     row: &Row<Column>,
     scratch: &mut Scratch<Column::Memory>,

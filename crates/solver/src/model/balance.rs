@@ -103,12 +103,16 @@ impl<Column: RestoringForce> Row<Column> {
     /// Acceleration \[m/s²\] of a node in equilibrium with the velocities and forces of these states; a wall has none.
     #[inline]
     pub(crate) fn acceleration(&self, node: usize, states: &[State], ground: f64) -> f64 {
-        let wall = self.nodes()[node].is_wall();
-        let ground = if wall { 0.0 } else { ground };
-        let force = states[node].pounding_force()
-            - self.damping_force(node, states)
-            - self.restoring_force(node, states);
-        self.nodes()[node].inverse_mass * force - ground
+        self.accelerated(node, &self.load(node, states, ground))
+    }
+
+    /// Acceleration \[m/s²\] of a node on which this acts; a wall has none.
+    #[inline]
+    pub(crate) fn accelerated(&self, node: usize, load: &Load) -> f64 {
+        let node = &self.nodes()[node];
+        let ground = if node.is_wall() { 0.0 } else { load.ground };
+        let force = load.from_left + load.from_right - load.damping - load.restoring;
+        node.inverse_mass * force - ground
     }
 
     /// What acts on a node in these states, as it enters the equation of its motion.

@@ -22,6 +22,7 @@ pub struct Floor {
 
 impl Support {
     /// The floor below; nothing on the ground.
+    #[inline]
     pub(crate) fn below(&self) -> Option<usize> {
         match self {
             Self::Ground => None,
