@@ -7,9 +7,10 @@
 use crate::exact::Run;
 use crate::exact::ahead::Ahead;
 use crate::exact::body::in_flight;
+use crate::exact::columns::Branch;
 use crate::exact::contact::Link;
 use crate::exact::look_ahead::CARRIED;
-use crate::exact::member::{Branch, Member};
+use crate::exact::member::Member;
 use crate::{Flight, Path, Recorder, Span, State};
 
 /// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
@@ -118,8 +119,8 @@ impl Leap {
             velocity * start.velocity + constant * load + growing * ground.slope
         };
         let (change, velocity) = (by(self.displacement), by(self.velocity));
-        let hysteretic_force = member.hysteretic_force + member.hysteretic_stiffness * change;
         let displacement = start.displacement + change;
+        let hysteretic_force = member.hysteretic_force_at(displacement, change);
         let restoring_force = member.with_hardening(displacement, hysteretic_force);
         let acceleration = flight.acceleration(velocity, restoring_force, ground.last);
         let before = flight.acceleration(start.velocity, start.restoring_force, ground.value);

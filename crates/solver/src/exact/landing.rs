@@ -3,7 +3,8 @@
 use crate::exact::Run;
 use crate::exact::ahead::Ahead;
 use crate::exact::body::pushing;
-use crate::exact::member::{Branch, Member};
+use crate::exact::columns::Branch;
+use crate::exact::member::Member;
 use crate::exact::watch::Event;
 use crate::span::{Power, Series, rise, value};
 use crate::{Motion, Path, Recorder, Span, State};
@@ -85,7 +86,11 @@ impl<R: Recorder> Run<'_, R> {
             force_from_left: force(left),
             force_from_right: -force(right),
         };
-        let mut hysteretic = member.hysteretic_end(len, x);
+        let drift = match &member.storey {
+            None => end.displacement,
+            Some(storey) => end.displacement - self.members[storey.below].state.displacement,
+        };
+        let mut hysteretic = member.hysteretic_end(drift, len, x);
         for event in events {
             match *event {
                 Event::Turn(turning) if turning == self.leader(node) => end.velocity = 0.0,
@@ -110,10 +115,6 @@ impl<R: Recorder> Run<'_, R> {
                 | Event::Part(_) => {}
             }
         }
-        let drift = match &member.storey {
-            None => end.displacement,
-            Some(storey) => end.displacement - self.members[storey.below].state.displacement,
-        };
         end.restoring_force = member.with_hardening(drift, hysteretic);
         (end, hysteretic)
     }
@@ -172,13 +173,12 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 impl Member {
-    /// The hysteretic part of the force at x.
-    fn hysteretic_end(&self, len: usize, x: f64) -> f64 {
-        self.hysteretic_force
-            + match &self.bend {
-                None => self.hysteretic_tangent() * rise(&self.drift()[..len], x),
-                Some(bend) => rise(&bend.force[..len], x),
-            }
+    /// The hysteretic part of the force at x, to which the drift has come there.
+    fn hysteretic_end(&self, drift: f64, len: usize, x: f64) -> f64 {
+        match &self.bend {
+            None => self.hysteretic_force_at(drift, rise(&self.drift()[..len], x)),
+            Some(bend) => self.hysteretic_force + rise(&bend.force[..len], x),
+        }
     }
 }
 

@@ -66,7 +66,8 @@ impl<R: Recorder> Run<'_, R> {
         contact.scale = contact.scale.max(scale);
         // At a touch the series knows both better than the rounded time does.
         let touches = contact.meets <= time;
-        let coarse = !touches && deformation.abs() > CARRIED * contact.scale;
+        // The rounding of displacements dies away with them.
+        let coarse = !touches && deformation.abs() > CARRIED * scale;
         // Zero by an impact it stays: at another one of the same instant the rounding of its time would be an overlap.
         let struck = contact.deformation == 0.0 && contact.hit >= time;
         if coarse && !struck && contact.link != Link::Resting {

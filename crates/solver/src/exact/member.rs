@@ -2,20 +2,11 @@
 
 use crate::exact::ahead::Ahead;
 use crate::exact::bend::Bend;
+use crate::exact::columns::{Branch, Columns, Line};
 use crate::exact::terms::Terms;
 use crate::model::excitation::Segment;
 use crate::roots::CAPACITY;
 use crate::{Floor, Hysteresis, Hysteretic, Knee, Row, State, Support};
-
-/// The branch of a piecewise-linear restoring force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Branch {
-    Elastic,
-    /// Yielding to the right, under a force > 0 but for hardening.
-    Right,
-    /// Yielding to the left.
-    Left,
-}
 
 /// A floor with the storey below it, or a wall.
 ///
@@ -50,6 +41,7 @@ pub(super) struct Member {
     /// Columns that yield smoothly.
     pub(super) bend: Option<Box<Bend>>,
     pub(super) branch: Branch,
+    pub(super) line: Line,
     /// Its rate bounds the motion of a body together with those of all others; see [`fastest_rate`].
     pub(super) fastest_rate: f64,
     /// The net pounding force is known to be zero.
@@ -87,18 +79,20 @@ impl Member {
         initial: &[State],
     ) -> Self {
         let floor = &row.nodes()[node];
+        let force = if floor.is_wall() {
+            0.0
+        } else {
+            initial[node].restoring_force
+        };
+        let columns = Columns::new(floor.column.hysteresis());
+        let hysteretic_force = columns.hysteretic_force(force, row.drift(node, initial));
         let Columns {
             stiffness,
             hardened_stiffness,
             hysteretic_stiffness,
             limit,
             bend,
-        } = Columns::new(floor.column.hysteresis());
-        let force = if floor.is_wall() {
-            0.0
-        } else {
-            initial[node].restoring_force
-        };
+        } = columns;
         let state = State {
             displacement: initial[node].displacement,
             velocity: initial[node].velocity,
@@ -128,21 +122,19 @@ impl Member {
             limit,
             bend,
             branch: Branch::Elastic,
+            line: Line::of(hysteretic_force, limit),
             fastest_rate: fastest_rate(row, node),
             balanced: false,
             peaked: false,
             terms: Terms::default(),
             ahead: None,
             state,
-            hysteretic_force: force,
+            hysteretic_force,
             displacement: [0.0; CAPACITY],
             velocity: [0.0; CAPACITY],
             acceleration: [0.0; CAPACITY],
         };
         member.plain = !member.is_tied() && member.bend.is_none();
-        if hardened_stiffness > 0.0 {
-            member.hysteretic_force = force - hardened_stiffness * row.drift(node, initial);
-        }
         member
     }
 
@@ -195,6 +187,17 @@ impl Member {
         match self.branch {
             Branch::Elastic => self.hysteretic_stiffness,
             Branch::Right | Branch::Left => 0.0,
+        }
+    }
+
+    /// h after a piece \[N\], to this drift and by this change of it \[m\]; not of columns that yield smoothly.
+    ///
+    /// As long as nothing has yielded it follows from the drift: summed up, its rounding would stay when the motion dies away.
+    #[inline]
+    pub(super) fn hysteretic_force_at(&self, drift: f64, change: f64) -> f64 {
+        match self.line {
+            Line::FirstLoading => self.hysteretic_stiffness * drift,
+            Line::Shifted => self.hysteretic_force + self.hysteretic_tangent() * change,
         }
     }
 
@@ -300,45 +303,6 @@ impl Member {
     fn noise_of_rate(&self, below: Option<&Self>, p: usize, n: usize) -> f64 {
         let own = self.noise_of_velocity(p, n);
         below.map_or(own, |below| own + below.noise_of_velocity(p, n))
-    }
-}
-
-/// The numbers of a loop as a [`Member`] has them.
-struct Columns {
-    stiffness: f64,
-    hardened_stiffness: f64,
-    hysteretic_stiffness: f64,
-    limit: f64,
-    bend: Option<Box<Bend>>,
-}
-
-impl Columns {
-    fn new(hysteresis: Hysteresis) -> Self {
-        let Hysteresis {
-            stiffness,
-            mut hardening,
-            yield_force,
-            knee,
-        } = hysteresis;
-        // What never yields is elastic.
-        if yield_force.is_infinite() {
-            hardening = 0.0;
-        }
-        let hysteretic_stiffness = (1.0 - hardening) * stiffness;
-        let limit = (1.0 - hardening) * yield_force;
-        let bend = match knee {
-            Knee::Smooth(smoothness) if yield_force.is_finite() => {
-                Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit)))
-            }
-            Knee::Smooth(_) | Knee::Sharp => None,
-        };
-        Self {
-            stiffness,
-            hardened_stiffness: hardening * stiffness,
-            hysteretic_stiffness,
-            limit,
-            bend,
-        }
     }
 }
 

@@ -16,6 +16,7 @@ mod ahead;
 mod bend;
 mod body;
 mod clock;
+mod columns;
 mod contact;
 mod cost;
 mod flight;
@@ -50,6 +51,7 @@ use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
+pub(crate) use rounding::ROUNDING as ROUNDING_OF_COEFFICIENTS;
 
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,6 +90,13 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Events at one instant after which a run gives up, and those that each structure adds to them.
 const MOST_AT_ONCE: usize = 1000;
 const MOST_AT_ONCE_EACH: usize = 10;
+/// Whether bounces from this rate \[m/s\] on, < 0 while the pair parts, will be over at once under this acceleration towards each other
+/// \[m/s²\].
+pub(crate) fn bounces_are_over(rate: f64, closing: f64, restitution: f64) -> bool {
+    let parts = rate < 0.0 && closing > 0.0 && restitution < 1.0;
+    parts && -2.0 * rate < CHATTER * closing * (1.0 - restitution)
+}
+
 /// Everything of a run.
 struct Run<'a, R> {
     settings: Exact,

@@ -3,7 +3,7 @@
 use crate::exact::member::Member;
 
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
-pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
 /// coefficients of both sides.

@@ -7,7 +7,7 @@ use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
 use crate::exact::rounding::noise;
 use crate::exact::storey::rate_of_drift;
-use crate::exact::{CHATTER, Run};
+use crate::exact::{CHATTER, Run, bounces_are_over};
 use crate::roots::CAPACITY;
 use crate::span::Power;
 use crate::{Impact, Recorder, RunError, Velocities};
@@ -212,7 +212,7 @@ impl<R: Recorder> Run<'_, R> {
     fn chatters(&self, pair: usize, approach: f64) -> bool {
         let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
         let restitution = contact.restitution().unwrap_or(0.0);
-        if approach <= 0.0 || contact.rate >= 0.0 || restitution >= 1.0 {
+        if approach <= 0.0 {
             return false;
         }
         let [a, b] = [left, left + 1].map(|node| &self.members[node]);
@@ -220,7 +220,7 @@ impl<R: Recorder> Run<'_, R> {
         if contact.opens() {
             closing += a.ground.value - b.ground.value;
         }
-        closing > 0.0 && -2.0 * contact.rate < CHATTER * closing * (1.0 - restitution)
+        bounces_are_over(contact.rate, closing, restitution)
     }
 
     fn report_impact(&mut self, pair: usize, time: f64, hit: &Hit) {

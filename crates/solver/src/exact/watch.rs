@@ -2,8 +2,9 @@
 
 use crate::Recorder;
 use crate::exact::Run;
+use crate::exact::columns::{Branch, Line};
 use crate::exact::contact::{Contact, Link, Phase};
-use crate::exact::member::{Branch, Member};
+use crate::exact::member::Member;
 use crate::roots::{CAPACITY, LOST, SHORTEST_WAY, first_root};
 use crate::span::Power;
 
@@ -192,7 +193,10 @@ impl<R: Recorder> Run<'_, R> {
                 }
             }
             Event::Cross(_) => {}
-            Event::Yield(node, branch) => self.members[node].branch = branch,
+            Event::Yield(node, branch) => {
+                let member = &mut self.members[node];
+                (member.branch, member.line) = (branch, Line::Shifted);
+            }
             Event::Balance(node) => self.members[node].balanced = true,
             Event::Extremum(node) => self.members[node].peaked = true,
             Event::Peak(pair) => self.contacts[pair].peaked = true,

@@ -133,7 +133,7 @@ impl<Memory: Copy> Scratch<Memory> {
     ) {
         self.stages.copy_from_slice(&self.states);
         self.slopes.fill((0.0, 0.0));
-        self.add(row, 0, ground[0]);
+        self.weigh_stage(row, 0, ground[0]);
         for (stage, ahead, ground) in [
             (1, 0.5 * dt, ground[1]),
             (2, 0.5 * dt, ground[1]),
@@ -149,16 +149,21 @@ impl<Memory: Copy> Scratch<Memory> {
                 let drift = row.drift(index, &self.stages);
                 self.stages[index].restoring_force = node.column.respond(drift, *memory).force;
             }
-            self.add(row, stage, ground);
+            self.weigh_stage(row, stage, ground);
         }
     }
 
     /// Gives a stage its accelerations, from equilibrium, adds its slopes and keeps its loads.
-    fn add<Column: RestoringForce>(&mut self, row: &Row<Column>, index: usize, ground: Ground<'_>) {
+    fn weigh_stage<Column: RestoringForce>(
+        &mut self,
+        row: &Row<Column>,
+        index: usize,
+        ground: Ground<'_>,
+    ) {
         for (node, (slopes, loads)) in self.slopes.iter_mut().zip(&mut self.loads).enumerate() {
             let load = row.load(node, &self.stages, ground.under(node));
             let stage = &mut self.stages[node];
-            stage.acceleration = row.accelerated(node, &load);
+            stage.acceleration = row.acceleration_under(node, &load);
             slopes.0 += WEIGHTS[index] * stage.velocity;
             slopes.1 += WEIGHTS[index] * stage.acceleration;
             loads[index] = load;

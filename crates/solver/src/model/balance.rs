@@ -103,12 +103,12 @@ impl<Column: RestoringForce> Row<Column> {
     /// Acceleration \[m/s²\] of a node in equilibrium with the velocities and forces of these states; a wall has none.
     #[inline]
     pub(crate) fn acceleration(&self, node: usize, states: &[State], ground: f64) -> f64 {
-        self.accelerated(node, &self.load(node, states, ground))
+        self.acceleration_under(node, &self.load(node, states, ground))
     }
 
     /// Acceleration \[m/s²\] of a node on which this acts; a wall has none.
     #[inline]
-    pub(crate) fn accelerated(&self, node: usize, load: &Load) -> f64 {
+    pub(crate) fn acceleration_under(&self, node: usize, load: &Load) -> f64 {
         let node = &self.nodes()[node];
         let ground = if node.is_wall() { 0.0 } else { load.ground };
         let force = load.from_left + load.from_right - load.damping - load.restoring;

@@ -15,9 +15,9 @@ use crate::random_rows::{any_law, config};
 use crate::watch::Watch;
 
 /// Samples of the record every 0.02 s.
-const GROUND_STEP: f64 = 0.02;
+pub(crate) const GROUND_STEP: f64 = 0.02;
 /// The runs end between two samples.
-const CLOCK: Clock = Clock {
+pub(crate) const CLOCK: Clock = Clock {
     time_step: 0.005,
     n_steps: 801,
 };

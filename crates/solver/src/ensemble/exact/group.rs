@@ -110,7 +110,7 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
 struct Group<S: Simd> {
     flyers: [Flyer<S>; 2],
     gap: Lanes<S>,
-    /// Lanes whose scenes are in contact, whose scenes have been given up, and those that have scenes.
+    /// Lanes whose pair is not plainly apart, and so goes alone; those whose scenes have been given up; and those that have scenes.
     touching: u64,
     lost: u64,
     all: u64,
@@ -126,16 +126,18 @@ impl<S: Simd> Group<S> {
         let side = |index: usize| -> [Side; MOST_LANES] {
             std::array::from_fn(|lane| of(lane).sides[index])
         };
-        let given_up = scenes.iter().enumerate();
-        let given_up = given_up.filter(|of| of.1.stage == Stage::GivenUp);
+        let bits = |is_so: fn(&Scene) -> bool| {
+            let lanes = scenes.iter().enumerate().filter(|of| is_so(of.1));
+            lanes.fold(0, |bits, (lane, _)| bits | 1 << lane)
+        };
         Self {
             flyers: [
                 Flyer::new(simd, &side(0), step),
                 Flyer::new(simd, &side(1), step),
             ],
             gap: Lanes::new(simd, &std::array::from_fn(|lane| of(lane).gap)),
-            touching: 0,
-            lost: given_up.fold(0, |lost, (lane, _)| lost | 1 << lane),
+            touching: bits(|scene| !matches!(scene.link, Link::Apart)),
+            lost: bits(|scene| scene.stage == Stage::GivenUp),
             all: !(u64::MAX << scenes.len()),
             alone: 0,
         }

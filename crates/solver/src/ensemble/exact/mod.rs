@@ -94,8 +94,14 @@ impl ExactSideBySide {
     /// Runs rows that it [takes](Self::takes) to the end of the clock, and tells what happened in each at its place among the
     /// scenes of `tallies` ([`SceneSums::begin`]).
     ///
-    /// A scene is not told where bounces do not end, neighbours press from the start, rounding hides whether they part, a period is shorter than some six samples, or a structure
-    /// goes further than 1 km: a run of it alone says what happens. What is told of a scene does not depend on the others.
+    /// A run of it alone says what happens in a scene that is not told:
+    ///
+    /// - bounces do not end, or neighbours press from the start;
+    /// - only rounding decides whether neighbours at rest part;
+    /// - a period is shorter than some six samples;
+    /// - a structure goes further than 1 km.
+    ///
+    /// What is told of a scene does not depend on the others.
     pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
         dispatch!(self.level, simd => group::run(simd, self, rows, tallies));
     }

@@ -52,16 +52,21 @@ pub(super) enum Link {
     Apart,
     /// A gap that opens: it is closed at this instant, or was a moment ago, by an impact or a parting.
     Parting(Opening),
-    /// A gap that is closed at this instant, and no rate: they part or press, as the first coefficient of their free deformation
-    /// from this order on says.
-    Closed(usize),
-    /// They press against each other and move as one, with a force that is zero up to this order at this instant.
-    Resting(usize),
+    /// A gap that is closed at this instant, and no rate: whether they part or press is to be decided.
+    Closed {
+        /// Whether this goes on from an impact.
+        is_struck: bool,
+    },
+    /// They press against each other and move as one.
+    Resting {
+        /// So many of the first coefficients of their force are zero at this instant, though rounding says otherwise.
+        zero_orders: usize,
+    },
     /// Compliant contact.
     Pressed(Contact),
 }
 
-/// What is known of a deformation where it is hardly any, better than displacements and velocities know it.
+/// What is known of a deformation where it is nearly zero, better than displacements and velocities know it.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Opening {
     /// Itself \[m\], ≤ 0, and its rate \[m/s\].
@@ -168,8 +173,8 @@ impl Scene {
             events: 0,
             bounces: Bounces::default(),
         };
-        if pair.law.impulsive().is_some() && scene.closing() == (0.0, 0.0) {
-            scene.link = Link::Closed(2);
+        if scene.closing() == (0.0, 0.0) {
+            scene.link = Link::Closed { is_struck: false };
         }
         scene
     }
@@ -178,7 +183,7 @@ impl Scene {
     pub(super) fn tally(&self) -> PairSums {
         let open = match &self.link {
             Link::Pressed(contact) => contact.impulse,
-            Link::Apart | Link::Parting(_) | Link::Closed(_) | Link::Resting(_) => 0.0,
+            Link::Apart | Link::Parting(_) | Link::Closed { .. } | Link::Resting { .. } => 0.0,
         };
         PairSums {
             impulse: self.tally.impulse + open,

@@ -3,13 +3,22 @@
 use super::Interval;
 use super::pair::{Bounces, Link, Opening, Scene, Side};
 use crate::Flight;
-use crate::exact::{BURST, CHATTER};
+use crate::exact::{BURST, CHATTER, ROUNDING_OF_COEFFICIENTS as ROUNDING, bounces_are_over};
 use crate::roots::{CAPACITY, quick_first_root};
 use crate::span::{Expansion, value};
 
-/// A coefficient is zero below this part of what it is a sum of, and says something above the second; between them nobody knows.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-const DECISIVE: f64 = 1e-9;
+/// Below [`ROUNDING`] times what it is a sum of a coefficient is zero, and above this part its sign is certain; between them the scene is
+/// given up.
+const CERTAIN: f64 = 1e-9;
+
+/// What neighbours do that touch without a rate.
+enum Decision {
+    /// Their gap opens, or they press, with all coefficients of the free deformation below this order zero.
+    Parts(usize),
+    Presses(usize),
+    /// They move alike.
+    Alike,
+}
 
 impl Scene {
     /// An impact at a rate \[m/s\], under this ground acceleration \[m/s²\]. Of bounces that would be over at once it is the last.
@@ -20,8 +29,7 @@ impl Scene {
         let closing = left.acceleration(left.velocity - left.inverse_mass * bounced, ground)
             - right.acceleration(right.velocity + right.inverse_mass * bounced, ground);
         let at_once = self.at - self.bounces.last < CHATTER;
-        let over = closing > 0.0
-            && 2.0 * restitution * rate < CHATTER * closing * (1.0 - restitution)
+        let over = bounces_are_over(-restitution * rate, closing, restitution)
             || at_once && self.bounces.burst >= BURST;
         let (impulse, rate) = if over || restitution == 0.0 {
             (momentum, 0.0)
@@ -40,32 +48,36 @@ impl Scene {
         self.link = if rate < 0.0 {
             Link::Parting(Opening::At(0.0, rate))
         } else {
-            Link::Closed(2)
+            Link::Closed { is_struck: true }
         };
     }
 
-    /// Rests or parts, whichever the first coefficient of the free deformation says, from this order on, that is not rounding.
-    pub(super) fn settle(&mut self, ahead: &Interval, from: usize) {
-        match self.decisive(ahead, from) {
-            Some((order, false)) => self.link = Link::Parting(Opening::Order(order)),
-            // Rest without an impact has a largest force, which is not looked for here.
-            Some((order, true)) if self.tally.collisions > 0.0 => {
-                let (base, apart) = self.base();
-                let Side {
-                    displacement,
-                    velocity,
-                    ..
-                } = self.sides[base];
-                let lighter = &mut self.sides[1 - base];
-                (lighter.displacement, lighter.velocity) = (displacement + apart, velocity);
-                self.link = Link::Resting(order - 2);
-            }
-            Some((_, true)) | None => self.give_up(),
+    /// Rests or parts, whichever the first coefficient of the free deformation says that is not rounding.
+    pub(super) fn settle(&mut self, ahead: &Interval, is_struck: bool) {
+        match self.decide(ahead) {
+            Some(Decision::Parts(order)) => self.link = Link::Parting(Opening::Order(order)),
+            // Rest without an impact has a largest force, which is not looked for here; nor is how soft neighbours begin to press.
+            Some(Decision::Presses(order)) if is_struck => self.rest(order - 2),
+            Some(Decision::Alike) if self.law.impulsive().is_some() => self.rest(usize::MAX),
+            Some(Decision::Presses(_) | Decision::Alike) | None => self.give_up(),
         }
     }
 
-    /// Order and sign of that coefficient; nothing where rounding may be all of it.
-    fn decisive(&self, ahead: &Interval, from: usize) -> Option<(usize, bool)> {
+    /// Lets the lighter side go with the heavier one.
+    fn rest(&mut self, zero_orders: usize) {
+        let (base, apart) = self.base();
+        let Side {
+            displacement,
+            velocity,
+            ..
+        } = self.sides[base];
+        let lighter = &mut self.sides[1 - base];
+        (lighter.displacement, lighter.velocity) = (displacement + apart, velocity);
+        self.link = Link::Resting { zero_orders };
+    }
+
+    /// `None` if it may be rounding.
+    fn decide(&self, ahead: &Interval) -> Option<Decision> {
         let mut rooms = [Expansion::default(), Expansion::default()];
         let ground = [ahead.value, ahead.slope];
         for (side, room) in self.sides.iter().zip(&mut rooms) {
@@ -74,19 +86,30 @@ impl Scene {
         let [left, right] = &self.sides;
         let len = left.len.min(right.len);
         let series = rooms.each_ref().map(|room| room.displacement(len));
+        let alike = (2..len).all(|order| series[0][order] - series[1][order] == 0.0);
+        if alike {
+            return Some(Decision::Alike);
+        }
+        // Displacements that are rounding of larger ones say nothing.
         let mut sizes = self.sides.each_ref().map(|side| {
-            let at_rest =
-                side.damping * side.velocity.abs() + side.stiffness * side.displacement.abs();
-            side.inverse_mass * at_rest + side.mobile * ground[0].abs()
+            let [least, largest] = side.extremes;
+            let force = side.damping * side.velocity.abs() + side.stiffness * largest.max(-least);
+            side.inverse_mass * force + side.mobile * ground[0].abs()
         });
         for order in 2..len {
             let known = (order * (order - 1)) as f64;
             let [one, other] = series.map(|series| series[order]);
             let size = one.abs() + other.abs() + (sizes[0] + sizes[1]) / known;
             let difference = one - other;
-            if order >= from && difference.abs() > ROUNDING * size {
-                let decided = difference.abs() > DECISIVE * size;
-                return decided.then_some((order, difference > 0.0));
+            if difference.abs() > CERTAIN * size {
+                return Some(if difference > 0.0 {
+                    Decision::Presses(order)
+                } else {
+                    Decision::Parts(order)
+                });
+            }
+            if difference.abs() > ROUNDING * size {
+                return None;
             }
             for (size, side) in sizes.iter_mut().zip(&self.sides) {
                 *size *= side.fastest_rate() / (order - 1) as f64;
@@ -131,8 +154,8 @@ impl Scene {
         }
     }
 
-    /// Moves as one to where the force fades, or one of both turns, or to the sample; the first coefficients of the force are zero.
-    pub(super) fn rest_on(&mut self, ahead: &Interval, zeros: usize) {
+    /// Moves as one to where the force fades, or one of both turns, or to the sample; so many of the first coefficients of the force are zero.
+    pub(super) fn rest_on(&mut self, ahead: &Interval, zero_orders: usize) {
         let (base, apart) = self.base();
         let flight = self.as_one(ahead);
         let len = flight.len;
@@ -140,12 +163,12 @@ impl Scene {
         flight.expand(&mut room);
         let [displacement, rates] = [room.displacement(len), room.velocity(len)];
         let lighter = &self.sides[1 - base];
-        // What the lighter side needs to move like this, negative: where this rises through zero the force fades.
+        // Minus the contact force [N]: it fades where this rises through zero.
         let mut series = [0.0; CAPACITY];
-        let pull = &mut series[..len];
+        let minus_force = &mut series[..len];
         // A force pushes the lighter side to the right, if that is the right one.
         let toward = if base == 0 { -1.0 } else { 1.0 };
-        for (order, force) in pull.iter_mut().enumerate().skip(zeros) {
+        for (order, force) in minus_force.iter_mut().enumerate().skip(zero_orders) {
             let ground = [ahead.value, ahead.slope].get(order).copied();
             let ground = lighter.mobile * ground.unwrap_or(0.0);
             let start = if order == 0 { apart } else { 0.0 };
@@ -154,7 +177,7 @@ impl Scene {
             *force = toward * (inertia + lighter.damping * rates[order] + column);
         }
         let mut length = ahead.length;
-        let fades = quick_first_root(pull, length);
+        let fades = quick_first_root(minus_force, length);
         length = fades.unwrap_or(length);
         let mut turned = false;
         for side in &self.sides {
@@ -162,7 +185,8 @@ impl Scene {
                 (length, turned) = (turn, true);
             }
         }
-        self.tally.impulse -= integral(pull, length);
+        self.tally.impulse -= integral(minus_force, length);
+        let pushes = minus_force.iter().any(|force| *force != 0.0);
         let end = [value(displacement, length), value(rates, length)];
         self.sides[base].displacement = end[0];
         self.sides[1 - base].displacement = end[0] + apart;
@@ -171,12 +195,11 @@ impl Scene {
             side.reach(side.displacement);
         }
         self.at += length;
-        self.link = match fades {
-            _ if turned => Link::Resting(0),
-            // The ground's acceleration may have jumped.
-            Some(0.0) => Link::Closed(2),
-            Some(_) => Link::Closed(3),
-            None => Link::Resting(0),
+        self.link = if (fades.is_some() && !turned) || !pushes {
+            // A collision ends with its force: one that begins later without an impact is another one.
+            Link::Closed { is_struck: pushes }
+        } else {
+            Link::Resting { zero_orders: 0 }
         };
         if fades.is_none() && !turned {
             self.arrive();

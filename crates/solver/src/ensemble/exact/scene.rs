@@ -11,8 +11,10 @@ use crate::span::{Expansion, value};
 /// Events of a scene between two samples; with more of them bounces may not end, and a run of it alone says so.
 const MOST_EVENTS: usize = 1000;
 
-/// A deformation smaller than this part of the displacements is carried on by itself: they know it less well.
-const NEAR: f64 = 1e-3;
+/// A deformation smaller than this part of the displacements is carried as a number of its own: their difference has lost its digits.
+const CARRIED: f64 = 1e-3;
+/// Rest of an interval that is none, as a part of it.
+const NOTHING: f64 = 1e-15;
 
 /// What ends a piece of free flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,8 +56,13 @@ impl Scene {
                 }
                 Link::Apart => self.fly_on(&ahead, None),
                 Link::Parting(opening) => self.fly_on(&ahead, Some(opening)),
-                Link::Closed(from) => self.settle(&ahead, from),
-                Link::Resting(zeros) => self.rest_on(&ahead, zeros),
+                // Rounding has put the end of a rest before the sample: the next interval decides.
+                Link::Closed { .. } if ahead.length <= NOTHING * interval.length => {
+                    self.at = interval.length;
+                    self.arrive();
+                }
+                Link::Closed { is_struck } => self.settle(&ahead, is_struck),
+                Link::Resting { zero_orders } => self.rest_on(&ahead, zero_orders),
             }
             self.count();
         }
@@ -71,7 +78,7 @@ impl Scene {
         } = self.fly(ahead, opening);
         self.at += length;
         let far = self.sides.iter().map(|side| side.displacement.abs());
-        let near = -deformation < NEAR * far.sum::<f64>();
+        let near = -deformation < CARRIED * far.sum::<f64>();
         self.link = match opening {
             Some(_) if near => Link::Parting(Opening::At(deformation, rate)),
             _ => Link::Apart,
@@ -165,12 +172,14 @@ impl Scene {
 
     /// The pair meets at a rate \[m/s\], under this ground acceleration \[m/s²\]: an impact, or the beginning of compliant contact.
     fn touch(&mut self, rate: f64, ground: f64) {
-        let form = self.law.form(self.reduced_mass, rate);
-        match (self.law.impulsive(), form) {
-            _ if rate <= 0.0 => self.give_up(),
-            (Some(law), _) => self.strike(rate, law.restitution, ground),
-            (None, Some(form)) => self.begin(form, rate),
-            (None, None) => self.give_up(),
+        if rate <= 0.0 {
+            self.give_up();
+        } else if let Some(law) = self.law.impulsive() {
+            self.strike(rate, law.restitution, ground);
+        } else if let Some(form) = self.law.form(self.reduced_mass, rate) {
+            self.begin(form, rate);
+        } else {
+            self.give_up();
         }
     }
 
@@ -182,8 +191,8 @@ impl Scene {
 }
 
 impl Side {
-    /// When its velocity is zero first, if it could be farther within a length than it has been: by the series of its displacement, but
-    /// for where it is, and of its velocity.
+    /// First instant at which it turns; `None` if it cannot pass its extremes within a length. The first coefficient of its displacement
+    /// is not read.
     pub(super) fn turn(&self, [displacement, rates]: [&[f64]; 2], length: f64) -> Option<f64> {
         let first = rates.iter().find(|rate| **rate != 0.0)?;
         let farther = |sign: f64| sign * self.displacement + rise_bound(displacement, sign, length);
@@ -200,7 +209,7 @@ impl Side {
     }
 }
 
-/// What a polynomial, times this sign, does not rise by from 0 to x.
+/// Upper bound of the rise of a polynomial, times this sign, from 0 to x.
 fn rise_bound(coefficients: &[f64], sign: f64, x: f64) -> f64 {
     let sum = |sum: f64, coefficient: &f64| sum * x + (sign * coefficient).max(0.0);
     x * coefficients.iter().skip(1).rev().fold(0.0, sum)

@@ -1,0 +1,82 @@
+//! The columns of a storey: their branch, and the numbers of their loop.
+
+use crate::exact::bend::Bend;
+use crate::{Hysteresis, Knee};
+
+/// The branch of a piecewise-linear restoring force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Branch {
+    Elastic,
+    /// Yielding to the right, under a force > 0 but for hardening.
+    Right,
+    /// Yielding to the left.
+    Left,
+}
+
+/// The line that the force of columns is on where they do not yield.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Line {
+    /// Through zero: nothing has yielded.
+    FirstLoading,
+    /// Shifted by what has yielded.
+    Shifted,
+}
+
+impl Line {
+    /// Of a force h that yields at a limit \[N\].
+    pub(super) fn of(force: f64, limit: f64) -> Self {
+        if force.abs() < limit {
+            Self::FirstLoading
+        } else {
+            Self::Shifted
+        }
+    }
+}
+
+/// The numbers of a loop as a member has them.
+pub(super) struct Columns {
+    pub(super) stiffness: f64,
+    pub(super) hardened_stiffness: f64,
+    pub(super) hysteretic_stiffness: f64,
+    pub(super) limit: f64,
+    pub(super) bend: Option<Box<Bend>>,
+}
+
+impl Columns {
+    pub(super) fn new(hysteresis: Hysteresis) -> Self {
+        let Hysteresis {
+            stiffness,
+            mut hardening,
+            yield_force,
+            knee,
+        } = hysteresis;
+        // What never yields is elastic.
+        if yield_force.is_infinite() {
+            hardening = 0.0;
+        }
+        let hysteretic_stiffness = (1.0 - hardening) * stiffness;
+        let limit = (1.0 - hardening) * yield_force;
+        let bend = match knee {
+            Knee::Smooth(smoothness) if yield_force.is_finite() => {
+                Some(Box::new(Bend::new(smoothness, hysteretic_stiffness, limit)))
+            }
+            Knee::Smooth(_) | Knee::Sharp => None,
+        };
+        Self {
+            stiffness,
+            hardened_stiffness: hardening * stiffness,
+            hysteretic_stiffness,
+            limit,
+            bend,
+        }
+    }
+
+    /// The part h of their force at a drift \[m\].
+    pub(super) fn hysteretic_force(&self, force: f64, drift: f64) -> f64 {
+        if self.hardened_stiffness > 0.0 {
+            force - self.hardened_stiffness * drift
+        } else {
+            force
+        }
+    }
+}
