@@ -1,7 +1,7 @@
 //! Faults of compliant contact in lanes that random rows found, each by a row that showed it.
 
 use pounding_contact::{
-    ContactLaw, HertzDamp, KuwabaraKono, ModifiedKelvin, NonlinearViscoelastic,
+    ContactLaw, HertzDamp, KelvinVoigt, KuwabaraKono, ModifiedKelvin, NonlinearViscoelastic,
 };
 use pounding_solver::{Elastic, Node, Row};
 
@@ -150,4 +150,16 @@ fn issue_two_turns_within_a_step_are_seen() {
         let row = row_of([left, right], 0.002, law);
         held_to_the_exact_method(&row, &noise(seed, 190), &[1e-6, 1e-7], 4.0);
     }
+}
+
+/// At a tolerance of 1e-3 the impulse of this contact was 5 % off.
+#[test]
+fn issue_coarse_steps_end_a_contact_where_it_ends() {
+    let law = ContactLaw::KelvinVoigt(KelvinVoigt {
+        impact_stiffness: 1e9,
+        impact_damping_ratio: 0.2553,
+    });
+    let wall = Node::wall(Elastic { stiffness: 1.0 });
+    let row = row_of([moving(1e4, [1.0, 0.02], [0.0, 0.11]), wall], 0.01, law);
+    held_to_the_exact_method(&row, &[0.0; 60], &[1e-3], 3.0);
 }
