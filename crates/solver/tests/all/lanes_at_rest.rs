@@ -163,3 +163,17 @@ fn issue_a_motion_that_dies_away_keeps_its_impacts() {
         }
     }
 }
+
+/// A light structure comes from farther left than a heavy one pushes it back to: of both only the heavy one has its peak at rest.
+#[test]
+fn reference_one_of_two_at_rest_is_farther_than_ever() {
+    let light = moving(1e4, [0.35, 0.05], [-0.03, 0.0]);
+    let heavy = moving(1e6, [0.4, 0.05], [0.0, -0.3]);
+    let law = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
+    let row = row_of([light, heavy], 0.0, law);
+    let ground = [0.0; 10];
+    let exact = alone(&row, &ground).expect("it runs");
+    let told = beside(std::slice::from_ref(&row), &ground, 1e-9)[0].expect("told");
+    let error = distance(&exact, &told);
+    assert!(error < 1e-12, "{error:e}: {exact:?} {told:?}");
+}

@@ -152,7 +152,7 @@ fn issue_two_turns_within_a_step_are_seen() {
     }
 }
 
-/// At a tolerance of 1e-3 the impulse of this contact was 5 % off.
+/// At a tolerance of 1e-3 the sum of these impulses was 12 % off.
 #[test]
 fn issue_coarse_steps_end_a_contact_where_it_ends() {
     let law = ContactLaw::KelvinVoigt(KelvinVoigt {
