@@ -1,11 +1,11 @@
 //! Pieces of the floors that move together, and their launch.
 
-use crate::exact::Run;
 use crate::exact::clock::Past;
 use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
+use crate::exact::{ROUNDING, Run};
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
@@ -140,6 +140,14 @@ impl<R: Recorder> Run<'_, R> {
         };
         watch.events.clear();
         self.watch(&mut watch, first, len);
+        // A force at rest that fades as the next sample arrives may go on with it.
+        let fades = |event: &Event| matches!(event, Event::Fade(_));
+        if whole
+            && watch.events.iter().all(fades)
+            && power.time(length) - power.time(watch.length) <= ROUNDING * self.clock.absolute(stop)
+        {
+            watch.events.clear();
+        }
         let end = if whole && watch.events.is_empty() {
             stop
         } else if watch.events.is_empty() {

@@ -4,6 +4,7 @@ use crate::exact::Run;
 use crate::exact::ahead::Ahead;
 use crate::exact::body::pushing;
 use crate::exact::columns::Branch;
+use crate::exact::contact::Link;
 use crate::exact::member::Member;
 use crate::exact::watch::Event;
 use crate::span::{Power, Series, rise, value};
@@ -35,7 +36,7 @@ impl<R: Recorder> Run<'_, R> {
             let arrives = |ahead: &Ahead| full && time >= ahead.end && events.is_empty();
             let (end, hysteretic) = match ahead.filter(arrives) {
                 Some(ahead) => (ahead.state, ahead.hysteretic_force),
-                None => self.end_state(node, x, if full { &events } else { &[] }),
+                None => self.end_state(node, (time, x), if full { &events } else { &[] }),
             };
             if advanced {
                 self.report(node, first, time, x, end);
@@ -68,8 +69,24 @@ impl<R: Recorder> Run<'_, R> {
         self.bodies[first].events = events;
     }
 
+    /// Whether a node hits a wall without a gap now, which it does at zero: what rounding leaves of its displacement would move it later
+    /// on, when nothing else does.
+    fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
+        let hits = |pair: usize| {
+            let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
+            let wall = self.members[left].is_wall() || self.members[left + 1].is_wall();
+            let touches = contact.link == Link::Apart && contact.meets <= time;
+            let impulsive = contact.restitution().is_some() && !contact.opens();
+            wall && touches && impulsive && self.gaps[pair] == 0.0
+        };
+        let left = node
+            .checked_sub(1)
+            .and_then(|left| self.pair_right_of[left]);
+        left.is_some_and(hits) || self.pair_right_of[node].is_some_and(hits)
+    }
+
     /// State of a node at the end of its piece, and the hysteretic part of its force; those below it have theirs.
-    fn end_state(&self, node: usize, x: f64, events: &[Event]) -> (State, f64) {
+    fn end_state(&self, node: usize, (time, x): (f64, f64), events: &[Event]) -> (State, f64) {
         let body = &self.bodies[self.groups.body_of[node]];
         let (member, len) = (&self.members[node], body.len);
         let (left, right) = self.forces_on(node);
@@ -79,7 +96,11 @@ impl<R: Recorder> Run<'_, R> {
             })
         };
         let mut end = State {
-            displacement: member.displacement[0] + rise(&member.displacement[..len], x),
+            displacement: if x > 0.0 && self.hits_wall_at_zero(node, time) {
+                0.0
+            } else {
+                member.displacement[0] + rise(&member.displacement[..len], x)
+            },
             velocity: value(&member.velocity[..len], x),
             acceleration: value(&member.acceleration[..len], x),
             restoring_force: 0.0,

@@ -74,18 +74,6 @@ fn collisions(row: &Row<Elastic>, ground: &[f64]) -> Vec<Collision> {
     run.map_or(vec![], |_| collisions.all().to_vec())
 }
 
-/// Least and largest number of collisions that a run alone allows: where neighbours without a gap stand still after a rest it counts
-/// touches of what rounding left of their motion.
-fn counts(row: &Row<Elastic>, ground: &[f64]) -> [f64; 2] {
-    let all = collisions(row, ground);
-    let speed = |one: &Collision| one.approach_speed.unwrap_or(0.0);
-    let fastest = all.iter().map(speed).fold(0.0, f64::max);
-    let moved = all
-        .iter()
-        .filter(|one| speed(one) >= f64::EPSILON * fastest);
-    [moved.count() as f64, all.len() as f64]
-}
-
 proptest! {
     #![proptest_config(config(200))]
 
@@ -100,16 +88,13 @@ proptest! {
             };
             let both = [1.0, 1.0 + ROUNDING].map(|by| alone(row, &scaled(&ground, by)));
             let [Some(exact), Some(moved)] = both else {
-                // At a standstill without a gap rounding may keep a run alone from going on.
-                prop_assert!(row.pairs()[0].gap == 0.0, "{row:?}");
-                continue;
+                return Err(TestCaseError::fail(format!("no run alone: {row:?}")));
             };
             let condition = distance(&exact, &moved.0);
             let error = distance(&exact, &told);
             prop_assert!(error <= 100.0 * (ROUNDING + condition), "{error:e} {condition:e} {row:?} {exact:?} {told:?}");
             if condition < 1e-6 {
-                let [least, most] = counts(row, &ground);
-                prop_assert!((least..=most).contains(&told.1[1]), "{least} {most} {row:?} {exact:?} {told:?}");
+                prop_assert!((told.1[1] - exact.0.1[1]).abs() < 0.5, "{row:?} {exact:?} {told:?}");
             }
         }
     }
