@@ -131,6 +131,15 @@ impl Record {
         Self::new(self.time_step, samples, self.source.clone())
     }
 
+    /// Returns the record with the same samples `factor` times as far apart: slower above 1, faster below.
+    ///
+    /// # Errors
+    /// Refuses a factor that makes the time step zero or less, or no number.
+    pub fn stretched(&self, factor: f64) -> Result<Self, RecordError> {
+        let time_step = factor * self.time_step;
+        Self::new(time_step, self.samples.clone(), self.source.clone())
+    }
+
     /// Returns the record with every acceleration multiplied by one factor ≥ 0, such that the largest magnitude is
     /// `target` \[m/s²\], ≥ 0, to rounding.
     ///

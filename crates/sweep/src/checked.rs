@@ -80,35 +80,43 @@ impl Sweep {
         let Some(furthest) = furthest.filter(|place| apart[*place] > 0.0) else {
             return Ok(());
         };
-        if let Method::Exact { tolerance, .. } = scene.method()
-            && apart[furthest] <= self.allowed(scene, runs, tolerance)
-        {
+        let allowed = match scene.method() {
+            Method::Exact { tolerance, .. } => self.allowed(scene, runs, tolerance),
+            _ => 0.0,
+        };
+        if apart[furthest] <= allowed {
             return Ok(());
         }
         Err(format!(
-            "{}: found {} side by side with other runs, allowed is {} as alone; this is a fault of the program: report it, and run with \
-             `outputs` that ask for more",
+            "{}: found {} side by side with other runs and {} alone, {:.1e} apart, allowed is {allowed:.1e}; this is a fault of the program: \
+             report it, and let all runs go alone, as with `touching_s` among the `outputs`",
             self.columns_of_numbers()[furthest],
             runs.beside[furthest],
             runs.alone[furthest],
+            apart[furthest],
         ))
     }
 
-    /// How far numbers of the exact method may be apart: as a change of the record as small as its tolerance moves the furthest of them.
+    /// How far numbers of the exact method may be apart: as a change of the record's size or pace as small as its tolerance moves the
+    /// furthest of them.
     fn allowed(&self, scene: &Simulation, runs: &TwoRuns<'_>, tolerance: f64) -> f64 {
         let change = tolerance.max(CHANGE);
-        let Ok(near) = scene.under(|record| record.scaled(1.0 + change)) else {
-            return TIMES * change;
-        };
+        let by = 1.0 + change;
+        let changed = [
+            scene.under(|record| record.scaled(by)),
+            scene.under(|record| record.stretched(by)),
+        ];
+        let mut furthest = 0.0;
         let (mut moved, mut least) = (Vec::new(), Vec::new());
-        match self.run_alone(&near, &mut moved, &mut least) {
-            Ok(_) => {
-                let numbers = moved.iter().zip(runs.alone).zip(runs.least);
-                let moved = numbers.map(|((one, other), least)| distance(*one, *other, *least));
-                TIMES * (change + moved.fold(0.0, f64::max))
+        for near in changed.into_iter().flatten() {
+            if self.run_alone(&near, &mut moved, &mut least).is_err() {
+                return f64::INFINITY;
             }
-            Err(_) => f64::INFINITY,
+            let numbers = moved.iter().zip(runs.alone).zip(runs.least);
+            let moved = numbers.map(|((one, other), least)| distance(*one, *other, *least));
+            furthest = moved.fold(furthest, f64::max);
         }
+        TIMES * (change + furthest)
     }
 }
 

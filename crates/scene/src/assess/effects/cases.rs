@@ -126,8 +126,7 @@ impl Case {
     fn change(self, record: &Record) -> Result<Record, RecordError> {
         let direction = if self.reversed { -1.0 } else { 1.0 };
         let scaled = record.scaled(direction * self.scale)?;
-        let step = self.stretch * record.time_step();
-        Record::new(step, scaled.samples().to_vec(), record.source())
+        scaled.stretched(self.stretch)
     }
 }
 
