@@ -80,9 +80,10 @@ impl Sweep {
         let Some(furthest) = furthest.filter(|place| apart[*place] > 0.0) else {
             return Ok(());
         };
-        let allowed = match scene.method() {
-            Method::Exact { tolerance, .. } => self.allowed(scene, runs, tolerance),
-            _ => 0.0,
+        let allowed = if let Method::Exact { tolerance, .. } = scene.method() {
+            self.allowed(scene, runs, tolerance)
+        } else {
+            0.0
         };
         if apart[furthest] <= allowed {
             return Ok(());
