@@ -91,6 +91,13 @@ impl Scenes<'_> {
             together.run(RowsOf::Bilinear(&rows), &n_steps, &mut tallies);
             black_box(&tallies);
         };
+        let mut of_one = SceneSums::default();
+        let mut one_by_one = || {
+            for row in &rows[..ALONE] {
+                together.run(RowsOf::Bilinear(&[*row]), &n_steps[..1], &mut of_one);
+                black_box(&of_one);
+            }
+        };
         let alone = |method, excitation, scenes| {
             for row in &self.rows[..scenes] {
                 black_box(solved(row, method, excitation).is_ok());
@@ -99,6 +106,7 @@ impl Scenes<'_> {
         let times = medians(&mut [
             ("by hand", &mut hand),
             ("lanes", &mut lanes),
+            ("lanes, one scene each", &mut one_by_one),
             ("alone", &mut || alone(methods[0], self.excitation, ALONE)),
             ("exact, alone", &mut || {
                 alone(methods[1], self.recorded, EXACTLY);
@@ -127,7 +135,7 @@ impl Scenes<'_> {
                 error.unwrap_or_default()
             )
         };
-        let scenes = [SCENES, SCENES, ALONE, EXACTLY];
+        let scenes = [SCENES, SCENES, ALONE, ALONE, EXACTLY];
         times.iter().zip(scenes).map(line).collect()
     }
 

@@ -289,6 +289,8 @@ fn doubt_a_structure(index: usize, sdof: &Sdof, doubts: &mut Doubts) {
             ),
         );
     }
+    let start = [sdof.initial_displacement_m, sdof.initial_velocity_m_per_s];
+    storeys::doubt_the_start(place, start, doubts);
     storeys::doubt_the_yielding(
         &place("yield_drift_ratio"),
         &sdof.columns(),

@@ -166,6 +166,11 @@ fn issue_powers_of_ten_look_unusual() {
             "repeat = 2, height_m = 3.0, yield_drift_ratio = 0.5",
             "structures[1].building.storeys[0].yield_drift_ratio",
         ),
+        (
+            "height_m = 3.0, repeat = 2",
+            "repeat = 2, height_m = 3.0, initial_velocity_m_per_s = 30",
+            "structures[1].building.storeys[0].initial_velocity_m_per_s",
+        ),
         ("period_s = 0.2", "period_s = 6.7", "structures[1].building"),
         (
             "gap_m = 0.02\nlaw.stereomechanical.restitution = 0.6",

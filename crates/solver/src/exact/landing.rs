@@ -33,7 +33,9 @@ impl<R: Recorder> Run<'_, R> {
         for place in self.groups.nodes_of(first) {
             let node = self.groups.node(place);
             let ahead = self.members[node].ahead;
-            let arrives = |ahead: &Ahead| full && time >= ahead.end && events.is_empty();
+            let at_wall = self.hits_wall_at_zero(node, time);
+            let arrives =
+                |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
             let (end, hysteretic) = match ahead.filter(arrives) {
                 Some(ahead) => (ahead.state, ahead.hysteretic_force),
                 None => self.end_state(node, (time, x), if full { &events } else { &[] }),
@@ -74,10 +76,12 @@ impl<R: Recorder> Run<'_, R> {
     fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
         let hits = |pair: usize| {
             let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
-            let wall = self.members[left].is_wall() || self.members[left + 1].is_wall();
-            let touches = contact.link == Link::Apart && contact.meets <= time;
-            let impulsive = contact.restitution().is_some() && !contact.opens();
-            wall && touches && impulsive && self.gaps[pair] == 0.0
+            self.gaps[pair] == 0.0
+                && (self.members[left].is_wall() || self.members[left + 1].is_wall())
+                && contact.restitution().is_some()
+                && !contact.opens()
+                && contact.link == Link::Apart
+                && contact.meets <= time
         };
         let left = node
             .checked_sub(1)

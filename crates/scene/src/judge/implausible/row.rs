@@ -105,7 +105,7 @@ fn doubt_the_law(prepared: &Simulation, index: usize, contact: &Contact, doubts:
                 "a collision at {SPEED} m/s that lasts {} s",
                 short(duration)
             ),
-            "up to 0.1 s or so; its impact stiffness decides it",
+            "up to 0.25 s; its impact stiffness and damping decide it",
         ),
     );
 }

@@ -12,6 +12,10 @@ const YIELDS: std::ops::RangeInclusive<f64> = 5e-4..=0.05;
 /// what they carry.
 const STIFFER: f64 = 200.0;
 
+/// Largest usual displacement \[m\] and velocity \[m/s\] at the start: those of the strongest shaking.
+const FARTHEST: f64 = 2.0;
+const FASTEST: f64 = 5.0;
+
 /// Heights, stiffnesses, yielding and the period of a building.
 pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
     let place = |field: &str| format!("structures[{index}].building{field}");
@@ -40,6 +44,8 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
                 "a storey no more than 200 times softer than others",
             ),
         );
+        let start = [one.initial_displacement_m, one.initial_velocity_m_per_s];
+        doubt_the_start(place, start, doubts);
         doubt_the_yielding(
             &place("yield_drift_ratio"),
             &one.columns,
@@ -48,6 +54,27 @@ pub(super) fn doubt(index: usize, building: &Building, doubts: &mut Doubts) {
         );
     }
     doubt_the_period(index, building, doubts);
+}
+
+/// Displacement \[m\] and velocity \[m/s\] at the start that no earthquake gives.
+pub(super) fn doubt_the_start(
+    place: impl Fn(&str) -> String,
+    [displacement, velocity]: [f64; 2],
+    doubts: &mut Doubts,
+) {
+    doubts.unless(
+        displacement.abs() <= FARTHEST,
+        place("initial_displacement_m"),
+        (
+            format!("{} m", short(displacement)),
+            "up to 2 m; it is in metres",
+        ),
+    );
+    doubts.unless(
+        velocity.abs() <= FASTEST,
+        place("initial_velocity_m_per_s"),
+        (format!("{} m/s", short(velocity)), "up to 5 m/s"),
+    );
 }
 
 /// Columns that yield at an unusual part of their height, however that is given.
