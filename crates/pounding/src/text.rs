@@ -88,7 +88,7 @@ const CELL: usize = 14;
 
 /// Rows of a name and some cells, with as many columns as there are: names to the left, cells to the right, in as many lines as
 /// they need. What does not fit beside the names stands below, with the names again.
-pub(crate) fn side_by_side(rows: &[Vec<String>]) -> String {
+pub(crate) fn table_in_blocks(rows: &[Vec<String>]) -> String {
     let names = rows.iter().filter_map(|row| row.first());
     let names = names.map(|name| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);

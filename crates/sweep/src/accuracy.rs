@@ -189,7 +189,7 @@ impl Sweep {
             counts,
             exact: price,
             steps: self.prices_of_steps(few),
-            flights: flights.map(|flown| side_by_side(price, &flown)),
+            flights: flights.map(|flown| price_of_flights(price, &flown)),
         };
         let flies = prices
             .flights
@@ -366,7 +366,7 @@ struct Sampled {
 }
 
 /// What a run costs by the exact method, of which these went side by side.
-fn side_by_side(exact: f64, flown: &Sampled) -> f64 {
+fn price_of_flights(exact: f64, flown: &Sampled) -> f64 {
     flown.price + flown.beside * exact / ALONE
 }
 

@@ -72,6 +72,11 @@ pub fn millimetres(length: f64) -> String {
     digits((length * 1e4).round() / 10.0)
 }
 
+/// An instant \[s\] to a tenth of a millisecond, without zeros at its end.
+pub fn instant(time: f64) -> String {
+    digits((time * 1e4).round() * 1e-4)
+}
+
 /// A number with four significant digits.
 pub fn short(value: f64) -> String {
     // A negative zero loses its sign.

@@ -13,7 +13,7 @@ use pounding::scene::{
 use pounding::text::{digits, json_text};
 
 use crate::progress::Waiting;
-use crate::text::{NONE, percent, short, side_by_side};
+use crate::text::{NONE, percent, short, table_in_blocks};
 use rows::{Cell, Row, changed};
 
 const EXAMPLES: &str = "\
@@ -96,7 +96,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         1 => "\n1 row is alike; --all prints it\n".into(),
         _ => format!("\n{alike} rows are alike; --all prints them\n"),
     };
-    Ok(format!("{}{alike}", side_by_side(&cells)))
+    Ok(format!("{}{alike}", table_in_blocks(&cells)))
 }
 
 /// Where a floor or a pair stands, whatever its number in a run: the structure or the contact from the left, and the storey, of

@@ -5,7 +5,7 @@ use pounding::scene::{
     Simulation,
 };
 use pounding::solver::Collision;
-use pounding::text::digits;
+use pounding::text::{digits, instant};
 
 use crate::text::{NONE, milliseconds, paragraph, percent, short, table};
 
@@ -77,11 +77,6 @@ pub(super) fn motions(
         return String::new();
     }
     table(&header, &rows)
-}
-
-/// To a tenth of a millisecond: the line must fit.
-fn instant(time: f64) -> String {
-    digits((time * 1e4).round() * 1e-4)
 }
 
 /// Drifts of the storeys of buildings, from the ground up; nothing where every structure has one storey.

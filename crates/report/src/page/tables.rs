@@ -4,18 +4,13 @@ use super::markup::{Cell, digits, escaped, facts, short, table};
 use crate::summary::{PairSummary, RecordSummary, StructureSummary, Summary};
 use pounding_scene::{Errors, Floors, Review};
 use pounding_solver::Collision;
-use pounding_text::{milliseconds, percent, rounded_down};
+use pounding_text::{instant, milliseconds, percent, rounded_down};
 use serde_json::Value;
 
 /// Collisions beyond these are in `impacts.csv` only.
 const FIRST: usize = 10;
 /// Energies below this part of what they are measured by are none.
 const ROUNDING: f64 = 1e-12;
-
-/// An instant to a tenth of a millisecond.
-fn instant(time: f64) -> String {
-    digits((time * 1e4).round() * 1e-4)
-}
 
 fn thousandths(value: Option<f64>) -> Option<String> {
     value.map(|value| short(value / 1e3))

@@ -140,26 +140,7 @@ fn named(structures: &[(usize, String)]) -> String {
     structures.iter().map(name).collect()
 }
 
-/// Part of the energy that an exact run may leave unexplained \[–\] and be printed with a warning: its numbers are off by about
-/// as much, which decides nothing. Above it the run fails.
-const DECIDES_NOTHING: f64 = 1e-8;
-
 impl Error {
-    /// What an exact run leaves unexplained of its energy, where that is so little that whoever reads the warnings of the run may
-    /// have its numbers.
-    pub(crate) fn doubt(&self) -> Option<LedgerError> {
-        if let Self::Broken {
-            source: energy @ LedgerError::EnergyUnexplained { found, .. },
-            ..
-        } = self
-            && *found <= DECIDES_NOTHING
-        {
-            Some(*energy)
-        } else {
-            None
-        }
-    }
-
     /// Whether somebody ended the run.
     pub fn is_stopped(&self) -> bool {
         if let Self::NoReference(source) | Self::InFile { source, .. } = self {

@@ -1,7 +1,7 @@
 //! A run with what is known of its errors, and what it warns of.
 
 use pounding_contact::SLOWEST_APPROACH;
-use pounding_solver::{Collision, Work};
+use pounding_solver::{Collision, LedgerError, Work};
 
 use crate::judge::limits::{ContactLimit, STEPS_PER_CONTACT, STEPS_PER_PERIOD};
 use crate::simulation::{Audited, Extras};
@@ -15,6 +15,10 @@ const SLACK: f64 = 1.0 - 1e-9;
 
 /// Relative error of a printed number above which a run is warned of \[–\].
 pub const DOUBTFUL: f64 = 0.03;
+
+/// Part of the energy that an exact run may leave unexplained \[–\] and be printed with a warning: its numbers are off by about
+/// as much, which decides nothing. Above it the run fails.
+const DECIDES_NOTHING: f64 = 1e-8;
 
 /// Part of the impulse of a free collision \[–\] by which the one that is delivered may be off without a warning.
 const IMPULSE_OFF: f64 = 0.05;
@@ -282,6 +286,23 @@ impl RunErrors {
             let error = self.of(quantity);
             (error > DOUBTFUL).then_some(Warning::Error { quantity, error })
         })
+    }
+}
+
+impl Error {
+    /// What an exact run leaves unexplained of its energy, where that is so little that whoever reads the warnings of the run may
+    /// have its numbers.
+    fn doubt(&self) -> Option<LedgerError> {
+        if let Self::Broken {
+            source: energy @ LedgerError::EnergyUnexplained { found, .. },
+            ..
+        } = self
+            && *found <= DECIDES_NOTHING
+        {
+            Some(*energy)
+        } else {
+            None
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::exact::contact::{Contact, Link, Phase};
 use crate::exact::member::{self, Member};
 use crate::exact::series;
 use crate::exact::watch::{Event, Watch, reach};
-use crate::exact::{ROUNDING, Run};
+use crate::exact::{Run, rounding};
 use crate::span::Power;
 use crate::{Recorder, RunError};
 
@@ -144,7 +144,8 @@ impl<R: Recorder> Run<'_, R> {
         let fades = |event: &Event| matches!(event, Event::Fade(_));
         if whole
             && watch.events.iter().all(fades)
-            && power.time(length) - power.time(watch.length) <= ROUNDING * self.clock.absolute(stop)
+            && power.time(length) - power.time(watch.length)
+                <= rounding::OF_SUMS * self.clock.absolute(stop)
         {
             watch.events.clear();
         }

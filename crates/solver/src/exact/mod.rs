@@ -51,7 +51,7 @@ use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
-pub(crate) use rounding::ROUNDING as ROUNDING_OF_COEFFICIENTS;
+pub(crate) use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
 
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,8 +85,6 @@ impl Default for Exact {
 pub(crate) const CHATTER: f64 = 1e-12;
 /// Impacts of a pair within the shortest remainder after which the next one is plastic, whatever its neighbours do.
 pub(crate) const BURST: u32 = 50;
-/// Rounding of a deformation, relative to displacements and gap.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Events at one instant after which a run gives up, and those that each structure adds to them.
 const MOST_AT_ONCE: usize = 1000;
 const MOST_AT_ONCE_EACH: usize = 10;
@@ -341,7 +339,7 @@ impl<R: Recorder> Run<'_, R> {
         }
         let motion = (contact.rate, closing);
         let time = self.clock.absolute(time);
-        let uncertainty = Touch::uncertainty(time, ROUNDING * contact.scale, motion);
+        let uncertainty = Touch::uncertainty(time, rounding::OF_SUMS * contact.scale, motion);
         self.recorder.touch(&Touch {
             pair,
             time,

@@ -3,7 +3,7 @@
 use crate::exact::contact::Contact;
 use crate::exact::groups::{Block, Group, Lighter, Side};
 use crate::exact::member::Member;
-use crate::exact::rounding::ROUNDING;
+use crate::exact::rounding::OF_COEFFICIENTS;
 use crate::exact::storey::magnitude;
 use crate::exact::terms::Terms;
 
@@ -79,7 +79,7 @@ fn clear_rounding(block: &Block, members: &[Member], contacts: &mut [Contact], p
         block.tell_lighter_sides(side, |index, least| {
             let (Lighter::Left(least) | Lighter::Right(least)) = least;
             let force = &mut contacts[block.within + index].force[order * p];
-            if force.abs() <= ROUNDING * least {
+            if force.abs() <= OF_COEFFICIENTS * least {
                 *force = 0.0;
             }
         });

@@ -3,7 +3,9 @@
 use crate::exact::member::Member;
 
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
-pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(crate) const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
+/// Rounding of a sum of a few numbers, a deformation or an instant, as a part of the largest.
+pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 
 /// Rounding of coefficient `n` of the deformation of a pair whose displacements and velocities are equal, from the
 /// coefficients of both sides.
@@ -15,7 +17,7 @@ pub(super) fn noise(sides: &[Member], values: [f64; 2], p: usize, n: usize) -> f
     } else {
         0.0
     };
-    ROUNDING * (values[0].abs() + values[1].abs() + terms)
+    OF_COEFFICIENTS * (values[0].abs() + values[1].abs() + terms)
 }
 
 impl Member {
@@ -41,7 +43,7 @@ impl Member {
     pub(super) fn noise_of_velocity(&self, p: usize, n: usize) -> f64 {
         if n >= p && n.is_multiple_of(p) {
             let order = n / p - 1;
-            ROUNDING * self.noise(order) / (order + 1) as f64
+            OF_COEFFICIENTS * self.noise(order) / (order + 1) as f64
         } else {
             0.0
         }

@@ -3,11 +3,11 @@
 use super::Interval;
 use super::pair::{Bounces, Link, Opening, Scene, Side};
 use crate::Flight;
-use crate::exact::{BURST, CHATTER, ROUNDING_OF_COEFFICIENTS as ROUNDING, bounces_are_over};
+use crate::exact::{BURST, CHATTER, ROUNDING_OF_COEFFICIENTS, bounces_are_over};
 use crate::roots::{CAPACITY, quick_first_root};
 use crate::span::{Expansion, value};
 
-/// Below [`ROUNDING`] times what it is a sum of a coefficient is zero, and above this part its sign is certain; between them the scene is
+/// Below [`ROUNDING_OF_COEFFICIENTS`] times what it is a sum of a coefficient is zero, and above this part its sign is certain; between them the scene is
 /// given up.
 const CERTAIN: f64 = 1e-9;
 
@@ -108,7 +108,7 @@ impl Scene {
                     Decision::Parts(order)
                 });
             }
-            if difference.abs() > ROUNDING * size {
+            if difference.abs() > ROUNDING_OF_COEFFICIENTS * size {
                 return None;
             }
             for (size, side) in sizes.iter_mut().zip(&self.sides) {
