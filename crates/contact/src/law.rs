@@ -149,6 +149,7 @@ impl ContactLaw {
     /// without bound as δ → 0.
     #[inline]
     pub fn respond(&self, overlap: &Overlap) -> Option<ContactForce> {
+        // Its root is taken as the paper writes it: the last digits of the paper's tables depend on that.
         if let Self::NonlinearViscoelastic(law) = self {
             return Some(law.respond(overlap));
         }

@@ -257,6 +257,17 @@ mod tests {
         }
 
         #[test]
+        fn limit_the_element_is_its_form_to_rounding(
+            deformation in 1e-12..1.0_f64, rate in -10.0..10.0_f64, ratio in 0.0..5.0_f64, reduced_mass in 1.0..1e9_f64,
+        ) {
+            let own = law(ratio).respond(&Overlap { deformation, rate, reduced_mass, approach_speed: 0.0 });
+            let form = law(ratio).form(reduced_mass).respond(deformation, rate);
+            for (own, form) in [(own.force, form.force), (own.stiffness, form.stiffness), (own.damping, form.damping)] {
+                prop_assert!((own - form).abs() <= 8.0 * f64::EPSILON * form.abs(), "{own:e} {form:e}");
+            }
+        }
+
+        #[test]
         fn limit_never_pulls(
             deformation in 1e-12..1.0_f64, rate in -10.0..10.0_f64, ratio in 0.0..5.0_f64, reduced_mass in 1.0..1e9_f64,
         ) {
