@@ -52,6 +52,7 @@ pub use accuracy::methods::{
     COMPARED_METHODS, ComparedMethod, Knob, REFERENCE, RIVAL, StepMethod, is_compliant, label_of,
 };
 pub use accuracy::opening::Options;
+pub use accuracy::price::{Going, LEDGER_OF_PIECE};
 pub use accuracy::search::{LONGEST_STEP, MOST_STEPS, advise};
 pub use assess::FloorPeaks;
 pub use assess::alone::Alone;

@@ -11,9 +11,9 @@ use serde_json::Value;
 
 use super::Sweep;
 use super::permutation::Permutation;
-use super::prices::{ALONE, Counts, HALVED, LONGEST, Prices, STEPPING, mean};
+use super::prices::{ALONE, Counts, HALVED, Halved, LONGEST, Prices, STEPPING, mean};
 use super::sampling::Point;
-use pounding_scene::{Method, Simulation};
+use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Simulation};
 use pounding_text::to_csv;
 
 /// Runs that choose the method, and others that measure it.
@@ -127,8 +127,6 @@ impl Sweep {
 
     /// Chooses the cheapest method that is within the error asked for in most runs of a sample, and measures it by another.
     pub(super) fn choose(&mut self, asked: f64) {
-        // What breaks a law fails where it is run for the table.
-        let verdict = std::mem::take(&mut self.verdict);
         let sampled = self.sampled();
         let method = sampled.as_ref().map_or(Method::EXACT, |sampled| {
             self.cheapest(&sampled.chooses, &sampled.measures, asked)
@@ -143,7 +141,6 @@ impl Sweep {
             _ => Vec::new(),
         };
         self.set_method(&method);
-        self.verdict = verdict;
         let names = self.columns_of_numbers();
         let column = |(index, name): (usize, &String)| {
             let of_runs = errors.iter().map(|row| row[index]).collect();
@@ -172,7 +169,7 @@ impl Sweep {
         // Impacts without a tolerance fly side by side as they are.
         let flies_already = truth.beside > HALF;
         let price = if flies_already {
-            self.price_alone(few) / ALONE
+            self.without_ledger(self.price_alone(few)) / ALONE
         } else {
             truth.price
         };
@@ -189,7 +186,8 @@ impl Sweep {
             counts,
             exact: price,
             steps: self.prices_of_steps(few),
-            flights: flights.map(|flown| price_of_flights(price, &flown)),
+            flights: flights
+                .map(|flown| flown.price + flown.beside * self.without_ledger(price) / ALONE),
         };
         let flies = prices
             .flights
@@ -197,36 +195,51 @@ impl Sweep {
         // No step costs more than what is taken else.
         let otherwise = flies.unwrap_or(f64::INFINITY);
         let halved = prices.halved(otherwise);
-        let steps = halved.filter(|halved| self.may_hold((few, &truth.numbers), asked, *halved));
-        if flies.is_none() && steps.is_none() {
+        let mut halved = self.that_may_hold((few, &truth.numbers), asked, halved);
+        if flies.is_none() && halved == [None; STEPPING.len()] {
             return Method::EXACT;
         }
         self.set_method(&Method::EXACT);
         let truth = self.numbers(chooses).numbers;
         let mut otherwise = Method::EXACT;
-        let mut halved = steps;
         if flies.is_some() {
             self.set_method(&flown);
             if holds_for(&truth, &self.numbers(chooses).numbers, asked) {
                 otherwise = flown;
             } else {
                 let of = (few, &truth[..few.len()]);
-                let finer = prices.halved(f64::INFINITY);
-                halved = finer.filter(|halved| self.may_hold(of, asked, *halved));
+                halved = self.that_may_hold(of, asked, prices.halved(f64::INFINITY));
             }
         }
-        let method = halved.and_then(|halved| self.stepping(chooses, &truth, asked, halved));
+        let method = self.stepping((chooses, &truth), asked, halved);
         method.unwrap_or(otherwise)
     }
 
-    /// Whether the finest steps that are worth it may be within the error asked for: in half of a few runs, by some method.
-    fn may_hold(&mut self, of: (&[u64], &[Told]), asked: f64, halved: i32) -> bool {
-        let (runs, truth) = of;
-        STEPPING.into_iter().any(|method| {
-            self.set_method(&method(LONGEST / f64::from(1 << halved)));
-            let found = self.numbers(runs).numbers;
-            at_most(&sorted(rows(&errors(truth, &found))), 0.5) <= asked
-        })
+    /// Those of the finest steps that are worth it which may be within the error asked for: in half of a few runs.
+    fn that_may_hold(
+        &mut self,
+        (runs, truth): (&[u64], &[Told]),
+        asked: f64,
+        halved: Halved,
+    ) -> Halved {
+        let mut may = halved;
+        for (method, halved) in STEPPING.into_iter().zip(&mut may) {
+            *halved = halved.filter(|halved| {
+                self.set_method(&method(LONGEST / f64::from(1 << halved)));
+                let found = self.numbers(runs).numbers;
+                at_most(&sorted(rows(&errors(truth, &found))), 0.5) <= asked
+            });
+        }
+        may
+    }
+
+    /// A price of runs alone by the exact method, had they no ledger: runs side by side have none.
+    fn without_ledger(&self, price: f64) -> f64 {
+        if self.verdict {
+            price / LEDGER_OF_PIECE
+        } else {
+            price
+        }
     }
 
     /// What some runs cost by the exact method alone, as a mean.
@@ -252,13 +265,19 @@ impl Sweep {
     fn prices_of_steps(&mut self, runs: &[u64]) -> [f64; STEPPING.len()] {
         STEPPING.map(|method| {
             self.set_method(&method(LONGEST / f64::from(1 << (HALVED / 2))));
-            let beside = self.numbers(&runs[..1]).beside > 0.0;
+            let going = if self.numbers(runs).beside > HALF {
+                Going::Beside
+            } else if self.verdict {
+                Going::Judged
+            } else {
+                Going::Alone
+            };
             // Which no step refuses.
             self.set_method(&Method::EXACT);
             let mut scene = self.scene.clone();
             let price = |run: &u64| {
                 let prepared = self.prepared_run(*run, &mut scene)?;
-                Some(prepared.price_of_steps(&method(1.0), beside))
+                Some(prepared.price_of_steps(&method(1.0), going))
             };
             mean(runs.iter().filter_map(price))
         })
@@ -268,16 +287,21 @@ impl Sweep {
     /// cheaper one.
     fn stepping(
         &mut self,
-        runs: &[u64],
-        truth: &[Told],
+        (runs, truth): (&[u64], &[Told]),
         asked: f64,
-        halved: i32,
+        halved: Halved,
     ) -> Option<Method> {
         let mut held = [false; STEPPING.len()];
         let mut longer = None;
+        let finest = halved.into_iter().flatten().max()?;
         // A step finer confirms the finest.
-        for step in (0..=halved + 1).map(|n| LONGEST / f64::from(1 << n)) {
-            for (method, held) in STEPPING.into_iter().zip(&mut held) {
+        for n in 0..=finest + 1 {
+            let step = LONGEST / f64::from(1 << n);
+            let methods = STEPPING.into_iter().zip(halved).zip(&mut held);
+            for ((method, halved), held) in methods {
+                if halved.is_none_or(|halved| n > halved + 1) {
+                    continue;
+                }
                 self.set_method(&method(step));
                 let before = *held;
                 *held = holds_for(truth, &self.numbers(runs).numbers, asked);
@@ -363,11 +387,6 @@ struct Sampled {
     beside: f64,
     /// What a run costs, those side by side left out.
     price: f64,
-}
-
-/// What a run costs by the exact method, of which these went side by side.
-fn price_of_flights(exact: f64, flown: &Sampled) -> f64 {
-    flown.price + flown.beside * exact / ALONE
 }
 
 /// The exact method at the tolerance nearest to this one that scenes side by side can have.

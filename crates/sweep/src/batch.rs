@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::Sweep;
 use super::checked::{Checked, TwoRuns};
 use super::sampling::Point;
-use pounding_scene::{Error, Extras, Simulation};
+use pounding_scene::{Error, Extras, Going, Simulation};
 
 /// What came out of a range of runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -238,7 +238,12 @@ impl Sweep {
                 numbers.push(values.of(*quantity, pair).unwrap_or(none));
             }
         }
-        Ok(prepared.price(outcome.work))
+        let going = if self.verdict {
+            Going::Judged
+        } else {
+            Going::Alone
+        };
+        Ok(prepared.price(outcome.work, going))
     }
 }
 

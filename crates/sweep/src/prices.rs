@@ -7,6 +7,9 @@ use pounding_solver::VerletImpacts;
 pub(super) const LONGEST: f64 = 0.02;
 pub(super) const HALVED: i32 = 7;
 
+/// How often the longest step of each of them may be halved; nothing of one that is not worth it.
+pub(super) type Halved = [Option<i32>; STEPPING.len()];
+
 /// The methods that step, the cheaper one first: both run side by side.
 pub(super) const STEPPING: [fn(f64) -> Method; 2] = [central_difference, velocity_verlet];
 
@@ -64,19 +67,20 @@ impl Prices {
         chosen + measured + all * run <= (1.0 - SAVES) * all * self.exact
     }
 
-    /// How often the longest step may be halved so that this is worth it, and a run costs no more than otherwise; nothing where
-    /// not even the longest is.
-    pub(super) fn halved(&self, otherwise: f64) -> Option<i32> {
-        let worth = |halved: &i32| {
-            let price = |halved: i32, step: f64| step * f64::from(1 << halved) / LONGEST;
-            let of_all = self.steps.iter().sum::<f64>();
-            // All longer ones are tried before, and a finer one after.
-            let tried: f64 = (0..=halved + 1).map(|n| price(n, of_all)).sum();
-            let cheapest = self.steps.iter().copied().fold(f64::INFINITY, f64::min);
-            let run = price(*halved, cheapest);
-            run <= otherwise && self.is_worth(run, tried)
-        };
-        (0..HALVED).rfind(worth)
+    /// How often the longest step of each method may be halved so that this is worth it, and a run costs no more than otherwise;
+    /// nothing where not even the longest is.
+    pub(super) fn halved(&self, otherwise: f64) -> Halved {
+        let of_all = self.steps.iter().sum::<f64>();
+        self.steps.map(|own| {
+            let worth = |halved: &i32| {
+                let price = |halved: i32, step: f64| step * f64::from(1 << halved) / LONGEST;
+                // All longer ones are tried before, and a finer one after.
+                let tried: f64 = (0..=halved + 1).map(|n| price(n, of_all)).sum();
+                let run = price(*halved, own);
+                run <= otherwise && self.is_worth(run, tried)
+            };
+            (0..HALVED).rfind(worth)
+        })
     }
 }
 
@@ -108,20 +112,24 @@ mod tests {
     fn issue_steps_that_cost_more_than_exact_runs_are_not_tried() {
         let towers = 6.0 * 20.0;
         let exact = 16.0 * 11_145.0;
-        let halved = |all: f64| prices(all, exact, towers).halved(f64::INFINITY);
+        let halved = |all: f64| prices(all, exact, towers).halved(f64::INFINITY)[0];
         assert_eq!(halved(192.0), None, "measuring alone costs as much");
         assert_eq!(halved(500.0), Some(2), "5 ms");
         assert_eq!(halved(1e5), Some(4), "1.25 ms");
         // Elastic structures with impacts: a run costs as much as one with steps of 2 ms.
         let alone = prices(1e4, 9.0 * 2167.0, 2.0 * 20.0);
-        assert_eq!(alone.halved(f64::INFINITY), Some(3), "2.5 ms");
+        assert_eq!(
+            alone.halved(f64::INFINITY),
+            [Some(3), Some(2)],
+            "2.5 and 5 ms"
+        );
     }
 
     #[test]
     fn reference_side_by_side_no_steps_are_finer_than_flights_cost() {
         // Two elastic structures: flights cost as much as steps of about a millisecond.
         let one = prices(1e4, 9.0 * 2167.0, 2.0 * 20.0 / 40.0);
-        assert_eq!(one.halved(9.0 * 2167.0 / ALONE), Some(4));
-        assert_eq!(one.halved(f64::INFINITY), Some(6));
+        assert_eq!(one.halved(9.0 * 2167.0 / ALONE)[0], Some(4));
+        assert_eq!(one.halved(f64::INFINITY)[0], Some(6));
     }
 }

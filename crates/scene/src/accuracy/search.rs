@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use crate::accuracy::ladder::{Ladder, entries};
 use crate::accuracy::methods::{COMPARED_METHODS, ComparedMethod, Knob};
+use crate::accuracy::price::Going;
 use crate::{
     Advice, Error, Extras, Goal, QuantityGroup, RunErrors, RunResult, Simulation, StepSizes, Trial,
 };
@@ -56,7 +57,7 @@ pub fn advise(
             method: twin.method(),
             error: 0.0,
             worst: "",
-            cost: whole(twin.price(exact.work)),
+            cost: whole(twin.price(exact.work, Going::Alone)),
         },
         methods: methods.filter(|rungs| !rungs.trials.is_empty()).collect(),
     })
@@ -85,7 +86,11 @@ fn trial(
         Ok(outcome) => {
             let errors = RunErrors::between(&outcome, exact, &prepared);
             let (error, worst) = errors.largest(quantity);
-            (error, worst, whole(prepared.price(outcome.work)))
+            (
+                error,
+                worst,
+                whole(prepared.price(outcome.work, Going::Alone)),
+            )
         }
         Err(_) => (f64::INFINITY, "run fails", 0),
     };

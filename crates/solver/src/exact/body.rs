@@ -141,12 +141,9 @@ impl<R: Recorder> Run<'_, R> {
         watch.events.clear();
         self.watch(&mut watch, first, len);
         // A force at rest that fades as the next sample arrives may go on with it.
-        let fades = |event: &Event| matches!(event, Event::Fade(_));
-        if whole
-            && watch.events.iter().all(fades)
-            && power.time(length) - power.time(watch.length)
-                <= rounding::OF_SUMS * self.clock.absolute(stop)
-        {
+        let left = power.time(length) - power.time(watch.length);
+        let at_sample = whole && left <= rounding::OF_SUMS * self.clock.absolute(stop);
+        if at_sample && self.rests(first) && watch.events.iter().all(Event::is_of_forces) {
             watch.events.clear();
         }
         let end = if whole && watch.events.is_empty() {
@@ -170,6 +167,12 @@ impl<R: Recorder> Run<'_, R> {
             events: watch.events,
         };
         Ok(())
+    }
+
+    /// Whether some neighbours of a body rest against each other.
+    fn rests(&self, first: usize) -> bool {
+        let mut pairs = self.groups.of(first).pairs().iter();
+        pairs.any(|joined| self.contacts[joined.pair].link == Link::Resting)
     }
 
     /// Length up to which the series of every touching pair of a body have converged, and of columns that bend.

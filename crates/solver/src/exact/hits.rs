@@ -156,7 +156,7 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Whether an impulsive pair touches now.
-    fn hits(&self, pair: usize, time: f64) -> bool {
+    pub(super) fn hits(&self, pair: usize, time: f64) -> bool {
         self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
 }

@@ -71,22 +71,24 @@ impl<R: Recorder> Run<'_, R> {
         self.bodies[first].events = events;
     }
 
-    /// Whether a node hits a wall without a gap now, which it does at zero: what rounding leaves of its displacement would move it later
-    /// on, when nothing else does.
+    /// Whether a node hits a wall without a gap now, or neighbours without gaps that touch one: it does so at zero. What rounding leaves
+    /// of its displacement would move it later on, when nothing else does.
     fn hits_wall_at_zero(&self, node: usize, time: f64) -> bool {
-        let hits = |pair: usize| {
-            let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
-            self.gaps[pair] == 0.0
-                && (self.members[left].is_wall() || self.members[left + 1].is_wall())
-                && contact.restitution().is_some()
-                && !contact.opens()
-                && contact.link == Link::Apart
-                && contact.meets <= time
+        let touch = |pair: usize| {
+            let contact = &self.contacts[pair];
+            let touches = match contact.link {
+                Link::Apart => contact.meets <= time,
+                Link::Resting => true,
+                Link::Touching(_) => false,
+            };
+            let impulsive = contact.restitution().is_some() && !contact.opens();
+            self.gaps[pair] == 0.0 && impulsive && touches
         };
-        let left = node
-            .checked_sub(1)
-            .and_then(|left| self.pair_right_of[left]);
-        left.is_some_and(hits) || self.pair_right_of[node].is_some_and(hits)
+        let touches_next = |left: usize| self.pair_right_of[left].is_some_and(touch);
+        let left = (0..node).rev().take_while(|left| touches_next(*left));
+        let right = (node..self.members.len()).take_while(|left| touches_next(*left));
+        let mut met = left.chain(right.map(|left| left + 1));
+        met.any(|met| self.members[met].is_wall())
     }
 
     /// State of a node at the end of its piece, and the hysteretic part of its force; those below it have theirs.

@@ -25,21 +25,22 @@ impl<R: Recorder> Run<'_, R> {
     /// Resolves every chain of pairs that touch now.
     pub(super) fn resolve(&mut self, time: f64) -> Result<(), RunError> {
         self.settled.fill(false);
+        // Compliant pairs first: whether others come to rest depends on their forces, on whichever side of them they are.
         for pair in 0..self.contacts.len() {
-            if self.settled[pair] || !self.touches_now(pair, time) {
-                continue;
-            }
-            if self.contacts[pair].restitution().is_none() {
+            if self.contacts[pair].restitution().is_none() && self.touches_now(pair, time) {
                 let contact = &mut self.contacts[pair];
                 contact.gap = Gap::Known;
                 // A graze within rounding is none.
                 if contact.rate >= 0.0 {
                     contact.begin();
                 }
-                continue;
             }
-            let hits = self.hits_with(pair, time);
-            self.collide(hits, time)?;
+        }
+        for pair in 0..self.contacts.len() {
+            if !self.settled[pair] && self.hits(pair, time) {
+                let hits = self.hits_with(pair, time);
+                self.collide(hits, time)?;
+            }
         }
         self.regroup();
         Ok(())

@@ -37,6 +37,23 @@ pub(super) enum Event {
     Part(usize),
 }
 
+impl Event {
+    /// Whether it is one of pounding forces alone: they fade, change their sign or have an extremum.
+    pub(super) fn is_of_forces(&self) -> bool {
+        match self {
+            Self::Fade(_) | Self::Balance(_) | Self::Extremum(_) | Self::Peak(_) => true,
+            Self::Turn(_)
+            | Self::TurnOfDrift(_)
+            | Self::Yield(..)
+            | Self::Cross(_)
+            | Self::Reversal(_)
+            | Self::Clamp(_)
+            | Self::Grip(_)
+            | Self::Part(_) => false,
+        }
+    }
+}
+
 /// The search for the first event of a piece.
 pub(super) struct Watch {
     /// Time since the start of the run, which has the rounding by which the same zero could be found again \[s\].

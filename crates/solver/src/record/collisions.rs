@@ -47,6 +47,8 @@ pub struct Collisions {
     open: Vec<Option<Open>>,
     /// Whether impacts of a pair leave no rate: e = 0.
     plastic: Vec<bool>,
+    /// Whether a pair has impacts.
+    impulsive: Vec<bool>,
     /// Whether the run is that of a stepping method.
     steps: bool,
     /// The last touch of every pair.
@@ -77,6 +79,7 @@ impl Collisions {
             travel: None,
             open: vec![None; pairs.len()],
             plastic: pairs.iter().map(is_plastic).collect(),
+            impulsive: pairs.iter().map(|pair| !pair.law.is_compliant()).collect(),
             steps: false,
             touches: vec![None; pairs.len()],
             found: Vec::new(),
@@ -162,11 +165,9 @@ impl Recorder for Collisions {
         let begins = start == 0.0 && end > 0.0;
         self.steps = matches!(span.path, Path::Cubic(_));
         let ends = |open: Open| {
-            let Collision {
-                peak_force, end, ..
-            } = self.found[open.index];
-            if peak_force.is_none() {
+            if self.impulsive[pair] {
                 // Rest follows an impact at once; a step knows at its end.
+                let end = self.found[open.index].end;
                 return nothing && !(self.steps && span.start_time <= end);
             }
             // A clamped force lets go of neighbours that overlap; others have parted, and may touch again at once.
