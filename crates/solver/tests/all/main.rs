@@ -54,4 +54,5 @@ mod travel;
 mod travel_books;
 mod travel_orders;
 mod very_start;
+mod walls_without_gaps;
 mod watch;
