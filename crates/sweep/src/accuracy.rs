@@ -48,7 +48,7 @@ pub struct SweepAccuracy {
 pub struct ColumnErrors {
     /// Name of the column.
     pub name: String,
-    /// Runs that were measured.
+    /// Runs that were measured and have such a number.
     pub runs: usize,
     /// Errors that 50, 90, 95 and 99 % of the runs do not exceed.
     pub quantiles: [f64; 4],
@@ -61,6 +61,7 @@ const PARTS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
 
 impl ColumnErrors {
     fn of(name: String, mut errors: Vec<f64>) -> Self {
+        errors.retain(|error| !error.is_nan());
         errors.sort_by(f64::total_cmp);
         Self {
             name,
@@ -80,7 +81,11 @@ impl SweepAccuracy {
         let header = ["column", "runs", "median", "p90", "p95", "p99", "largest"];
         let row = |errors: &ColumnErrors| {
             let numbers = errors.quantiles.iter().chain([&errors.largest]);
-            let numbers = numbers.map(|error| format!("{error:.3e}"));
+            let number = |error: &f64| match errors.runs {
+                0 => String::new(),
+                _ => format!("{error:.3e}"),
+            };
+            let numbers = numbers.map(number);
             let names = [errors.name.clone(), errors.runs.to_string()].into_iter();
             names.chain(numbers).collect()
         };
@@ -402,7 +407,8 @@ fn holds_for(truth: &[Told], found: &[Told], asked: f64) -> bool {
     at_most(&sorted(rows(&errors(truth, found))), SweepAccuracy::SHARE) <= asked
 }
 
-/// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite.
+/// Errors of every number of every run that the exact method can follow; all of one that fails otherwise are infinite. None of a
+/// number that neither run has.
 fn errors(truth: &[Told], found: &[Told]) -> Vec<Vec<f64>> {
     let pairs = truth.iter().zip(found);
     let row = |(truth, found): (&Told, &Told)| {
@@ -412,9 +418,15 @@ fn errors(truth: &[Told], found: &[Told]) -> Vec<Vec<f64>> {
             None => vec![f64::INFINITY; values.len()],
             Some(found) => {
                 let pairs = values.iter().zip(&found.values).zip(least);
-                pairs
-                    .map(|((a, b), least)| distance(*a, *b, least))
-                    .collect()
+                let of = |((a, b), least): ((&f64, &f64), f64)| {
+                    let is_none = a.is_nan() && b.is_nan();
+                    if is_none {
+                        f64::NAN
+                    } else {
+                        distance(*a, *b, least)
+                    }
+                };
+                pairs.map(of).collect()
             }
         })
     };

@@ -168,18 +168,22 @@ fn widths(rows: &[(String, Separation)], levels: bool) -> String {
     let row = |(name, one): &(String, Separation)| {
         let mut row = vec![name.clone()];
         row.extend(levels.then(|| one.at_level.to_string()));
-        row.push(format!("{} ", millimetres(one.required)));
+        row.push(format!("{} ", enough(one.required)));
         row.push(digits((one.time * 1e3).round() * 1e-3));
-        row.extend(Rule::COMMON.map(|rule| marked(width(rule, one), one.required)));
+        row.extend(Rule::COMMON.map(|rule| marked(width(rule, one), one)));
         row
     };
     table(&header, &rows.iter().map(row).collect::<Vec<_>>())
 }
 
 /// A width, marked where it is too narrow.
-fn marked(width: f64, required: f64) -> String {
+fn marked(width: f64, separation: &Separation) -> String {
     // A blank where there is no mark, so that the digits stand in line.
-    let mark = if width < required { "*" } else { " " };
+    let mark = if separation.asks_for_more(width) {
+        "*"
+    } else {
+        " "
+    };
     format!("{}{mark}", millimetres(width))
 }
 
@@ -224,8 +228,8 @@ fn result(all: &[Separation], own: Option<f64>) -> String {
     let rule = |rule: Rule| {
         let narrow: Vec<f64> = all
             .iter()
+            .filter(|one| one.asks_for_more(width(rule, one)))
             .map(|one| width(rule, one) / one.required)
-            .filter(|share| *share < 1.0)
             .collect();
         let worst = narrow.iter().copied().fold(1.0, f64::min);
         let by = if narrow.is_empty() {

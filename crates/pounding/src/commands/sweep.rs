@@ -11,13 +11,14 @@ use pounding::scene::Method;
 use pounding::sweep::{
     ColumnErrors, Parts, Shard, Sweep, SweepAccuracy, SweepError, beside_table, summary_beside,
 };
+use pounding::text::digits;
 
 pub(super) use joined::{answer, result};
 
 use super::Failure;
 use super::suite::{STOPPED, said_of_untold, stop_when_asked};
 use crate::progress::Counter;
-use crate::text::{milliseconds, paragraph, percent};
+use crate::text::{paragraph, percent};
 use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
@@ -250,7 +251,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     };
     Ok(format!(
         "{}. Of {runs} runs measured by the exact method {} are within it in every number; the median of the largest error in a \
-         row is {}, the largest {} ({worst}).{short} All columns: {}",
+         row is {}, the largest of these {} ({worst}); other runs may be further off.{short} All columns: {}",
         chosen(accuracy),
         percent(accuracy.within),
         percent(quantiles[0]),
@@ -263,7 +264,10 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
 fn chosen(accuracy: &SweepAccuracy) -> String {
     let (name, asked) = (accuracy.method.name(), percent(accuracy.asked));
     match accuracy.method.time_step() {
-        Some(step) => format!("{asked} asked: {name} with steps of {}", milliseconds(step)),
+        Some(step) => format!(
+            "{asked} asked: {name} with steps of {} ms",
+            digits(1e3 * step)
+        ),
         None => format!("{asked} asked: {name}"),
     }
 }

@@ -268,11 +268,11 @@ impl FloorAssessment {
 fn ruled(rule: Rule, all: &[&Separation]) -> Option<RuleAssessment> {
     let widths: Option<Vec<f64>> = all.iter().map(|one| rule.width(one)).collect();
     let widths = widths?;
-    let shares = widths
+    let narrow = widths
         .iter()
         .zip(all)
-        .map(|(width, one)| width / one.required);
-    let narrow: Vec<f64> = shares.filter(|share| *share < 1.0).collect();
+        .filter(|(width, one)| one.asks_for_more(**width));
+    let narrow: Vec<f64> = narrow.map(|(width, one)| width / one.required).collect();
     Some(RuleAssessment {
         rule,
         width: Distribution::of(widths)?,

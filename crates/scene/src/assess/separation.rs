@@ -31,7 +31,15 @@ pub struct Separation {
     pub heights: Option<[f64; 2]>,
 }
 
+/// Part of what is required that the looks at a motion between samples may leave out: 3e-9, rounded up.
+const LOOKED: f64 = 1e-8;
+
 impl Separation {
+    /// Whether a width \[m\] is less than what is required, by more than that is known to.
+    pub fn asks_for_more(&self, width: f64) -> bool {
+        width < self.required * (1.0 - LOOKED)
+    }
+
     /// Its numbers with their names, SI units: what is needed, when, both peaks, and what the [common rules](Rule::COMMON) ask for.
     pub fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let own = [
