@@ -7,8 +7,8 @@ use crate::exact::{BURST, CHATTER, ROUNDING_OF_COEFFICIENTS, bounces_are_over};
 use crate::roots::{CAPACITY, quick_first_root};
 use crate::span::{Expansion, value};
 
-/// Below [`ROUNDING_OF_COEFFICIENTS`] times what it is a sum of a coefficient is zero, and above this part its sign is certain; between them the scene is
-/// given up.
+/// Below [`ROUNDING_OF_COEFFICIENTS`] times what it is a sum of a coefficient is zero, and above this part its sign is certain; between
+/// them the scene is given up.
 const CERTAIN: f64 = 1e-9;
 
 /// What neighbours do that touch without a rate.
