@@ -8,7 +8,7 @@ use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
 use super::Sweep;
-use super::accuracy::distance;
+use super::column_errors::distance;
 
 /// Of so many scenes side by side one runs alone, too: they then take a tenth longer at most.
 const ONE_IN: u64 = 2048;

@@ -36,6 +36,7 @@ mod batch;
 mod beside;
 mod checked;
 mod column;
+mod column_errors;
 mod distribution;
 mod error;
 mod file;
@@ -65,10 +66,11 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-pub use accuracy::{ColumnErrors, SweepAccuracy};
+pub use accuracy::SweepAccuracy;
 pub use batch::Batch;
 pub use checked::Checked;
 pub use column::SweepColumn;
+pub use column_errors::ColumnErrors;
 pub use distribution::{LogNormal, Normal};
 pub use error::{RefusedScene, SweepError};
 pub use file::{

@@ -74,15 +74,26 @@ impl Simulation {
         of_piece(self)
     }
 
-    /// What a run of the scene by its method has cost, alone.
+    /// What a run of the scene by its method has cost.
     pub fn price(&self, work: Work, going: Going) -> f64 {
-        let (evaluations, pieces) = (work.force_evaluations as f64, work.segments as f64);
-        let (of_evaluation, of_piece) = (of_evaluation(&self.method()), of_piece(self) as f64);
+        let ledger = match going {
+            Going::Judged => LEDGER_OF_PIECE,
+            Going::Alone | Going::Beside => 1.0,
+        };
+        let of_piece = ledger * of_piece(self) as f64;
+        let of_step = self.of_step(&self.method(), going);
+        of_step * work.force_evaluations as f64 + of_piece * work.segments as f64
+    }
+
+    /// The price of a floor in a step of a method.
+    fn of_step(&self, method: &Method, going: Going) -> f64 {
+        let alone = of_evaluation(method);
         match going {
-            Going::Alone | Going::Beside => of_evaluation * evaluations + of_piece * pieces,
-            Going::Judged => {
-                let of_piece = LEDGER_OF_PIECE * of_piece;
-                (of_evaluation + LEDGER_OF_STEP) * evaluations + of_piece * pieces
+            Going::Alone => alone,
+            Going::Judged => alone + LEDGER_OF_STEP,
+            Going::Beside => {
+                let storeys = self.scene().structures.iter().any(is_storeyed);
+                alone / BESIDE[usize::from(storeys)]
             }
         }
     }
@@ -102,12 +113,6 @@ impl Simulation {
         let steps = method
             .time_step()
             .map_or(0.0, |step| self.duration() / step);
-        let storeys = self.scene().structures.iter().any(is_storeyed);
-        let of_step = match going {
-            Going::Alone => of_evaluation(method),
-            Going::Judged => of_evaluation(method) + LEDGER_OF_STEP,
-            Going::Beside => of_evaluation(method) / BESIDE[usize::from(storeys)],
-        };
-        of_step * steps * self.floors().all().len() as f64
+        self.of_step(method, going) * steps * self.floors().all().len() as f64
     }
 }

@@ -33,12 +33,12 @@ impl<R: Recorder> Run<'_, R> {
         for place in self.groups.nodes_of(first) {
             let node = self.groups.node(place);
             let ahead = self.members[node].ahead;
-            let at_wall = self.hits_wall_at_zero(node, time);
+            let at_wall = advanced && self.hits_wall_at_zero(node, time);
             let arrives =
                 |ahead: &Ahead| full && time >= ahead.end && events.is_empty() && !at_wall;
             let (end, hysteretic) = match ahead.filter(arrives) {
                 Some(ahead) => (ahead.state, ahead.hysteretic_force),
-                None => self.end_state(node, (time, x), if full { &events } else { &[] }),
+                None => self.end_state(node, (x, at_wall), if full { &events } else { &[] }),
             };
             if advanced {
                 self.report(node, first, time, x, end);
@@ -91,8 +91,8 @@ impl<R: Recorder> Run<'_, R> {
         met.any(|met| self.members[met].is_wall())
     }
 
-    /// State of a node at the end of its piece, and the hysteretic part of its force; those below it have theirs.
-    fn end_state(&self, node: usize, (time, x): (f64, f64), events: &[Event]) -> (State, f64) {
+    /// State of a node at the end of its piece, at zero where it hits a wall so, and the hysteretic part of its force; those below it have theirs.
+    fn end_state(&self, node: usize, (x, at_wall): (f64, bool), events: &[Event]) -> (State, f64) {
         let body = &self.bodies[self.groups.body_of[node]];
         let (member, len) = (&self.members[node], body.len);
         let (left, right) = self.forces_on(node);
@@ -102,7 +102,7 @@ impl<R: Recorder> Run<'_, R> {
             })
         };
         let mut end = State {
-            displacement: if x > 0.0 && self.hits_wall_at_zero(node, time) {
+            displacement: if at_wall {
                 0.0
             } else {
                 member.displacement[0] + rise(&member.displacement[..len], x)
