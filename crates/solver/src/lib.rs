@@ -56,7 +56,9 @@ mod work;
 
 pub use budget::{Budget, Course};
 pub use clock::Clock;
-pub use ensemble::{ExactSideBySide, PairSums, RowsOf, SceneSums, SideBySide, Stepping};
+pub use ensemble::{
+    ExactSideBySide, Excitations, PairSums, RowsOf, SceneSums, SideBySide, Stepping,
+};
 pub use error::{ModelError, RunError};
 pub use exact::{Exact, SimultaneousImpacts};
 pub use explicit::central_difference::CentralDifference;

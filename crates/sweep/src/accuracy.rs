@@ -22,6 +22,8 @@ const CHOOSING: usize = 64;
 const MEASURING: usize = 128;
 /// The first of those that choose, which tell what methods cost and whether any step can be short enough.
 const FEW: usize = 8;
+/// Runs that fill lanes, and of which there are as many as keep some cores busy.
+const TOGETHER: usize = 16;
 /// Scenes of which more than this part goes side by side do so.
 const HALF: f64 = 0.5;
 /// Tolerance of the exact method side by side, as a part of the error that is asked for.
@@ -293,25 +295,35 @@ impl Sweep {
         let of_floors = of_floor.cycle();
         let of_floors = of_floors.take(self.outputs.structures.len() * self.row.floors.len());
         let are_peaks: Vec<_> = of_floors.collect();
-        let one = |run: &u64| {
-            let batch = self.batch(*run..*run + 1);
-            let number = |(column, values): (usize, &Vec<f64>)| {
-                let is_peak = are_peaks.get(column).is_some_and(|is_peak| *is_peak);
-                if is_peak { values[0].abs() } else { values[0] }
-            };
-            let values = batch.columns.iter().enumerate().map(number).collect();
-            let numbers = Numbers {
-                values,
-                least: batch.least,
-            };
-            let told = batch.failed[0].is_none().then_some(numbers);
-            (told, (batch.beside as f64, batch.price))
+        let number = |(column, value): (usize, &f64)| {
+            let is_peak = are_peaks.get(column).is_some_and(|is_peak| *is_peak);
+            if is_peak { value.abs() } else { *value }
         };
-        let (numbers, costs): (Vec<_>, Vec<_>) = runs.par_iter().map(one).unzip();
+        let some = |runs: &[u64]| {
+            let mut told = Vec::with_capacity(runs.len());
+            self.run_all(runs.iter().copied(), self.at_a_time(), |run, ran| {
+                let ran = ran.map(|ran| {
+                    let numbers = Numbers {
+                        values: ran.numbers.iter().enumerate().map(number).collect(),
+                        least: ran.least.to_vec(),
+                    };
+                    (numbers, f64::from(u8::from(ran.beside)), ran.price)
+                });
+                told.push((run, ran.ok()));
+            });
+            // Those that are refused are told at once, others when enough are ready.
+            let place = |run: &u64| runs.iter().position(|one| one == run);
+            told.sort_by_key(|(run, _)| place(run));
+            told
+        };
+        let told: Vec<_> = runs.par_chunks(TOGETHER).flat_map_iter(some).collect();
+        let costs = |of: fn(&(Numbers, f64, f64)) -> f64| {
+            mean(told.iter().map(|(_, ran)| ran.as_ref().map_or(0.0, of)))
+        };
         Sampled {
-            beside: mean(costs.iter().map(|(beside, _)| *beside)),
-            price: mean(costs.iter().map(|(_, price)| *price)),
-            numbers,
+            beside: costs(|(_, beside, _)| *beside),
+            price: costs(|(.., price)| *price),
+            numbers: told.into_iter().map(|(_, ran)| Some(ran?.0)).collect(),
         }
     }
 }

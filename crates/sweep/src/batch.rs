@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Sweep;
 use super::checked::{Checked, TwoRuns};
+use super::renumbered::Renumbered;
 use super::sampling::Point;
 use pounding_scene::{Error, Extras, Going, Simulation};
 
@@ -22,10 +23,6 @@ pub struct Batch {
     pub checked: Vec<Checked>,
     /// How many runs went side by side.
     pub beside: usize,
-    /// What those that did not have cost, in force evaluations that take as long.
-    pub(super) price: f64,
-    /// Of the last of them what each number counts as at least where its error is relative to it; 0 for its own size.
-    pub(super) least: Vec<f64>,
 }
 
 impl Batch {
@@ -37,40 +34,62 @@ impl Batch {
             failed: vec![None; n],
             checked: vec![Checked::No; n],
             beside: 0,
-            price: 0.0,
-            least: Vec::with_capacity(n_columns),
         }
     }
 
-    /// Place of a run in the columns.
-    fn place(&self, run: u64) -> usize {
-        usize::try_from(run - self.runs.start).expect("below the length of the batch")
-    }
-
-    fn take(&mut self, place: usize, numbers: &[f64]) {
-        for (column, number) in self.columns.iter_mut().zip(numbers) {
-            column[place] = *number;
+    fn take(&mut self, run: u64, ran: Result<Ran<'_>, String>) {
+        let place = usize::try_from(run - self.runs.start).expect("below the length of the batch");
+        match ran {
+            Ok(ran) => {
+                for (column, number) in self.columns.iter_mut().zip(ran.numbers) {
+                    column[place] = *number;
+                }
+                self.checked[place] = ran.checked;
+                self.beside += usize::from(ran.beside);
+            }
+            Err(reason) => self.failed[place] = Some(reason),
         }
     }
+}
 
-    fn fail(&mut self, run: u64, reason: String) {
-        let place = self.place(run);
-        self.failed[place] = Some(reason);
+/// What came out of a run.
+pub(super) struct Ran<'a> {
+    /// In the order of the columns.
+    pub(super) numbers: &'a [f64],
+    /// What each counts as at least where its error is relative to it, 0 for its own size; empty of a run side by side, none of whose
+    /// numbers does.
+    pub(super) least: &'a [f64],
+    pub(super) checked: Checked,
+    /// Whether it went side by side.
+    pub(super) beside: bool,
+    /// What it cost where it did not, in force evaluations that take as long.
+    pub(super) price: f64,
+}
+
+/// How many runs are made ready at a time, and who ends them.
+#[derive(Clone, Copy)]
+pub(super) struct AtATime {
+    pub(super) runs: usize,
+    pub(super) stop: Option<&'static AtomicBool>,
+}
+
+impl AtATime {
+    fn is_stopped(self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 }
 
-/// Runs, how many of them are made ready at a time, and who ends them.
-type Many = (Range<u64>, usize, Option<&'static AtomicBool>);
+/// Samples of records that scenes which are ready keep, those of one record for all of them not counted: 4 MB.
+const MOST_SAMPLES: usize = 1 << 19;
 
-fn is_set(stop: Option<&'static AtomicBool>) -> bool {
-    stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
-}
-
-/// Scenes that are made ready before they run: of two structures as many as a batch has use for (the record is read once for all of
-/// them), of long rows what fills all lanes and not the memory.
-fn beside(n_floors: usize) -> usize {
-    const FLOORS: usize = 4096;
-    (FLOORS / n_floors.max(1)).clamp(16, 256)
+/// Scenes that are ready to run, each with its run.
+#[derive(Default)]
+struct Ready {
+    scenes: Vec<(u64, Box<Simulation>)>,
+    /// Of records of their own.
+    samples: usize,
+    /// Motion of the template of which all are; nothing where some are of none, or of another one.
+    set: Option<usize>,
 }
 
 impl Sweep {
@@ -80,114 +99,138 @@ impl Sweep {
             + self.outputs.pairs.len() * self.row.pairs.len()
     }
 
+    /// Runs that are made ready at a time: of two structures as many as a batch has use for (the record is read once for all of them), of
+    /// long rows what fills all lanes and not the memory.
+    pub(super) fn at_a_time(&self) -> AtATime {
+        const FLOORS: usize = 4096;
+        let n_floors = self.row.floors.len().max(1);
+        AtATime {
+            runs: (FLOORS / n_floors).clamp(16, 256),
+            stop: None,
+        }
+    }
+
     /// Runs a range of runs, below [`Self::n_runs`].
     pub fn batch(&self, runs: Range<u64>) -> Batch {
-        self.batch_of(runs, beside(self.row.floors.len()), None)
+        self.batch_of(runs, self.at_a_time())
     }
 
     /// The same; nothing where somebody sets `stop` before they are done.
     pub(super) fn batch_until(&self, runs: Range<u64>, stop: &'static AtomicBool) -> Option<Batch> {
-        let batch = self.batch_of(runs, beside(self.row.floors.len()), Some(stop));
-        (!is_set(Some(stop))).then_some(batch)
+        let at_a_time = AtATime {
+            stop: Some(stop),
+            ..self.at_a_time()
+        };
+        let batch = self.batch_of(runs, at_a_time);
+        (!at_a_time.is_stopped()).then_some(batch)
     }
 
-    /// Runs a range of runs, so many of which are made ready at a time; some fail where somebody sets `stop`.
-    pub(super) fn batch_of(
-        &self,
-        runs: Range<u64>,
-        beside: usize,
-        stop: Option<&'static AtomicBool>,
-    ) -> Batch {
+    /// The same; some fail where somebody sets `stop`.
+    pub(super) fn batch_of(&self, runs: Range<u64>, at_a_time: AtATime) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.n_columns());
-        let mut run = runs.start;
-        while run < runs.end {
-            let (motion, next) = self.plan.motion(run);
-            let end = next.min(runs.end);
-            self.run_under(motion, (run..end, beside, stop), &mut batch);
-            run = end;
-        }
+        self.run_all(runs, at_a_time, |run, ran| batch.take(run, ran));
         batch
     }
 
-    /// Runs a range of runs under one motion.
-    fn run_under(&self, motion: usize, (runs, beside, stop): Many, batch: &mut Batch) {
+    /// Makes runs ready and runs them, so many at a time, whatever motions shake them; tells what came out of each.
+    pub(super) fn run_all(
+        &self,
+        runs: impl IntoIterator<Item = u64>,
+        at_a_time: AtATime,
+        mut tell: impl FnMut(u64, Result<Ran<'_>, String>),
+    ) {
         let mut scene = self.scene.clone();
         let (mut point, mut settings) = (Point::default(), Vec::new());
-        // What is made ready for the numbers of many runs is of no use to one.
-        let many = runs.end - runs.start > 1;
-        let mut renumbered = many.then(|| self.renumbered(motion)).flatten();
-        let (mut ready, mut ran) = (Vec::new(), Vec::new());
-        let mut next = runs.start;
-        while next < runs.end && !is_set(stop) {
-            // Those that are read anew may be of other columns, in whose memory no numbers are set.
-            let mut all_set = renumbered.is_some();
-            for run in (next..runs.end).take(beside) {
-                self.plan.settings(run, &mut point, &mut settings);
-                let prepared = caught(|| {
-                    let one = renumbered.as_mut();
-                    if let Some(one) = one.and_then(|one| one.prepared(&settings, ran.pop())) {
-                        return Ok(one);
-                    }
-                    all_set = false;
-                    let prepared = self.prepared(motion, &settings, &mut scene);
-                    let prepared = prepared.map_err(|refused| refused.to_string())?;
-                    if self.row.fits(prepared.floors()) {
-                        Ok(Box::new(prepared))
-                    } else {
-                        Err("another number of floors or pairs than in the first run".into())
-                    }
-                });
-                match prepared {
-                    Ok(mut prepared) => {
-                        prepared.set_stop(stop);
-                        ready.push((batch.place(run), prepared));
-                    }
-                    Err(reason) => batch.fail(run, reason),
-                }
-                next = run + 1;
+        let mut runs = runs.into_iter().peekable();
+        let (mut ready, mut ran) = (Ready::default(), Vec::new());
+        let mut template: (Option<usize>, Option<Renumbered>) = (None, None);
+        while let Some(run) = runs.next() {
+            let motion = self.plan.motion(run).0;
+            if template.0 != Some(motion) {
+                // What is made ready for the numbers of many runs is of no use to one.
+                let many = runs
+                    .peek()
+                    .is_some_and(|next| self.plan.motion(*next).0 == motion);
+                template = (
+                    Some(motion),
+                    many.then(|| self.renumbered(motion)).flatten(),
+                );
+                ran.clear();
             }
-            self.run_ready(&ready, batch);
-            ran.clear();
-            let done = ready.drain(..).map(|(_, prepared)| prepared);
-            ran.extend(done.filter(|_| all_set));
+            if ready.scenes.is_empty() {
+                ready.set = template.1.is_some().then_some(motion);
+            }
+            self.plan.settings(run, &mut point, &mut settings);
+            let prepared = caught(|| {
+                let one = template.1.as_mut();
+                if let Some(one) = one.and_then(|one| one.prepared(&settings, ran.pop())) {
+                    return Ok((one, true));
+                }
+                let prepared = self.prepared(motion, &settings, &mut scene);
+                let prepared = prepared.map_err(|refused| refused.to_string())?;
+                if self.row.fits(prepared.floors()) {
+                    Ok((Box::new(prepared), false))
+                } else {
+                    Err("another number of floors or pairs than in the first run".into())
+                }
+            });
+            match prepared {
+                Ok((mut prepared, is_set)) => {
+                    prepared.set_stop(at_a_time.stop);
+                    // Those that are read anew may be of other columns, in whose memory no numbers are set.
+                    ready.set = ready.set.filter(|of| is_set && *of == motion);
+                    if self.motions.differ() {
+                        ready.samples += prepared.excitation().samples().len();
+                    }
+                    ready.scenes.push((run, prepared));
+                }
+                Err(reason) => tell(run, Err(reason)),
+            }
+            let full = ready.scenes.len() >= at_a_time.runs || ready.samples >= MOST_SAMPLES;
+            if full || runs.peek().is_none() {
+                self.run_ready(&ready.scenes, &mut tell);
+                ran.clear();
+                let done = ready.scenes.drain(..).map(|(_, prepared)| prepared);
+                ran.extend(done.filter(|_| ready.set == Some(motion)));
+                ready.samples = 0;
+                if at_a_time.is_stopped() {
+                    return;
+                }
+            }
         }
     }
 
-    /// Runs scenes that are ready, each with its place in the batch: side by side where they can, else one after the other.
-    fn run_ready(&self, ready: &[(usize, Box<Simulation>)], batch: &mut Batch) {
+    /// Runs scenes that are ready: side by side where they can, else one after the other.
+    fn run_ready(
+        &self,
+        ready: &[(u64, Box<Simulation>)],
+        tell: &mut impl FnMut(u64, Result<Ran<'_>, String>),
+    ) {
         let tallies = self.beside(ready);
         let mut numbers = Vec::with_capacity(self.n_columns());
-        for (scene, (place, prepared)) in ready.iter().enumerate() {
-            numbers.clear();
-            let told = tallies
+        let mut least = Vec::new();
+        for (scene, (run, prepared)) in ready.iter().enumerate() {
+            (numbers.clear(), least.clear());
+            let beside = tallies
                 .as_ref()
                 .is_some_and(|tallies| self.tell(prepared, tallies, scene, &mut numbers));
             // A fault of the program in one run is no reason to lose the others.
-            let ran = if told {
-                batch.beside += 1;
-                let run = batch.runs.start + *place as u64;
-                let sampled = self.verdict && self.is_sampled(run);
-                let both = || self.run_both(prepared, &numbers).map(|()| Checked::Both);
-                let checked = if sampled {
-                    caught(both)
-                } else {
-                    Ok(Checked::Beside)
-                };
-                checked.map(|checked| (checked, 0.0))
-            } else {
-                let price = caught(|| self.run_alone(prepared, &mut numbers, &mut batch.least));
+            let ran = if !beside {
+                let price = caught(|| self.run_alone(prepared, &mut numbers, &mut least));
                 price.map(|price| (Checked::Ledger, price))
+            } else if self.verdict && self.is_sampled(*run) {
+                caught(|| self.run_both(prepared, &numbers)).map(|()| (Checked::Both, 0.0))
+            } else {
+                Ok((Checked::Beside, 0.0))
             };
-            match ran {
-                Ok((checked, price)) => {
-                    batch.take(*place, &numbers);
-                    batch.price += price;
-                    if self.verdict {
-                        batch.checked[*place] = checked;
-                    }
-                }
-                Err(reason) => batch.failed[*place] = Some(reason),
-            }
+            let ran = ran.map(|(checked, price)| Ran {
+                numbers: &numbers,
+                least: &least,
+                checked: if self.verdict { checked } else { Checked::No },
+                beside,
+                price,
+            });
+            tell(*run, ran);
         }
     }
 

@@ -1,15 +1,14 @@
-//! Runs of a sweep side by side, where its method, motion and outputs let them.
+//! Runs of a sweep side by side, where its method and outputs let them.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Sweep;
-use super::motions::Differs;
 use pounding_scene::{FloorQuantity, PairQuantity, Simulation, side_by_side};
 use pounding_solver::SceneSums;
 
 impl Sweep {
     /// What happened in scenes that are ready, where they could run side by side.
-    pub(super) fn beside(&self, ready: &[(usize, Box<Simulation>)]) -> Option<SceneSums> {
+    pub(super) fn beside(&self, ready: &[(u64, Box<Simulation>)]) -> Option<SceneSums> {
         if !self.asks_for_tallies() {
             return None;
         }
@@ -19,7 +18,7 @@ impl Sweep {
             .flatten()
     }
 
-    /// Whether runs side by side know all that is asked for: no more than peaks and sums, and one motion.
+    /// Whether runs side by side know all that is asked for: no more than peaks and sums.
     pub(super) fn asks_for_tallies(&self) -> bool {
         let structures = &self.outputs.structures;
         let of_structures = structures.iter().all(|one| {
@@ -37,7 +36,7 @@ impl Sweep {
                 PairQuantity::Collisions | PairQuantity::PeakForceN | PairQuantity::TotalImpulseNS
             )
         });
-        self.motions.differs == Differs::Nothing && of_structures && of_pairs && !self.is_limited()
+        of_structures && of_pairs && !self.is_limited()
     }
 
     /// Whether runs are given up above a cost that is named: pieces and seconds are those of a run alone.

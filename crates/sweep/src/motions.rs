@@ -215,6 +215,11 @@ impl Motions {
         }
     }
 
+    /// Whether runs may have motions of their own, besides those of the records.
+    pub(super) fn differ(&self) -> bool {
+        self.differs != Differs::Nothing
+    }
+
     /// The one that lasts longest.
     pub(super) fn longest(&self) -> usize {
         let duration = |index: &usize| self.all[*index].motion.record().duration();

@@ -51,7 +51,10 @@ impl Sweep {
             }
         };
         let mut axes = self.plan.axes().iter();
-        if !self.asks_for_tallies() || !axes.all(|axis| plain(&axis.spread)) {
+        if !self.asks_for_tallies()
+            || self.motions.differ()
+            || !axes.all(|axis| plain(&axis.spread))
+        {
             return None;
         }
         let mut json = self.scene.clone();
@@ -153,6 +156,7 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::super::Sweep;
+    use super::super::batch::AtATime;
 
     /// Laws with the fields that vary.
     fn laws() -> [Value; 7] {
@@ -243,7 +247,10 @@ mod tests {
     }
 
     /// Scenes made ready at a time: fewer than runs under a motion, so that those that have run are used again.
-    const BESIDE: usize = 16;
+    const BESIDE: AtATime = AtATime {
+        runs: 16,
+        stop: None,
+    };
 
     fn sweep(scene: &Value, vary: &[Value], seed: u64) -> Sweep {
         let file = json!({
@@ -286,7 +293,7 @@ mod tests {
             vary.push(json!({"field": "contacts[0].levels", "values": [null]}));
             let read = sweep(&scene, &vary, seed.into());
             prop_assert!(read.renumbered(0).is_none(), "{vary:?}");
-            let [found, wanted] = [&set, &read].map(|sweep| sweep.batch_of(0..80, BESIDE, None));
+            let [found, wanted] = [&set, &read].map(|sweep| sweep.batch_of(0..80, BESIDE));
             prop_assert_eq!(&found.failed, &wanted.failed);
             let bits = |columns: &[Vec<f64>]| columns.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
             prop_assert_eq!(bits(&found.columns), bits(&wanted.columns));

@@ -1,8 +1,8 @@
 //! Simulation scenes that run side by side.
 
 use pounding_solver::{
-    Clock, Elastic, Exact, ExactSideBySide, Integrator, Row, RowsOf, SceneSums, SideBySide,
-    Stepping,
+    Clock, Elastic, Exact, ExactSideBySide, Excitations, Integrator, Row, RowsOf, SceneSums,
+    SideBySide, Stepping,
 };
 
 use super::Simulation;
@@ -24,8 +24,8 @@ macro_rules! rows {
     };
 }
 
-/// Runs scenes under the same record side by side, and takes what happened in them; nothing where they cannot: they have to be
-/// rows of one shape, without Bouc–Wen columns or a motion that travels, all run by one method.
+/// Runs scenes side by side, and takes what happened in them; nothing where they cannot: they have to be rows of one shape, without
+/// Bouc–Wen columns or a motion that travels, all run by one method. Each may have a record of its own.
 ///
 /// By the central difference method without sub-steps, and two structures of one storey by the velocity Verlet method, every scene has
 /// the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
@@ -54,7 +54,8 @@ fn stepped(scenes: &[&Simulation], stepping: Stepping, tallies: &mut SceneSums) 
         time_step: first.clock.time_step,
         n_steps: n_steps.iter().copied().max()?,
     };
-    let together = SideBySide::new(stepping, first.excitation(), clock).ok()?;
+    let excitations: Vec<_> = scenes.iter().map(|scene| scene.excitation()).collect();
+    let together = SideBySide::new(stepping, Excitations::of(&excitations), clock).ok()?;
     let together = together.within(first.budget());
     let mut run = |rows| together.run(rows, &n_steps, tallies);
     Some(match first.model {
@@ -79,12 +80,17 @@ fn exact(scenes: &[&Simulation], tallies: &mut SceneSums) -> bool {
         let first = scenes[first];
         let together = |(place, _): &(usize, Exact)| {
             let scene = scenes[*place];
-            goes_with(scene, first) && scene.clock.n_steps == first.clock.n_steps
+            let steps = [scene, first].map(|scene| scene.record.time_step());
+            let one_pace = steps[0].total_cmp(&steps[1]).is_eq();
+            one_pace && goes_with(scene, first) && scene.clock.n_steps == first.clock.n_steps
         };
         let (now, later): (Vec<_>, Vec<_>) = left.iter().copied().partition(together);
         let row = |(place, _): &(usize, Exact)| Some((*place, elastic(scenes[*place])?));
         let rows: Vec<_> = now.iter().filter_map(row).collect();
-        if let Ok(together) = ExactSideBySide::new(settings, first.excitation(), first.clock) {
+        let excitations = now.iter().map(|(place, _)| scenes[*place].excitation());
+        let excitations: Vec<_> = excitations.collect();
+        let excitations = Excitations::of(&excitations);
+        if let Ok(together) = ExactSideBySide::new(settings, excitations, first.clock) {
             together.within(first.budget()).run(&rows, tallies);
         }
         left = later;

@@ -15,7 +15,7 @@ use super::scenes::{Pair, Scenes, Structure};
 use crate::impact::rounds::Touching;
 use crate::{CentralDifference, RestoringForce};
 
-/// Scenes of one shape under one ground motion.
+/// Scenes of one shape.
 ///
 /// Structures and pairs are slices, so that code which knows how many there are gets loops of that length.
 pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
@@ -52,11 +52,10 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         }
     }
 
-    /// A step from a node with this acceleration of the ground.
+    /// A step from a node with this acceleration of the ground \[m/s²\].
     #[inline(always)]
-    pub(super) fn step(&mut self, acceleration: f64) {
+    pub(super) fn step(&mut self, ground: Lanes<S>) {
         let touches = self.deform();
-        let ground = Lanes::splat(self.simd, acceleration);
         if touches || self.busy {
             self.contact_step(ground);
             self.touching_steps += u64::from(touches);

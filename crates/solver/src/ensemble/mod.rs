@@ -20,6 +20,7 @@ mod body;
 mod books;
 mod column;
 mod exact;
+mod excitations;
 mod frame;
 mod group;
 mod jump;
@@ -40,13 +41,14 @@ use fearless_simd::{Level, dispatch};
 pub use column::RowsOf;
 use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
+pub use excitations::Excitations;
+use excitations::{Grounds, Sampled};
 pub use tallies::{PairSums, SceneSums};
 
 use crate::model::buildings::Buildings;
 use crate::record::is_plastic;
 use crate::{
-    Budget, CentralDifference, Clock, Excitation, Integrator, Pair, RestoringForce, Row, RunError,
-    Verlet,
+    Budget, CentralDifference, Clock, Integrator, Pair, RestoringForce, Row, RunError, Verlet,
 };
 
 /// The methods by which scenes run side by side with the bits of their runs alone.
@@ -79,13 +81,11 @@ impl From<Stepping> for Integrator {
     }
 }
 
-/// One ground motion, method and time step, under which many rows run.
+/// Ground motions, method and time step, under which many rows run.
 #[derive(Debug, Clone)]
-pub struct SideBySide {
+pub struct SideBySide<'a> {
     stepping: Stepping,
-    time_step: f64,
-    /// Acceleration at every node of the clock \[m/s²\].
-    ground: Vec<f64>,
+    ground: Sampled<'a>,
     level: Level,
     budget: Budget,
 }
@@ -94,21 +94,21 @@ pub struct SideBySide {
 struct Shaken<'a, Settings> {
     settings: Settings,
     time_step: f64,
-    ground: &'a [f64],
+    ground: &'a Sampled<'a>,
     budget: Budget,
 }
 
 /// Steps of structures between two looks at whether to stop: a fraction of a second.
 const BETWEEN: usize = 1 << 16;
 
-impl SideBySide {
-    /// Samples the ground motion for a clock, that of the longest run.
+impl<'a> SideBySide<'a> {
+    /// Samples the ground motions for a clock, that of the longest run.
     ///
     /// # Errors
     /// [`RunError::Setting`] for settings out of range, and for sub-steps in contact.
     pub fn new(
         stepping: impl Into<Stepping>,
-        excitation: Excitation<'_>,
+        excitations: impl Into<Excitations<'a>>,
         clock: Clock,
     ) -> Result<Self, RunError> {
         let stepping = stepping.into();
@@ -120,8 +120,7 @@ impl SideBySide {
         }
         Ok(Self {
             stepping,
-            time_step: clock.time_step,
-            ground: excitation.sampled(clock),
+            ground: Sampled::new(excitations.into(), clock),
             level: Level::new(),
             budget: Budget::default(),
         })
@@ -137,7 +136,7 @@ impl SideBySide {
     /// cannot run side by side.
     ///
     /// Rows of one shape have the same floors and pairs, with laws of the same kinds; the ground motion arrives everywhere at once, and
-    /// no row has more steps than the clock. By the velocity Verlet method they have two structures of one storey.
+    /// no row has more steps than the clock. Where each has a ground motion of its own, there are as many of them as rows. By the velocity Verlet method they have two structures of one storey.
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
             RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
@@ -152,8 +151,9 @@ impl SideBySide {
         n_steps: &[usize],
         tallies: &mut SceneSums,
     ) -> bool {
-        let reach = 1..self.ground.len();
+        let reach = 1..=self.ground.clock.n_steps;
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
+        let in_reach = in_reach && self.ground.excitations.are_for(rows.len());
         let first = rows.first().filter(|_| in_reach && are_alike(rows));
         let Some(first) = first.filter(|row| self.stepping.takes(row)) else {
             tallies.begin(0, (0, 0));
@@ -192,7 +192,7 @@ impl SideBySide {
     fn with<Settings>(&self, settings: Settings) -> Shaken<'_, Settings> {
         Shaken {
             settings,
-            time_step: self.time_step,
+            time_step: self.ground.clock.time_step,
             ground: &self.ground,
             budget: self.budget,
         }

@@ -2,6 +2,7 @@
 
 use fearless_simd::Simd;
 
+use super::Grounds;
 use super::body::{AtStart, Body};
 use super::column::SideBySideColumn;
 use super::law::Law;
@@ -12,19 +13,52 @@ use crate::model::ground::Ground;
 use crate::{Node, Row, State};
 
 /// Rows of one shape, as many as there are lanes, or fewer; lanes without one repeat the last.
-#[derive(Clone, Copy)]
-pub(super) struct Rows<'a, Column>(pub(super) &'a [&'a Row<Column>]);
+pub(super) struct Rows<'a, Column> {
+    pub(super) rows: &'a [&'a Row<Column>],
+    /// Index of the first among all scenes.
+    pub(super) first: usize,
+}
 
-impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
-    /// The row of a lane.
-    pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
-        self.0[lane.min(self.0.len() - 1)]
+impl<Column> Clone for Rows<'_, Column> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Column> Copy for Rows<'_, Column> {}
+
+impl<'a, Column> Rows<'a, Column> {
+    /// As many rows as there are lanes, or fewer, and those behind them; rows without others behind them are repeated.
+    pub(super) fn split<S: Simd>(self) -> [Self; 2] {
+        let (one, other) = self.rows.split_at(self.rows.len().min(Lanes::<S>::N));
+        let one = Self { rows: one, ..self };
+        if other.is_empty() {
+            return [one; 2];
+        }
+        let first = self.first + one.rows.len();
+        [one, Self { rows: other, first }]
     }
 
-    /// The states of all rows at t = 0, where the ground has this acceleration \[m/s²\].
-    pub(super) fn states(self, ground: f64) -> Vec<Vec<State>> {
-        let of_row = |row: &&Row<Column>| row.initial(Ground::Common(ground)).0;
-        self.0.iter().map(of_row).collect()
+    /// The row of a lane.
+    pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
+        self.rows[lane.min(self.rows.len() - 1)]
+    }
+
+    /// The scene of a lane.
+    pub(super) fn scene(self, lane: usize) -> usize {
+        self.first + lane.min(self.rows.len() - 1)
+    }
+}
+
+impl<Column: SideBySideColumn> Rows<'_, Column> {
+    /// The states of all rows at t = 0 as a group that has these ground motions.
+    pub(super) fn states<S: Simd>(self, grounds: Grounds<'_>, group: usize) -> Vec<Vec<State>> {
+        let rows = self.rows.iter().enumerate();
+        let of_row = |(lane, row): (usize, &&Row<Column>)| {
+            let ground = Ground::Common(grounds.first::<S>(group, lane));
+            row.initial(ground).0
+        };
+        rows.map(of_row).collect()
     }
 
     /// A structure of all rows in these states at t = 0, for a time step \[s\].
@@ -83,7 +117,7 @@ impl<'a, Column: SideBySideColumn> Rows<'a, Column> {
     /// The pair of a structure and its right neighbour, if the rows have one.
     #[inline(always)]
     pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
-        let mut pairs = self.0[0].pairs().iter();
+        let mut pairs = self.rows[0].pairs().iter();
         let index = pairs.position(|pair| pair.left == left)?;
         let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
         let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);

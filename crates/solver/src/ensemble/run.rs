@@ -3,6 +3,8 @@
 //!
 //! Two groups instead of one of twice the lanes: a group in which no lane touches makes the plain step.
 
+use std::ops::RangeInclusive;
+
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
@@ -13,7 +15,7 @@ use super::number::Lanes;
 use super::rows::Rows;
 use super::scenes::{Pair, Structure};
 use super::storeys::Storeys;
-use super::{BETWEEN, SceneSums, Shaken};
+use super::{BETWEEN, Grounds, SceneSums, Shaken};
 use crate::{CentralDifference, Row, State};
 
 /// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
@@ -22,10 +24,9 @@ const SHORT: usize = 3;
 
 /// Rows of one shape with the number of steps of each, and where what happened in them is told.
 struct Task<'a, Column> {
-    rows: &'a [&'a Row<Column>],
+    rows: Rows<'a, Column>,
     n_steps: &'a [usize],
-    /// Index of the first among the scenes of `tallies`.
-    first: usize,
+    grounds: Grounds<'a>,
     tallies: &'a mut SceneSums,
 }
 
@@ -46,14 +47,20 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     };
     let in_step = n_groups * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
+    let mut room = Vec::new();
     for (index, (rows, n_steps)) in groups.enumerate() {
+        let first = index * in_step;
+        let parts = Rows { rows, first }.split::<S>();
+        let longest = n_steps.iter().copied().max().unwrap_or(0);
         let task = Task {
-            rows,
+            rows: Rows { rows, first },
             n_steps,
-            first: index * in_step,
+            grounds: method
+                .ground
+                .in_lanes::<S, _>(&parts[..n_groups], longest, &mut room),
             tallies,
         };
-        run_in_step(simd, n_groups, method, task);
+        run_in_step(simd, &parts[..n_groups], method, task);
     }
 }
 
@@ -61,39 +68,35 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
 #[inline(always)]
 fn run_in_step<S: Simd, Column: SideBySideColumn>(
     simd: S,
-    n_groups: usize,
+    parts: &[Rows<'_, Column>],
     method: &Shaken<'_, CentralDifference>,
     task: Task<'_, Column>,
 ) {
-    let rows = task.rows;
-    let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
-    // A group without scenes repeats the other one, and is not told.
-    let parts = [one, if other.is_empty() { one } else { other }].map(Rows);
-    let states = parts.map(|rows| rows.states(method.ground[0]));
-    let starts = states
-        .each_ref()
-        .map(|states| (&states[..], method.time_step));
+    let groups = parts.iter().enumerate();
+    let states: Vec<_> = groups
+        .map(|(group, rows)| rows.states::<S>(task.grounds, group))
+        .collect();
+    let start = |group: usize| (&states[group][..], method.time_step);
     if let Some(storeys) = Storeys::of(simd, parts[0], method.time_step) {
-        let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0], storeys.nodes());
+        let (mut structures, mut pairs) = gathered(simd, parts[0], start(0), storeys.nodes());
         let scenes = (&mut structures[..], &mut pairs[..]);
         steps(
             method,
             &mut [Group::new(simd, method, scenes, storeys)],
             task,
         );
-    } else if rows[0].nodes().len() == 2 {
-        let (mut a, mut b) = (parts[0].two(simd, starts[0]), parts[1].two(simd, starts[1]));
-        let (mut c, mut d) = (
-            [parts[0].pair(simd, 0), None],
-            [parts[1].pair(simd, 0), None],
-        );
+    } else if let [one, other] = parts
+        && one.lane(0).nodes().len() == 2
+    {
+        let (mut a, mut b) = (one.two(simd, start(0)), other.two(simd, start(1)));
+        let (mut c, mut d) = ([one.pair(simd, 0), None], [other.pair(simd, 0), None]);
         let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
         let mut groups = scenes.map(|scenes| Group::new(simd, method, scenes, Single));
         steps(method, &mut groups, task);
     } else {
-        let scenes = parts[..n_groups].iter().zip(starts);
-        let nodes: Vec<_> = (0..rows[0].nodes().len()).collect();
-        let scenes = scenes.map(|(rows, start)| gathered(simd, *rows, start, &nodes));
+        let nodes: Vec<_> = (0..parts[0].lane(0).nodes().len()).collect();
+        let scenes = parts.iter().enumerate();
+        let scenes = scenes.map(|(group, rows)| gathered(simd, *rows, start(group), &nodes));
         let mut scenes: Vec<_> = scenes.collect();
         let groups = scenes.iter_mut().map(|(structures, pairs)| {
             Group::new(simd, method, (&mut structures[..], &mut pairs[..]), Single)
@@ -125,32 +128,32 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
     Task {
         rows,
         n_steps,
-        first: first_scene,
+        grounds,
         tallies,
     }: Task<'_, Column>,
 ) {
-    let between = BETWEEN.div_ceil(rows[0].nodes().len().max(1));
+    let between = BETWEEN.div_ceil(rows.lane(0).nodes().len().max(1));
     let mut step = 0;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
         if method.budget.is_stopped() {
             return;
         }
-        let ground = &method.ground[..=(*end).min(step + between)];
-        while step < ground.len() {
+        let last = (*end).min(step + between);
+        while step <= last {
             if F::STANDS_ALONE
                 && let [one, other] = groups
                 && !(one.busy || other.busy)
             {
                 let groups = [one, other];
                 step = match groups[0].structures.len() {
-                    2 => go_apart::<S, Column, F, 2>(groups, ground, step),
-                    SHORT => go_apart::<S, Column, F, SHORT>(groups, ground, step),
+                    2 => go_apart::<S, Column, F, 2>(groups, grounds, step..=last),
+                    SHORT => go_apart::<S, Column, F, SHORT>(groups, grounds, step..=last),
                     _ => step,
                 };
             }
-            if let Some(acceleration) = ground.get(step) {
-                for group in groups.iter_mut() {
-                    group.step(*acceleration);
+            if step <= last {
+                for (index, group) in groups.iter_mut().enumerate() {
+                    group.step(grounds.at(group.simd, step, index));
                 }
                 step += 1;
             }
@@ -161,7 +164,7 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
             .filter(|of| *of.1 < step && of.1 == end)
         {
             let group = &groups[lane / Lanes::<S>::N];
-            let (lane, scene) = (lane % Lanes::<S>::N, first_scene + lane);
+            let (lane, scene) = (lane % Lanes::<S>::N, rows.first + lane);
             for node in 0..group.structures.len() {
                 tallies.take_floor(scene, node, group.peaks(node, lane));
             }
@@ -173,7 +176,7 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
             }
         }
     }
-    let with_scenes = rows.len().div_ceil(Lanes::<S>::N);
+    let with_scenes = n_steps.len().div_ceil(Lanes::<S>::N);
     for group in &groups[..with_scenes] {
         tallies.steps += step as u64;
         tallies.touching_steps += group.touching_steps;
@@ -184,8 +187,8 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
 #[inline(always)]
 fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usize>(
     [one, other]: [&mut Group<'_, S, Column, F>; 2],
-    ground: &[f64],
-    step: usize,
+    grounds: Grounds<'_>,
+    nodes: RangeInclusive<usize>,
 ) -> usize {
     let simd = one.simd;
     let zero = Lanes::splat(simd, 0.0);
@@ -194,8 +197,8 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usi
         std::array::from_fn(|index| motion(one, index)),
         std::array::from_fn(|index| motion(other, index)),
     ];
-    let mut node = step;
-    for acceleration in &ground[step..] {
+    let mut step = *nodes.start();
+    for node in nodes {
         let mut touching = zero.exceeds(zero);
         for (group, motions) in [&*one, &*other].into_iter().zip(&motions) {
             for left in 1..N {
@@ -208,18 +211,19 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usi
         if Lanes::any(touching) {
             break;
         }
-        let ground = Lanes::splat(simd, *acceleration);
-        for (group, motions) in [&*one, &*other].into_iter().zip(&mut motions) {
+        for (place, (group, motions)) in [&*one, &*other].into_iter().zip(&mut motions).enumerate()
+        {
+            let ground = grounds.at(simd, node, place);
             for (index, motion) in motions.iter_mut().enumerate() {
                 group.structures[index].constants.step(motion, zero, ground);
             }
         }
-        node += 1;
+        step = node + 1;
     }
     for (group, motions) in [one, other].into_iter().zip(motions) {
         for (index, motion) in motions.into_iter().enumerate() {
             group.structures[index].motion = motion;
         }
     }
-    node
+    step
 }

@@ -116,11 +116,9 @@ impl<'a> Excitation<'a> {
     }
 
     /// Ground acceleration at every node of a clock, 0..=n \[m/s²\].
-    pub(crate) fn sampled(&self, clock: Clock) -> Vec<f64> {
-        let ratio = clock.time_step / self.time_step;
-        (0..=clock.n_steps)
-            .map(|step| self.at_position(step as f64 * ratio))
-            .collect()
+    pub(crate) fn sampled(&self, clock: Clock) -> impl Iterator<Item = f64> + use<'a> {
+        let (excitation, ratio) = (*self, clock.time_step / self.time_step);
+        (0..=clock.n_steps).map(move |step| excitation.at_position(step as f64 * ratio))
     }
 
     /// Ground acceleration at a time ≥ 0 \[s\], as stepping methods sample it \[m/s²\], where the motion arrives at some
@@ -170,29 +168,25 @@ mod tests {
             time_step: 0.005,
             n_steps: 6,
         };
-        assert_eq!(
-            excitation.sampled(clock),
-            [1.0, 2.0, 3.0, 1.0, -1.0, 0.0, 0.0]
-        );
+        let expected = [1.0, 2.0, 3.0, 1.0, -1.0, 0.0, 0.0];
+        assert!(excitation.sampled(clock).eq(expected));
     }
 
     #[test]
     fn limit_own_grid_takes_the_samples() {
         let ground: Vec<f64> = (0..1000).map(|i| f64::from(i).sqrt()).collect();
         let excitation = Excitation::new(0.01, &ground).unwrap();
-        assert_eq!(
-            excitation.sampled(Clock {
-                time_step: 0.01,
-                n_steps: 999
-            }),
-            ground
-        );
+        let own = Clock {
+            time_step: 0.01,
+            n_steps: 999,
+        };
+        assert!(excitation.sampled(own).eq(ground.iter().copied()));
         let fine = excitation.sampled(Clock {
             time_step: 0.01 / 3.0,
             n_steps: 2997,
         });
         assert!(
-            fine.iter().step_by(3).eq(&ground),
+            fine.step_by(3).eq(ground.iter().copied()),
             "every third node is a sample"
         );
     }

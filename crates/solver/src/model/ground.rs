@@ -44,7 +44,7 @@ impl<'a> Shaking<'a> {
         clock: Clock,
     ) -> Self {
         match travel {
-            None => Self::Common(excitation.sampled(clock)),
+            None => Self::Common(excitation.sampled(clock).collect()),
             Some(travel) => {
                 let arrival = |node: usize| travel.arrival(node) / excitation.time_step();
                 Self::Delayed(Delayed {

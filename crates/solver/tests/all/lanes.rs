@@ -2,9 +2,9 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation, Hysteretic,
-    Integrator, Ledger, Node, Pair, PairSums, Peaks, Row, RowsOf, RunError, SceneSums, SideBySide,
-    Stepping,
+    Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation,
+    Excitations, Hysteretic, Integrator, Ledger, Node, Pair, PairSums, Peaks, Row, RowsOf,
+    RunError, SceneSums, SideBySide, Stepping,
 };
 use proptest::prelude::*;
 
@@ -100,15 +100,40 @@ pub(crate) fn all<Column>(rows: &[Row<Column>]) -> Vec<&Row<Column>> {
 /// Names the columns of rows.
 pub(crate) type Kind<'a, Column> = fn(&'a [&'a Row<Column>]) -> RowsOf<'a>;
 
-/// Holds every scene of some rows to itself alone.
+/// Ground accelerations for each of so many scenes: larger or smaller, and not equally long.
+pub(crate) fn own_grounds(ground: &[f64], n: usize) -> Vec<Vec<f64>> {
+    let own = |scene: usize| {
+        let factor = 0.5 + 0.1 * f64::from(u32::try_from(scene).expect("few"));
+        let samples = ground[..ground.len() - ground.len() * (scene % 4) / 8].iter();
+        samples.map(|acceleration| factor * acceleration).collect()
+    };
+    (0..n).map(own).collect()
+}
+
+/// Holds every scene of some rows to itself alone: under one ground motion, and each under one of its own.
 pub(crate) fn compare<'a, Column: Hysteretic>(
     stepping: impl Into<Stepping>,
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
     ground: &[f64],
 ) -> Result<(), TestCaseError> {
-    let excitation = Excitation::new(0.01, ground).expect("the record is finite");
+    let excitation = |ground| Excitation::new(0.01, ground).expect("the record is finite");
+    let common = vec![excitation(ground); rows.len()];
     let stepping = stepping.into();
-    let together = SideBySide::new(stepping, excitation, CLOCK).expect("the settings are valid");
+    compare_under(stepping, (rows, kind), &common)?;
+    let own = own_grounds(ground, rows.len());
+    let mut own: Vec<_> = own.iter().map(|ground| excitation(ground)).collect();
+    // Samples of one motion are farther apart.
+    own[1] = Excitation::new(0.0125, own[1].samples()).expect("the record is finite");
+    compare_under(stepping, (rows, kind), &own)
+}
+
+fn compare_under<'a, Column: Hysteretic>(
+    stepping: Stepping,
+    (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
+    shaken: &[Excitation<'_>],
+) -> Result<(), TestCaseError> {
+    let together = SideBySide::new(stepping, Excitations::of(shaken), CLOCK);
+    let together = together.expect("the settings are valid");
     let mut found = SceneSums::default();
     let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
     prop_assert!(
@@ -116,8 +141,8 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
         "the rows are of one shape"
     );
     prop_assert_eq!(found.len(), rows.len());
-    for (scene, row) in rows.iter().enumerate() {
-        let Ok((floors, pairs, is_refused)) = alone((stepping, steps(scene)), row, excitation)
+    for (scene, (row, excitation)) in rows.iter().zip(shaken).enumerate() {
+        let Ok((floors, pairs, is_refused)) = alone((stepping, steps(scene)), row, *excitation)
         else {
             prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
             continue;
@@ -220,7 +245,10 @@ fn with_columns<Column: Hysteretic>(
 }
 
 /// On ground at rest.
-fn side_by_side(settings: CentralDifference, clock: Clock) -> Result<SideBySide, RunError> {
+fn side_by_side(
+    settings: CentralDifference,
+    clock: Clock,
+) -> Result<SideBySide<'static>, RunError> {
     let excitation = Excitation::new(1.0, &[0.0]).expect("valid");
     SideBySide::new(settings, excitation, clock)
 }

@@ -4,13 +4,14 @@ use pounding_contact::{
     Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical,
 };
 use pounding_solver::{
-    Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Integrator, Node, Pair,
-    PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
+    Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Excitations, Integrator, Node,
+    Pair, PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
 };
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
+use crate::lanes::own_grounds;
 use crate::random_rows::{any_law, config};
 use crate::watch::Watch;
 
@@ -127,7 +128,15 @@ fn found([left, right]: [f64; 2], tally: PairSums) -> Found {
 /// What is told of rows side by side; nothing of those that have to run alone.
 pub(crate) fn beside(rows: &[Row<Elastic>], ground: &[f64], tolerance: f64) -> Vec<Option<Found>> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
-    let together = ExactSideBySide::new(settings(tolerance), excitation, CLOCK).expect("valid");
+    beside_under(rows, excitation.into(), tolerance)
+}
+
+fn beside_under(
+    rows: &[Row<Elastic>],
+    excitations: Excitations<'_>,
+    tolerance: f64,
+) -> Vec<Option<Found>> {
+    let together = ExactSideBySide::new(settings(tolerance), excitations, CLOCK).expect("valid");
     let mut tallies = SceneSums::default();
     tallies.begin(rows.len(), (2, 1));
     let places: Vec<_> = rows.iter().enumerate().collect();
@@ -222,6 +231,26 @@ proptest! {
         many.reverse();
         again.reverse();
         prop_assert_eq!(bits(beside(&many, &ground, 1e-8)), bits(again));
+    }
+
+    /// A scene under a ground motion of its own has the bits that it has where all have this motion.
+    #[test]
+    fn limit_a_lane_does_not_know_the_other_motions(
+        cases in prop::collection::vec(cases(), 19),
+        ground in prop::collection::vec(-4.0..4.0_f64, 190),
+    ) {
+        let rows: Vec<_> = cases.iter().map(Case::row).cycle().take(300).collect();
+        let grounds = own_grounds(&ground, 19);
+        let single = rows.iter().zip(grounds.iter().cycle());
+        let single = single.map(|(row, ground)| beside(std::slice::from_ref(row), ground, 1e-8)[0]);
+        let shaken = grounds.iter().map(|ground| Excitation::new(GROUND_STEP, ground));
+        let shaken: Vec<_> = shaken.map(|shaken| shaken.expect("the record is finite")).collect();
+        let excitations: Vec<_> = shaken.iter().copied().cycle().take(300).collect();
+        let found = beside_under(&rows, Excitations::of(&excitations), 1e-8);
+        let bits = |one: Option<Found>| one.map(|(a, b)| (a.map(f64::to_bits), b.map(f64::to_bits)));
+        for (scene, (found, wanted)) in found.into_iter().zip(single.collect::<Vec<_>>()).enumerate() {
+            prop_assert_eq!(bits(found), bits(wanted), "{}", scene);
+        }
     }
 }
 

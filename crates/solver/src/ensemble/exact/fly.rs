@@ -3,7 +3,6 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::Interval;
 use super::pair::Side;
 use crate::Flight;
 use crate::ensemble::number::{Lanes, MOST_LANES, Mask};
@@ -31,6 +30,9 @@ pub(super) struct Flyer<S: Simd> {
     /// Least and largest displacement so far \[m\].
     pub(super) extremes: [Lanes<S>; 2],
 }
+
+/// How long it is to the next sample \[s\]; acceleration of the ground \[m/s²\], and its slope \[m/s³\].
+pub(super) type Ahead<S> = (f64, [Lanes<S>; 2]);
 
 /// Where a structure would be at the next sample.
 #[derive(Clone, Copy)]
@@ -85,12 +87,11 @@ impl<S: Simd> Flyer<S> {
     /// Where the structure would be at the next sample, and where it could turn on the way beyond what it has reached, unless
     /// [`Self::turn`] has found how far it goes.
     #[inline(always)]
-    pub(super) fn ahead(&self, interval: &Interval) -> (Landing<S>, Mask<S>) {
+    pub(super) fn ahead(&self, (length, ground): Ahead<S>) -> (Landing<S>, Mask<S>) {
         let (u, v) = (self.displacement, self.velocity);
         let zero = u.like(0.0);
-        let ground = self.mobile * u.like(interval.value);
-        let slope = self.mobile * u.like(interval.slope);
-        let last = ground + slope * u.like(interval.length);
+        let [ground, slope] = ground.map(|number| self.mobile * number);
+        let last = ground + slope * u.like(length);
         let load = ground + self.stiffness * u;
         let by = |[velocity, constant, growing]: [Lanes<S>; 3]| {
             velocity * v + constant * load + growing * slope
@@ -98,7 +99,7 @@ impl<S: Simd> Flyer<S> {
         let (displacement, velocity) = (u + by(self.change), by(self.end));
         let before = zero - (self.damping * v + load);
         let after = zero - (self.damping * velocity + self.stiffness * displacement + last);
-        let half = u.like(0.5 * interval.length);
+        let half = u.like(0.5 * length);
         let arc = half * half * u.like(0.5);
         let fastest = v.abs().max(velocity.abs());
         let push = self.stiffness * fastest + slope.abs();
@@ -129,7 +130,7 @@ impl<S: Simd> Flyer<S> {
         let once = turns & zero.exceeds(on) & one_way;
         if Lanes::any(once) {
             let ends = [v, before, velocity, after];
-            let (turned, found) = self.turn(slope, interval.length, ends);
+            let (turned, found) = self.turn(slope, length, ends);
             let known = once & found;
             landing.turned = Number::select(known, turned, u);
             return (landing, turns & !known);

@@ -2,12 +2,12 @@
 
 use fearless_simd::Simd;
 
-use super::fly::Flyer;
+use super::fly::{Ahead, Flyer};
 use super::pair::{Link, Scene, Side, Stage};
 use super::press::press;
 use super::{ExactSideBySide, Interval};
-use crate::ensemble::SceneSums;
 use crate::ensemble::number::{Lanes, MOST_LANES};
+use crate::ensemble::{Excitations, SceneSums};
 use crate::{Elastic, Row};
 
 /// Scenes of a batch: enough for the contacts of an interval to fill lanes, and few enough to stay in the near caches.
@@ -17,11 +17,11 @@ const BATCH: usize = 256;
 #[inline(always)]
 pub(super) fn run<S: Simd>(
     simd: S,
-    method: &ExactSideBySide,
+    method: &ExactSideBySide<'_>,
     rows: &[(usize, &Row<Elastic>)],
     tallies: &mut SceneSums,
 ) {
-    for rows in rows.chunks(BATCH) {
+    for (batch, rows) in rows.chunks(BATCH).enumerate() {
         let mut scenes: Vec<Scene> = rows
             .iter()
             .map(|(_, row)| Scene::new(row, method.tolerance, method.step))
@@ -31,20 +31,34 @@ pub(super) fn run<S: Simd>(
             .map(|scenes| Group::new(simd, scenes, method.step))
             .collect();
         let (mut alone, mut waiting) = (Vec::new(), Vec::new());
-        for interval in &method.intervals {
+        for index in 0..method.n_intervals() {
             if method.budget.is_stopped() {
                 return;
             }
+            let this = (index, method.length(index));
+            let common = match method.excitations {
+                Excitations::Common(_) => Some(method.interval(this, 0)),
+                Excitations::Each(_) => None,
+            };
+            let interval = |scene: usize| match common {
+                Some(interval) => interval,
+                None => method.interval(this, batch * BATCH + scene.min(rows.len() - 1)),
+            };
             alone.clear();
             let scenes_of_groups = scenes.chunks_mut(Lanes::<S>::N);
             for (index, (group, scenes)) in groups.iter_mut().zip(scenes_of_groups).enumerate() {
-                let lanes = group.go(interval, method.step, scenes);
+                let first = index * Lanes::<S>::N;
+                let ground = match common {
+                    Some(one) => [one.value, one.slope].map(|number| Lanes::splat(simd, number)),
+                    None => in_lanes(simd, std::array::from_fn(|lane| interval(first + lane))),
+                };
+                let lanes = group.go((this.1, ground), method.step, scenes);
                 alone.extend(places(lanes).map(|lane| index * Lanes::<S>::N + lane));
             }
             if alone.is_empty() {
                 continue;
             }
-            go_alone(simd, interval, &mut scenes, &alone, &mut waiting);
+            go_alone(simd, &interval, &mut scenes, &alone, &mut waiting);
             for scene in &alone {
                 let group = &mut groups[scene / Lanes::<S>::N];
                 group.take(scene % Lanes::<S>::N, &scenes[*scene]);
@@ -55,7 +69,7 @@ pub(super) fn run<S: Simd>(
             group.tell(scene % Lanes::<S>::N, &scenes[scene], (*place, tallies));
         }
         for group in &groups {
-            tallies.steps += method.intervals.len() as u64;
+            tallies.steps += method.n_intervals() as u64;
             tallies.touching_steps += group.alone;
         }
     }
@@ -65,7 +79,7 @@ pub(super) fn run<S: Simd>(
 #[inline(always)]
 fn go_alone<S: Simd>(
     simd: S,
-    interval: &Interval,
+    interval: &impl Fn(usize) -> Interval,
     scenes: &mut [Scene],
     alone: &[usize],
     waiting: &mut Vec<usize>,
@@ -77,7 +91,7 @@ fn go_alone<S: Simd>(
         waiting.clear();
         for place in alone {
             let scene = &mut scenes[*place];
-            scene.go_on(interval);
+            scene.go_on(&interval(*place));
             if scene.stage == Stage::OnTheWay {
                 waiting.push(*place);
             }
@@ -95,6 +109,15 @@ fn go_alone<S: Simd>(
             first = end;
         }
     }
+}
+
+/// Acceleration of the ground at the start of an interval \[m/s²\], and its slope \[m/s³\].
+#[inline(always)]
+fn in_lanes<S: Simd>(simd: S, intervals: [Interval; MOST_LANES]) -> [Lanes<S>; 2] {
+    [
+        Lanes::new(simd, &intervals.map(|interval| interval.value)),
+        Lanes::new(simd, &intervals.map(|interval| interval.slope)),
+    ]
 }
 
 /// Places of the bits of a number, from the lowest.
@@ -145,16 +168,16 @@ impl<S: Simd> Group<S> {
 
     /// Brings scenes to the next sample; returns those that have to go there alone, which have their motions then.
     #[inline(always)]
-    fn go(&mut self, interval: &Interval, step: f64, scenes: &mut [Scene]) -> u64 {
+    fn go(&mut self, ahead: Ahead<S>, step: f64, scenes: &mut [Scene]) -> u64 {
         let [left, right] = &self.flyers;
-        let (one, turns) = left.ahead(interval);
-        let (other, also) = right.ahead(interval);
+        let (one, turns) = left.ahead(ahead);
+        let (other, also) = right.ahead(ahead);
         let before = left.displacement - right.displacement;
         let after = one.displacement - other.displacement;
         let reached = before.max(after) + one.bow + other.bow;
         let events = turns | also | reached.reaches(self.gap);
         let mut alone = events.bits() | self.touching;
-        if interval.length < step {
+        if ahead.0 < step {
             alone = u64::MAX;
         }
         alone &= self.all & !self.lost;

@@ -22,25 +22,27 @@ mod search;
 
 use fearless_simd::{Level, dispatch};
 
-use super::SceneSums;
-use crate::{Budget, Clock, Elastic, Exact, Excitation, Pair, Row, RunError, Support};
+use super::{Excitations, SceneSums};
+use crate::{Budget, Clock, Elastic, Exact, Pair, Row, RunError, Support};
 
 /// Smallest tolerance that compliant contact can be followed to; who asks for less wants the bits of a run alone.
 const FINEST: f64 = 1e-12;
 /// Largest tolerance that it is followed to: with 1e-3 a contact by a Kelvin–Voigt element can end 12 % off.
 const COARSEST: f64 = 1e-4;
 
-/// One ground motion under which many rows of two elastic structures run by the exact method.
+/// Ground motions, with samples at the same instants, under which many rows of two elastic structures run by the exact method.
 ///
 /// Impacts and free flight are carried to rounding, as [`Exact`] alone does, but not in the same bits; compliant contact to errors
 /// of about the tolerance. Who wants histories, or a ledger, runs a scene alone.
 #[derive(Debug, Clone)]
-pub struct ExactSideBySide {
+pub struct ExactSideBySide<'a> {
     tolerance: f64,
-    /// Between the samples of the record.
-    intervals: Vec<Interval>,
-    /// Their length \[s\], but for the last one.
+    excitations: Excitations<'a>,
+    /// Between two samples of the records \[s\], and how many such intervals are before the end.
     step: f64,
+    n_whole: usize,
+    /// From the last sample before the end to the end \[s\]; nothing where a sample is there.
+    rest: Option<f64>,
     pub(super) level: Level,
     budget: Budget,
 }
@@ -57,21 +59,39 @@ struct Interval {
     jumps: bool,
 }
 
-impl ExactSideBySide {
-    /// Takes the ground motion for a clock, of which only the end counts.
+impl<'a> ExactSideBySide<'a> {
+    /// Takes the ground motions for a clock, of which only the end counts.
     ///
     /// # Errors
-    /// [`RunError::Setting`] for a tolerance out of range.
+    /// [`RunError::Setting`] for a tolerance out of range, and for records whose samples are not equally far apart.
     pub fn new(
         settings: Exact,
-        excitation: Excitation<'_>,
+        excitations: impl Into<Excitations<'a>>,
         clock: Clock,
     ) -> Result<Self, RunError> {
         settings.check()?;
+        let (excitations, end) = (excitations.into(), clock.time(clock.n_steps));
+        let step = excitations.time_step()?;
+        let part = end / step;
+        // An end that rounding puts beside a sample is at that sample.
+        let whole = if (part - part.round()).abs() < 1e-9 * part {
+            part.round()
+        } else {
+            part.floor()
+        };
+        let rest = end - whole * step;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number of samples >= 0"
+        )]
+        let n_whole = whole as usize;
         Ok(Self {
             tolerance: settings.tolerance.min(COARSEST),
-            intervals: intervals(excitation, clock.time(clock.n_steps)),
-            step: excitation.time_step(),
+            excitations,
+            step,
+            n_whole,
+            rest: (rest > 1e-9 * end).then_some(rest),
             level: Level::new(),
             budget: Budget::default(),
         })
@@ -103,47 +123,46 @@ impl ExactSideBySide {
     /// - a period is shorter than some six samples;
     /// - a structure goes further than 1 km.
     ///
-    /// What is told of a scene does not depend on the others.
+    /// What is told of a scene does not depend on the others. Where each has a ground motion of its own, there are as many of them as
+    /// rows, in their order; otherwise nothing is told.
     pub fn run(&self, rows: &[(usize, &Row<Elastic>)], tallies: &mut SceneSums) {
+        if !self.excitations.are_for(rows.len()) {
+            return;
+        }
         dispatch!(self.level, simd => group::run(simd, self, rows, tallies));
     }
 }
 
-/// The ground motion from t = 0 to the end, linear between samples and zero after the last one.
-fn intervals(excitation: Excitation<'_>, end: f64) -> Vec<Interval> {
-    let (step, samples) = (excitation.time_step(), excitation.samples());
-    let part = end / step;
-    // An end that rounding puts beside a sample is at that sample.
-    let whole = if (part - part.round()).abs() < 1e-9 * part {
-        part.round()
-    } else {
-        part.floor()
-    };
-    let interval = |(index, length): (usize, f64)| match samples.get(index..index + 2) {
-        Some(&[value, last]) => Interval {
-            length,
-            value,
-            slope: (last - value) / step,
-            jumps: false,
-        },
-        _ => Interval {
-            length,
-            value: 0.0,
-            slope: 0.0,
-            jumps: index + 1 == samples.len() && samples[index] != 0.0,
-        },
-    };
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a whole number of samples >= 0"
-    )]
-    let n = whole as usize;
-    let rest = end - whole * step;
-    let last = (rest > 1e-9 * end).then_some((n, rest));
-    (0..n)
-        .map(|index| (index, step))
-        .chain(last)
-        .map(interval)
-        .collect()
+impl ExactSideBySide<'_> {
+    /// Number of intervals before the end.
+    fn n_intervals(&self) -> usize {
+        self.n_whole + usize::from(self.rest.is_some())
+    }
+
+    /// Duration of an interval \[s\].
+    fn length(&self, index: usize) -> f64 {
+        match self.rest {
+            Some(rest) if index == self.n_whole => rest,
+            _ => self.step,
+        }
+    }
+
+    /// An interval of this length \[s\] of the motion of a scene.
+    fn interval(&self, (index, length): (usize, f64), scene: usize) -> Interval {
+        let samples = self.excitations.of_scene(scene).samples();
+        match samples.get(index..index + 2) {
+            Some(&[value, last]) => Interval {
+                length,
+                value,
+                slope: (last - value) / self.step,
+                jumps: false,
+            },
+            _ => Interval {
+                length,
+                value: 0.0,
+                slope: 0.0,
+                jumps: index + 1 == samples.len() && samples[index] != 0.0,
+            },
+        }
+    }
 }

@@ -14,7 +14,7 @@ use crate::ensemble::number::{Lanes, MOST_LANES, Mask};
 #[inline(always)]
 pub(super) fn press<S: Simd>(
     simd: S,
-    interval: &Interval,
+    interval: &impl Fn(usize) -> Interval,
     scenes: &mut [Scene],
     waiting: &[usize],
 ) {
@@ -32,7 +32,7 @@ pub(super) fn press<S: Simd>(
                 && let Some(scene) = waiting.next()
                 && let Link::Pressed(contact) = scenes[*scene].link
             {
-                pressing.take(lane, &scenes[*scene], &contact, interval);
+                pressing.take(lane, &scenes[*scene], &contact, &interval(*scene));
                 *inside = Some((*scene, contact));
                 refilled = true;
             }
@@ -50,13 +50,13 @@ pub(super) fn press<S: Simd>(
             if !is_in(ended) {
                 continue;
             }
-            if let Some((scene, mut contact)) = inside.take() {
-                let scene = &mut scenes[scene];
+            if let Some((place, mut contact)) = inside.take() {
+                let scene = &mut scenes[place];
                 pressing.put(lane, scene, &mut contact);
                 if is_in(broken) {
                     scene.give_up();
                 } else if is_in(parted) {
-                    scene.part(&contact, pressing.passed(lane), interval);
+                    scene.part(&contact, pressing.passed(lane), &interval(place));
                 } else {
                     scene.link = Link::Pressed(contact);
                     scene.arrive();

@@ -47,7 +47,7 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
     #[inline(always)]
     pub(super) fn new(
         (simd, rows, node): (S, Rows<'_, Column>, usize),
-        (time_step, ground): (f64, f64),
+        (time_step, ground): (f64, Lanes<S>),
     ) -> (Self, Motion<S, Column>) {
         let inverse_mass = rows.gather(simd, node, &|node| node.inverse_mass);
         let damping = rows.gather(simd, node, &|node| node.damping);
@@ -71,8 +71,7 @@ impl<S: Simd, Column: SideBySideColumn> Constants<S, Column> {
             memory: response.memory,
             extremes: Extremes::of(displacement),
         };
-        motion.acceleration =
-            constants.acceleration(&motion, damping.like(0.0), damping.like(ground));
+        motion.acceleration = constants.acceleration(&motion, damping.like(0.0), ground);
         (constants, motion)
     }
 

@@ -19,7 +19,7 @@ use crate::{Verlet, VerletImpacts};
 /// Motions of the left and the right structure.
 pub(super) type Motions<S, Column> = [Motion<S, Column>; 2];
 
-/// Scenes of two structures under one ground motion.
+/// Scenes of two structures.
 pub(super) struct Group<S: Simd, Column: SideBySideColumn> {
     pub(super) constants: [Constants<S, Column>; 2],
     pub(super) motions: Motions<S, Column>,
@@ -35,8 +35,12 @@ pub(super) struct Group<S: Simd, Column: SideBySideColumn> {
 
 impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
     #[inline(always)]
-    pub(super) fn new(simd: S, rows: Rows<'_, Column>, method: &Shaken<'_, Verlet>) -> Self {
-        let start = (method.time_step, method.ground[0]);
+    pub(super) fn new(
+        simd: S,
+        (rows, ground): (Rows<'_, Column>, Lanes<S>),
+        method: &Shaken<'_, Verlet>,
+    ) -> Self {
+        let start = (method.time_step, ground);
         let (left, left_motion) = Constants::new((simd, rows, 0), start);
         let (right, right_motion) = Constants::new((simd, rows, 1), start);
         Self {

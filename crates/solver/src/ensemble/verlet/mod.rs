@@ -8,6 +8,8 @@
 mod body;
 mod group;
 
+use std::ops::Range;
+
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
@@ -15,7 +17,7 @@ use self::group::Group;
 use super::column::SideBySideColumn;
 use super::number::Lanes;
 use super::rows::Rows;
-use super::{BETWEEN, SceneSums, Shaken};
+use super::{BETWEEN, Grounds, SceneSums, Shaken};
 use crate::{Row, Verlet};
 
 /// A distance within which two structures may touch for all that rounding says \[m\]: there a step looks closer.
@@ -31,15 +33,18 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
 ) {
     let in_step = 2 * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
+    let mut room = Vec::new();
     for (index, (rows, n_steps)) in groups.enumerate() {
-        let (one, other) = rows.split_at(rows.len().min(Lanes::<S>::N));
-        // A group without scenes repeats the other one, and is not told.
-        let other = if other.is_empty() { one } else { other };
+        let first = index * in_step;
+        let parts = Rows { rows, first }.split::<S>();
+        let longest = n_steps.iter().copied().max().unwrap_or(0);
+        let grounds = method.ground.in_lanes::<S, _>(&parts, longest, &mut room);
+        let [one, other] = [0, 1].map(|group: usize| (parts[group], grounds.at(simd, 0, group)));
         let mut groups = [
-            Group::new(simd, Rows(one), method),
-            Group::new(simd, Rows(other), method),
+            Group::new(simd, one, method),
+            Group::new(simd, other, method),
         ];
-        steps(method, &mut groups, (n_steps, index * in_step), tallies);
+        steps(method, grounds, &mut groups, (n_steps, first), tallies);
     }
 }
 
@@ -47,6 +52,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
 #[inline(always)]
 fn steps<S: Simd, Column: SideBySideColumn>(
     method: &Shaken<'_, Verlet>,
+    grounds: Grounds<'_>,
     groups: &mut [Group<S, Column>; 2],
     (n_steps, first): (&[usize], usize),
     tallies: &mut SceneSums,
@@ -57,14 +63,12 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             return;
         }
         let next = (*end).min(done + BETWEEN);
-        let ground = &method.ground[..=next];
         while done < next {
-            done = go_apart(groups, ground, done);
-            if let [from, to] = ground[done..][..2.min(ground.len() - done)] {
-                for group in groups.iter_mut() {
-                    let like = |acceleration| group.constants[0].inverse_mass.like(acceleration);
-                    let grounds = [like(from), like(to)];
-                    group.step(grounds);
+            done = go_apart(groups, grounds, done..next);
+            if done < next {
+                for (index, group) in groups.iter_mut().enumerate() {
+                    let simd = group.constants[0].inverse_mass.token();
+                    group.step([done, done + 1].map(|node| grounds.at(simd, node, index)));
                 }
                 done += 1;
             }
@@ -94,15 +98,15 @@ fn steps<S: Simd, Column: SideBySideColumn>(
 #[inline(always)]
 fn go_apart<S: Simd, Column: SideBySideColumn>(
     [one, other]: &mut [Group<S, Column>; 2],
-    ground: &[f64],
-    before: usize,
+    grounds: Grounds<'_>,
+    steps: Range<usize>,
 ) -> usize {
-    let mut done = before;
+    let mut done = steps.start;
     if one.busy || other.busy {
         return done;
     }
     let (mut ones, mut others) = (one.motions, other.motions);
-    for acceleration in &ground[before + 1..] {
+    for step in steps {
         let a = one.constants[0].step.predict(ones[0].kinematics());
         let b = one.constants[1].step.predict(ones[1].kinematics());
         let c = other.constants[0].step.predict(others[0].kinematics());
@@ -111,12 +115,12 @@ fn go_apart<S: Simd, Column: SideBySideColumn>(
         if Lanes::any(near) {
             break;
         }
-        let ground = a[0].like(*acceleration);
+        let [ground, its] = [0, 1].map(|group: usize| grounds.at(a[0].token(), step + 1, group));
         one.constants[0].finish(&mut ones[0], a, ground);
         one.constants[1].finish(&mut ones[1], b, ground);
-        other.constants[0].finish(&mut others[0], c, ground);
-        other.constants[1].finish(&mut others[1], d, ground);
-        done += 1;
+        other.constants[0].finish(&mut others[0], c, its);
+        other.constants[1].finish(&mut others[1], d, its);
+        done = step + 1;
     }
     (one.motions, other.motions) = (ones, others);
     done
