@@ -210,7 +210,8 @@ impl Sweep {
         let mut numbers = Vec::with_capacity(self.n_columns());
         let mut least = Vec::new();
         for (scene, (run, prepared)) in ready.iter().enumerate() {
-            (numbers.clear(), least.clear());
+            numbers.clear();
+            least.clear();
             let beside = tallies
                 .as_ref()
                 .is_some_and(|tallies| self.tell(prepared, tallies, scene, &mut numbers));

@@ -2,7 +2,7 @@
 
 use fearless_simd::Simd;
 
-use super::number::Lanes;
+use super::number::{Lanes, MOST_LANES};
 use super::rows::Rows;
 use crate::error::require;
 use crate::{Clock, Excitation, RunError};
@@ -81,7 +81,7 @@ pub(super) struct Sampled<'a> {
     pub(super) excitations: Excitations<'a>,
     pub(super) clock: Clock,
     /// Acceleration of the common one at every node \[m/s²\]; others are sampled when their scenes run.
-    common: Vec<f64>,
+    pub(super) common: Vec<f64>,
 }
 
 impl<'a> Sampled<'a> {
@@ -96,80 +96,99 @@ impl<'a> Sampled<'a> {
             common,
         }
     }
+}
 
-    /// The motions of groups of rows up to a step; `room` keeps those that differ.
-    pub(super) fn in_lanes<'b, S: Simd, Column>(
-        &'b self,
-        groups: &[Rows<'_, Column>],
-        n_steps: usize,
-        room: &'b mut Vec<f64>,
-    ) -> Grounds<'b> {
-        let Excitations::Each(each) = self.excitations else {
-            return Grounds::Common(&self.common);
-        };
+/// Groups of scenes that go in step, at most.
+pub(super) const GROUPS: usize = 2;
+
+/// Ground accelerations of groups of scenes at the nodes of a clock \[m/s²\].
+pub(super) trait Grounds<S: Simd> {
+    /// What is kept of a node.
+    type Node;
+
+    /// Takes the motions of groups of rows up to a step, where they have motions of their own.
+    fn take<Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize);
+
+    /// All nodes, or those up to the step that was taken.
+    fn nodes(&self) -> &[Self::Node];
+
+    /// The accelerations of the groups at a node.
+    fn at(simd: S, node: &Self::Node) -> [Lanes<S>; GROUPS];
+}
+
+/// One motion for all scenes.
+pub(super) struct Common<'a>(pub(super) &'a [f64]);
+
+impl<S: Simd> Grounds<S> for Common<'_> {
+    type Node = f64;
+
+    #[inline(always)]
+    fn take<Column>(&mut self, _: &[Rows<'_, Column>; GROUPS], _: usize) {}
+
+    #[inline(always)]
+    fn nodes(&self) -> &[f64] {
+        self.0
+    }
+
+    #[inline(always)]
+    fn at(simd: S, node: &f64) -> [Lanes<S>; GROUPS] {
+        [Lanes::splat(simd, *node); GROUPS]
+    }
+}
+
+/// A motion for every scene, at the nodes of a clock.
+pub(super) struct Own<'a> {
+    each: &'a [Excitation<'a>],
+    clock: Clock,
+    nodes: Vec<[[f64; MOST_LANES]; GROUPS]>,
+}
+
+impl<'a> Own<'a> {
+    pub(super) fn new(each: &'a [Excitation<'a>], clock: Clock) -> Self {
+        Self {
+            each,
+            clock,
+            nodes: Vec::new(),
+        }
+    }
+}
+
+impl<S: Simd> Grounds<S> for Own<'_> {
+    type Node = [[f64; MOST_LANES]; GROUPS];
+
+    fn take<Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize) {
         let clock = Clock {
             n_steps,
             ..self.clock
         };
-        let (n_lanes, n_groups) = (Lanes::<S>::N, groups.len());
-        room.clear();
-        room.resize((n_steps + 1) * n_groups * n_lanes, 0.0);
-        let mut last: Option<(usize, usize)> = None;
+        self.nodes.resize(n_steps + 1, Default::default());
         for (group, rows) in groups.iter().enumerate() {
-            for lane in 0..n_lanes {
-                let (scene, column) = (rows.scene(lane), group * n_lanes + lane);
-                let nodes = room.chunks_exact_mut(n_groups * n_lanes);
-                match last {
-                    // Lanes without a scene repeat the one before.
-                    Some((before, its)) if before == scene => {
-                        nodes.for_each(|node| node[column] = node[its]);
-                    }
-                    _ => {
-                        let samples = each[scene].sampled(clock);
-                        nodes
-                            .zip(samples)
-                            .for_each(|(node, sample)| node[column] = sample);
-                    }
+            if group > 0 && rows.first == groups[0].first {
+                // A group without scenes repeats the first one.
+                self.nodes.iter_mut().for_each(|node| node[group] = node[0]);
+                continue;
+            }
+            for lane in 0..Lanes::<S>::N {
+                if lane > 0 && rows.scene(lane) == rows.scene(lane - 1) {
+                    let nodes = self.nodes.iter_mut();
+                    nodes.for_each(|node| node[group][lane] = node[group][lane - 1]);
+                    continue;
                 }
-                last = Some((scene, column));
+                let accelerations = self.each[rows.scene(lane)].sampled(clock);
+                for (node, acceleration) in self.nodes.iter_mut().zip(accelerations) {
+                    node[group][lane] = acceleration;
+                }
             }
         }
-        Grounds::Each {
-            samples: room,
-            n_groups,
-        }
     }
-}
 
-/// Ground accelerations of some groups of scenes at the nodes of a clock \[m/s²\].
-#[derive(Clone, Copy)]
-pub(super) enum Grounds<'a> {
-    Common(&'a [f64]),
-    /// For each node those of all groups, lane by lane.
-    Each {
-        samples: &'a [f64],
-        n_groups: usize,
-    },
-}
-
-impl Grounds<'_> {
-    /// At a node, of the scenes of a group.
     #[inline(always)]
-    pub(super) fn at<S: Simd>(&self, simd: S, node: usize, group: usize) -> Lanes<S> {
-        match self {
-            Self::Common(samples) => Lanes::splat(simd, samples[node]),
-            Self::Each { samples, n_groups } => {
-                let first = (node * n_groups + group) * Lanes::<S>::N;
-                Lanes::from_slice(simd, &samples[first..first + Lanes::<S>::N])
-            }
-        }
+    fn nodes(&self) -> &[Self::Node] {
+        &self.nodes
     }
 
-    /// At t = 0, in a lane of a group.
-    pub(super) fn first<S: Simd>(&self, group: usize, lane: usize) -> f64 {
-        match self {
-            Self::Common(samples) => samples[0],
-            Self::Each { samples, .. } => samples[group * Lanes::<S>::N + lane],
-        }
+    #[inline(always)]
+    fn at(simd: S, [one, other]: &Self::Node) -> [Lanes<S>; GROUPS] {
+        [Lanes::new(simd, one), Lanes::new(simd, other)]
     }
 }

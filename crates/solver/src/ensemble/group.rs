@@ -25,7 +25,7 @@ pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Colum
     /// For every structure the pair that it is the left neighbour of.
     pub(super) pairs: &'a mut [Option<Pair<S>>],
     frame: F,
-    jumps: Jumps<S>,
+    jumps: Jumps<'a, S>,
     /// Whether compliant pairs that touched at the node before have their books to close.
     pub(super) busy: bool,
     /// Steps in which some lane touches.
@@ -36,14 +36,15 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
     #[inline(always)]
     pub(super) fn new(
         simd: S,
-        method: &Shaken<'_, CentralDifference>,
+        method: &Shaken<CentralDifference>,
         (structures, pairs): Scenes<'a, S, Column>,
         frame: F,
+        jumps: Jumps<'a, S>,
     ) -> Self {
         Self {
             simd,
             time_step: method.time_step,
-            jumps: Jumps::new::<Column, F>(&frame, structures, pairs),
+            jumps,
             frame,
             structures,
             pairs,

@@ -13,27 +13,26 @@ use crate::RestoringForce;
 use crate::impact::rounds::{ROUNDING, Rounds, Touching};
 
 /// The rule of [`Impacts`](crate::impact::impacts::Impacts): the pair of two structures at once, pairs of longer rows in its rounds.
-pub(super) enum Jumps<S: Simd> {
+pub(super) enum Jumps<'a, S: Simd> {
     TwoStructures,
-    Longer(Box<Rounds<Lanes<S>>>),
+    Longer(&'a mut Rounds<Lanes<S>>),
 }
 
-impl<S: Simd> Jumps<S> {
-    #[inline(always)]
-    pub(super) fn new<Column: SideBySideColumn, F: Frame<S, Column>>(
-        frame: &F,
-        structures: &[Structure<S, Column>],
-        pairs: &[Option<Pair<S>>],
-    ) -> Self {
-        if F::STANDS_ALONE && structures.len() == 2 {
-            return Self::TwoStructures;
-        }
-        let nodes = 0..structures.len();
-        let mobilities = nodes.map(|node| mobility(&structures[frame.place(node)]));
-        let rounds = Rounds::new(mobilities.collect(), pairs.iter().flatten().count());
-        Self::Longer(Box::new(rounds))
-    }
+/// The rounds of longer rows.
+///
+/// Who keeps them lends them: a group that had to be dropped would be kept in memory, and not in registers.
+#[inline(always)]
+pub(super) fn rounds<S: Simd, Column: SideBySideColumn>(
+    frame: &impl Frame<S, Column>,
+    structures: &[Structure<S, Column>],
+    pairs: &[Option<Pair<S>>],
+) -> Rounds<Lanes<S>> {
+    let nodes = 0..structures.len();
+    let mobilities = nodes.map(|node| mobility(&structures[frame.place(node)]));
+    Rounds::new(mobilities.collect(), pairs.iter().flatten().count())
+}
 
+impl<S: Simd> Jumps<'_, S> {
     /// Takes an impulsive pair that touches, with its left neighbour; farther to the right than those before.
     #[inline(always)]
     pub(super) fn take(&mut self, of: (usize, usize), touching: Touching<Lanes<S>>) {

@@ -42,7 +42,7 @@ pub use column::RowsOf;
 use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use excitations::Excitations;
-use excitations::{Grounds, Sampled};
+use excitations::{Common, Grounds, Own, Sampled};
 pub use tallies::{PairSums, SceneSums};
 
 use crate::model::buildings::Buildings;
@@ -91,10 +91,9 @@ pub struct SideBySide<'a> {
 }
 
 /// The same with the settings of one method.
-struct Shaken<'a, Settings> {
+struct Shaken<Settings> {
     settings: Settings,
     time_step: f64,
-    ground: &'a Sampled<'a>,
     budget: Budget,
 }
 
@@ -164,11 +163,29 @@ impl<'a> SideBySide<'a> {
         match self.stepping {
             Stepping::CentralDifference(settings) => {
                 let method = self.with(settings);
-                dispatch!(self.level, simd => run::run(simd, &method, task, tallies));
+                match self.ground.excitations {
+                    Excitations::Common(_) => {
+                        let common = Common(&self.ground.common);
+                        dispatch!(self.level, simd => run::run((simd, &method), common, task, tallies));
+                    }
+                    Excitations::Each(each) => {
+                        let clock = self.ground.clock;
+                        dispatch!(self.level, simd => run::run((simd, &method), Own::new(each, clock), task, tallies));
+                    }
+                }
             }
             Stepping::Verlet(settings) => {
                 let method = self.with(settings);
-                dispatch!(self.level, simd => verlet::run(simd, &method, task, tallies));
+                match self.ground.excitations {
+                    Excitations::Common(_) => {
+                        let common = Common(&self.ground.common);
+                        dispatch!(self.level, simd => verlet::run((simd, &method), common, task, tallies));
+                    }
+                    Excitations::Each(each) => {
+                        let clock = self.ground.clock;
+                        dispatch!(self.level, simd => verlet::run((simd, &method), Own::new(each, clock), task, tallies));
+                    }
+                }
             }
         }
         let is_compliant = |pair: &Pair| pair.law.is_compliant();
@@ -189,11 +206,10 @@ impl<'a> SideBySide<'a> {
         true
     }
 
-    fn with<Settings>(&self, settings: Settings) -> Shaken<'_, Settings> {
+    fn with<Settings>(&self, settings: Settings) -> Shaken<Settings> {
         Shaken {
             settings,
             time_step: self.ground.clock.time_step,
-            ground: &self.ground,
             budget: self.budget,
         }
     }

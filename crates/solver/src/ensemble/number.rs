@@ -43,12 +43,6 @@ impl<S: Simd> Lanes<S> {
         Self(S::f64s::from_slice(simd, &values[..Self::N]))
     }
 
-    /// As many values as there are lanes.
-    #[inline(always)]
-    pub(super) fn from_slice(simd: S, values: &[f64]) -> Self {
-        Self(S::f64s::from_slice(simd, values))
-    }
-
     /// The value of each lane.
     #[inline(always)]
     pub(super) fn values(&self) -> &[f64] {

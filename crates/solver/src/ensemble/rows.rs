@@ -2,7 +2,6 @@
 
 use fearless_simd::Simd;
 
-use super::Grounds;
 use super::body::{AtStart, Body};
 use super::column::SideBySideColumn;
 use super::law::Law;
@@ -51,13 +50,11 @@ impl<'a, Column> Rows<'a, Column> {
 }
 
 impl<Column: SideBySideColumn> Rows<'_, Column> {
-    /// The states of all rows at t = 0 as a group that has these ground motions.
-    pub(super) fn states<S: Simd>(self, grounds: Grounds<'_>, group: usize) -> Vec<Vec<State>> {
+    /// The states of all rows at t = 0, where the ground has these accelerations \[m/s²\].
+    pub(super) fn states<S: Simd>(self, ground: Lanes<S>) -> Vec<Vec<State>> {
         let rows = self.rows.iter().enumerate();
-        let of_row = |(lane, row): (usize, &&Row<Column>)| {
-            let ground = Ground::Common(grounds.first::<S>(group, lane));
-            row.initial(ground).0
-        };
+        let of_row =
+            |(lane, row): (usize, &&Row<Column>)| row.initial(Ground::Common(ground.lane(lane))).0;
         rows.map(of_row).collect()
     }
 

@@ -3,14 +3,13 @@
 //!
 //! Two groups instead of one of twice the lanes: a group in which no lane touches makes the plain step.
 
-use std::ops::RangeInclusive;
-
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::column::SideBySideColumn;
 use super::frame::{Frame, Single};
 use super::group::Group;
+use super::jump::{Jumps, rounds};
 use super::number::Lanes;
 use super::rows::Rows;
 use super::scenes::{Pair, Structure};
@@ -23,18 +22,18 @@ use crate::{CentralDifference, Row, State};
 const SHORT: usize = 3;
 
 /// Rows of one shape with the number of steps of each, and where what happened in them is told.
-struct Task<'a, Column> {
+struct Task<'a, G, Column> {
     rows: Rows<'a, Column>,
     n_steps: &'a [usize],
-    grounds: Grounds<'a>,
+    grounds: &'a G,
     tallies: &'a mut SceneSums,
 }
 
 /// Runs rows of one shape, each for its number of steps, and tells what happened in them.
 #[inline(always)]
 pub(super) fn run<S: Simd, Column: SideBySideColumn>(
-    simd: S,
-    method: &Shaken<'_, CentralDifference>,
+    (simd, method): (S, &Shaken<CentralDifference>),
+    mut grounds: impl Grounds<S>,
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut SceneSums,
 ) {
@@ -47,59 +46,64 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     };
     let in_step = n_groups * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
-    let mut room = Vec::new();
     for (index, (rows, n_steps)) in groups.enumerate() {
         let first = index * in_step;
         let parts = Rows { rows, first }.split::<S>();
         let longest = n_steps.iter().copied().max().unwrap_or(0);
+        grounds.take(&parts, longest);
         let task = Task {
             rows: Rows { rows, first },
             n_steps,
-            grounds: method
-                .ground
-                .in_lanes::<S, _>(&parts[..n_groups], longest, &mut room),
+            grounds: &grounds,
             tallies,
         };
-        run_in_step(simd, &parts[..n_groups], method, task);
+        run_in_step(simd, n_groups, method, task);
     }
 }
 
 /// Runs as many rows as the groups have lanes, or fewer, and tells what happened in them.
 #[inline(always)]
-fn run_in_step<S: Simd, Column: SideBySideColumn>(
+fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
     simd: S,
-    parts: &[Rows<'_, Column>],
-    method: &Shaken<'_, CentralDifference>,
-    task: Task<'_, Column>,
+    n_groups: usize,
+    method: &Shaken<CentralDifference>,
+    task: Task<'_, G, Column>,
 ) {
-    let groups = parts.iter().enumerate();
-    let states: Vec<_> = groups
-        .map(|(group, rows)| rows.states::<S>(task.grounds, group))
-        .collect();
-    let start = |group: usize| (&states[group][..], method.time_step);
+    let parts = task.rows.split::<S>();
+    let at_start = G::at(simd, &task.grounds.nodes()[0]);
+    let states = [0, 1].map(|group: usize| parts[group].states(at_start[group]));
+    let starts = states
+        .each_ref()
+        .map(|states| (&states[..], method.time_step));
     if let Some(storeys) = Storeys::of(simd, parts[0], method.time_step) {
-        let (mut structures, mut pairs) = gathered(simd, parts[0], start(0), storeys.nodes());
+        let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0], storeys.nodes());
+        let mut rounds = rounds::<S, Column>(&storeys, &structures, &pairs);
         let scenes = (&mut structures[..], &mut pairs[..]);
-        steps(
-            method,
-            &mut [Group::new(simd, method, scenes, storeys)],
-            task,
+        let jumps = Jumps::Longer(&mut rounds);
+        let mut groups = [Group::new(simd, method, scenes, storeys, jumps)];
+        steps(method, &mut groups, task);
+    } else if parts[0].lane(0).nodes().len() == 2 {
+        let (mut a, mut b) = (parts[0].two(simd, starts[0]), parts[1].two(simd, starts[1]));
+        let (mut c, mut d) = (
+            [parts[0].pair(simd, 0), None],
+            [parts[1].pair(simd, 0), None],
         );
-    } else if let [one, other] = parts
-        && one.lane(0).nodes().len() == 2
-    {
-        let (mut a, mut b) = (one.two(simd, start(0)), other.two(simd, start(1)));
-        let (mut c, mut d) = ([one.pair(simd, 0), None], [other.pair(simd, 0), None]);
         let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
-        let mut groups = scenes.map(|scenes| Group::new(simd, method, scenes, Single));
+        let group = |scenes| Group::new(simd, method, scenes, Single, Jumps::TwoStructures);
+        let mut groups = scenes.map(group);
         steps(method, &mut groups, task);
     } else {
         let nodes: Vec<_> = (0..parts[0].lane(0).nodes().len()).collect();
-        let scenes = parts.iter().enumerate();
-        let scenes = scenes.map(|(group, rows)| gathered(simd, *rows, start(group), &nodes));
+        let scenes = parts[..n_groups].iter().zip(starts);
+        let scenes = scenes.map(|(rows, start)| {
+            let (structures, pairs) = gathered(simd, *rows, start, &nodes);
+            let rounds = rounds::<S, Column>(&Single, &structures, &pairs);
+            (structures, pairs, rounds)
+        });
         let mut scenes: Vec<_> = scenes.collect();
-        let groups = scenes.iter_mut().map(|(structures, pairs)| {
-            Group::new(simd, method, (&mut structures[..], &mut pairs[..]), Single)
+        let groups = scenes.iter_mut().map(|(structures, pairs, rounds)| {
+            let scenes = (&mut structures[..], &mut pairs[..]);
+            Group::new(simd, method, scenes, Single, Jumps::Longer(rounds))
         });
         steps(method, &mut groups.collect::<Vec<_>>(), task);
     }
@@ -122,38 +126,40 @@ fn gathered<S: Simd, Column: SideBySideColumn>(
 
 /// All steps of some groups; what happened in a scene is told at its end.
 #[inline(always)]
-fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
-    method: &Shaken<'_, CentralDifference>,
+fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds<S>>(
+    method: &Shaken<CentralDifference>,
     groups: &mut [Group<'_, S, Column, F>],
     Task {
         rows,
         n_steps,
         grounds,
         tallies,
-    }: Task<'_, Column>,
+    }: Task<'_, G, Column>,
 ) {
+    let simd = groups[0].simd;
     let between = BETWEEN.div_ceil(rows.lane(0).nodes().len().max(1));
     let mut step = 0;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
         if method.budget.is_stopped() {
             return;
         }
-        let last = (*end).min(step + between);
-        while step <= last {
+        let nodes = &grounds.nodes()[..=(*end).min(step + between)];
+        while step < nodes.len() {
             if F::STANDS_ALONE
                 && let [one, other] = groups
                 && !(one.busy || other.busy)
             {
                 let groups = [one, other];
                 step = match groups[0].structures.len() {
-                    2 => go_apart::<S, Column, F, 2>(groups, grounds, step..=last),
-                    SHORT => go_apart::<S, Column, F, SHORT>(groups, grounds, step..=last),
+                    2 => go_apart::<S, Column, F, G, 2>(groups, nodes, step),
+                    SHORT => go_apart::<S, Column, F, G, SHORT>(groups, nodes, step),
                     _ => step,
                 };
             }
-            if step <= last {
+            if let Some(node) = nodes.get(step) {
+                let grounds = G::at(simd, node);
                 for (index, group) in groups.iter_mut().enumerate() {
-                    group.step(grounds.at(group.simd, step, index));
+                    group.step(grounds[index]);
                 }
                 step += 1;
             }
@@ -185,10 +191,20 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
 
 /// Goes on from a node while no lane touches, with the motions of so many structures at hand; the node at which one does.
 #[inline(always)]
-fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usize>(
+#[expect(
+    clippy::needless_range_loop,
+    reason = "iterators over the motions of both groups would keep them in memory"
+)]
+fn go_apart<
+    S: Simd,
+    Column: SideBySideColumn,
+    F: Frame<S, Column>,
+    G: Grounds<S>,
+    const N: usize,
+>(
     [one, other]: [&mut Group<'_, S, Column, F>; 2],
-    grounds: Grounds<'_>,
-    nodes: RangeInclusive<usize>,
+    nodes: &[G::Node],
+    step: usize,
 ) -> usize {
     let simd = one.simd;
     let zero = Lanes::splat(simd, 0.0);
@@ -197,12 +213,15 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usi
         std::array::from_fn(|index| motion(one, index)),
         std::array::from_fn(|index| motion(other, index)),
     ];
-    let mut step = *nodes.start();
-    for node in nodes {
+    let mut reached = step;
+    for node in &nodes[step..] {
         let mut touching = zero.exceeds(zero);
-        for (group, motions) in [&*one, &*other].into_iter().zip(&motions) {
-            for left in 1..N {
-                if let Some(pair) = &group.pairs[left - 1] {
+        for left in 1..N {
+            for (pair, motions) in [
+                (&one.pairs[left - 1], &motions[0]),
+                (&other.pairs[left - 1], &motions[1]),
+            ] {
+                if let Some(pair) = pair {
                     let ahead = motions[left - 1].displacement - motions[left].displacement;
                     touching = touching | (ahead - pair.gap).reaches(zero);
                 }
@@ -211,19 +230,20 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usi
         if Lanes::any(touching) {
             break;
         }
-        for (place, (group, motions)) in [&*one, &*other].into_iter().zip(&mut motions).enumerate()
-        {
-            let ground = grounds.at(simd, node, place);
-            for (index, motion) in motions.iter_mut().enumerate() {
-                group.structures[index].constants.step(motion, zero, ground);
-            }
+        let [ground, its] = G::at(simd, node);
+        for index in 0..N {
+            let constants = [
+                &one.structures[index].constants,
+                &other.structures[index].constants,
+            ];
+            constants[0].step(&mut motions[0][index], zero, ground);
+            constants[1].step(&mut motions[1][index], zero, its);
         }
-        step = node + 1;
+        reached += 1;
     }
-    for (group, motions) in [one, other].into_iter().zip(motions) {
-        for (index, motion) in motions.into_iter().enumerate() {
-            group.structures[index].motion = motion;
-        }
+    for index in 0..N {
+        one.structures[index].motion = motions[0][index];
+        other.structures[index].motion = motions[1][index];
     }
-    step
+    reached
 }

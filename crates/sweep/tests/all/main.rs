@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod checked;
+mod motions;
 mod parts;
 mod towers;
 

@@ -38,7 +38,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
     pub(super) fn new(
         simd: S,
         (rows, ground): (Rows<'_, Column>, Lanes<S>),
-        method: &Shaken<'_, Verlet>,
+        method: &Shaken<Verlet>,
     ) -> Self {
         let start = (method.time_step, ground);
         let (left, left_motion) = Constants::new((simd, rows, 0), start);

@@ -8,8 +8,6 @@
 mod body;
 mod group;
 
-use std::ops::Range;
-
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
@@ -25,34 +23,34 @@ const NEAR: f64 = 1e-9;
 
 /// Runs rows of two structures, each for its number of steps, and tells what happened in them.
 #[inline(always)]
-pub(super) fn run<S: Simd, Column: SideBySideColumn>(
-    simd: S,
-    method: &Shaken<'_, Verlet>,
+pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
+    (simd, method): (S, &Shaken<Verlet>),
+    mut grounds: G,
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut SceneSums,
 ) {
     let in_step = 2 * Lanes::<S>::N;
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
-    let mut room = Vec::new();
     for (index, (rows, n_steps)) in groups.enumerate() {
         let first = index * in_step;
         let parts = Rows { rows, first }.split::<S>();
         let longest = n_steps.iter().copied().max().unwrap_or(0);
-        let grounds = method.ground.in_lanes::<S, _>(&parts, longest, &mut room);
-        let [one, other] = [0, 1].map(|group: usize| (parts[group], grounds.at(simd, 0, group)));
+        grounds.take(&parts, longest);
+        let at_start = G::at(simd, &grounds.nodes()[0]);
+        let [one, other] = [0, 1].map(|group: usize| (parts[group], at_start[group]));
         let mut groups = [
             Group::new(simd, one, method),
             Group::new(simd, other, method),
         ];
-        steps(method, grounds, &mut groups, (n_steps, first), tallies);
+        steps(method, &grounds, &mut groups, (n_steps, first), tallies);
     }
 }
 
 /// All steps of two groups; what happened in a scene is told at its end, as one of those from `first` on.
 #[inline(always)]
-fn steps<S: Simd, Column: SideBySideColumn>(
-    method: &Shaken<'_, Verlet>,
-    grounds: Grounds<'_>,
+fn steps<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
+    method: &Shaken<Verlet>,
+    grounds: &G,
     groups: &mut [Group<S, Column>; 2],
     (n_steps, first): (&[usize], usize),
     tallies: &mut SceneSums,
@@ -63,12 +61,14 @@ fn steps<S: Simd, Column: SideBySideColumn>(
             return;
         }
         let next = (*end).min(done + BETWEEN);
+        let nodes = &grounds.nodes()[..=next];
         while done < next {
-            done = go_apart(groups, grounds, done..next);
-            if done < next {
+            done = go_apart::<S, Column, G>(groups, nodes, done);
+            if let [from, to, ..] = &nodes[done..] {
+                let simd = groups[0].constants[0].inverse_mass.token();
+                let (from, to) = (G::at(simd, from), G::at(simd, to));
                 for (index, group) in groups.iter_mut().enumerate() {
-                    let simd = group.constants[0].inverse_mass.token();
-                    group.step([done, done + 1].map(|node| grounds.at(simd, node, index)));
+                    group.step([from[index], to[index]]);
                 }
                 done += 1;
             }
@@ -96,17 +96,17 @@ fn steps<S: Simd, Column: SideBySideColumn>(
 
 /// Goes on while no lane may touch, with the motions at hand; the number of steps that are done.
 #[inline(always)]
-fn go_apart<S: Simd, Column: SideBySideColumn>(
+fn go_apart<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
     [one, other]: &mut [Group<S, Column>; 2],
-    grounds: Grounds<'_>,
-    steps: Range<usize>,
+    nodes: &[G::Node],
+    before: usize,
 ) -> usize {
-    let mut done = steps.start;
+    let mut done = before;
     if one.busy || other.busy {
         return done;
     }
     let (mut ones, mut others) = (one.motions, other.motions);
-    for step in steps {
+    for node in &nodes[before + 1..] {
         let a = one.constants[0].step.predict(ones[0].kinematics());
         let b = one.constants[1].step.predict(ones[1].kinematics());
         let c = other.constants[0].step.predict(others[0].kinematics());
@@ -115,12 +115,12 @@ fn go_apart<S: Simd, Column: SideBySideColumn>(
         if Lanes::any(near) {
             break;
         }
-        let [ground, its] = [0, 1].map(|group: usize| grounds.at(a[0].token(), step + 1, group));
+        let [ground, its] = G::at(a[0].token(), node);
         one.constants[0].finish(&mut ones[0], a, ground);
         one.constants[1].finish(&mut ones[1], b, ground);
         other.constants[0].finish(&mut others[0], c, its);
         other.constants[1].finish(&mut others[1], d, its);
-        done = step + 1;
+        done += 1;
     }
     (one.motions, other.motions) = (ones, others);
     done
