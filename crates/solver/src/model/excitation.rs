@@ -128,31 +128,30 @@ impl<'a> Excitation<'a> {
     }
 
     /// Ground acceleration at a `position` counted in samples; nothing before the first one.
+    #[inline]
     pub(crate) fn at_position(&self, position: f64) -> f64 {
-        let sample = |index: f64| {
-            // Precondition of the cast: index is a whole number ≥ 0; beyond the last sample `get` says so.
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a whole number >= 0"
-            )]
-            let index = index as usize;
-            self.samples.get(index).copied().unwrap_or(0.0)
-        };
         if position <= -SNAP {
             return 0.0;
         }
-        let nearest = position.round();
-        if (position - nearest).abs() < SNAP {
-            return sample(nearest);
+        // Rounds towards zero, without a call; behind the last sample `get` says so.
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a position >= 0, or one that is nearly 0"
+        )]
+        let below = position as usize;
+        let sample = |index: usize| self.samples.get(index).copied().unwrap_or(0.0);
+        let fraction = position - below as f64;
+        if fraction < SNAP {
+            return sample(below);
         }
-        let below = position.floor();
-        if below + 1.0 >= self.samples.len() as f64 {
-            return 0.0;
+        if below as f64 + 1.0 - position < SNAP {
+            return sample(below + 1);
         }
-        let fraction = position - below;
-        let (left, right) = (sample(below), sample(below + 1.0));
-        left + fraction * (right - left)
+        match (self.samples.get(below), self.samples.get(below + 1)) {
+            (Some(left), Some(right)) => left + fraction * (right - left),
+            _ => 0.0,
+        }
     }
 }
 
