@@ -1,8 +1,10 @@
 //! Simulation scenes that run side by side.
 
+use std::sync::Arc;
+
 use pounding_solver::{
-    Clock, Elastic, Exact, ExactSideBySide, Excitations, Integrator, Row, RowsOf, SceneSums,
-    SideBySide, Stepping,
+    Clock, Elastic, Exact, ExactSideBySide, Excitation, Excitations, Integrator, Row, RowsOf,
+    SceneSums, SideBySide, Stepping,
 };
 
 use super::Simulation;
@@ -54,7 +56,7 @@ fn stepped(scenes: &[&Simulation], stepping: Stepping, tallies: &mut SceneSums) 
         time_step: first.clock.time_step,
         n_steps: n_steps.iter().copied().max()?,
     };
-    let excitations: Vec<_> = scenes.iter().map(|scene| scene.excitation()).collect();
+    let excitations = excitations(scenes.iter().copied());
     let together = SideBySide::new(stepping, Excitations::of(&excitations), clock).ok()?;
     let together = together.within(first.budget());
     let mut run = |rows| together.run(rows, &n_steps, tallies);
@@ -87,8 +89,7 @@ fn exact(scenes: &[&Simulation], tallies: &mut SceneSums) -> bool {
         let (now, later): (Vec<_>, Vec<_>) = left.iter().copied().partition(together);
         let row = |(place, _): &(usize, Exact)| Some((*place, elastic(scenes[*place])?));
         let rows: Vec<_> = now.iter().filter_map(row).collect();
-        let excitations = now.iter().map(|(place, _)| scenes[*place].excitation());
-        let excitations: Vec<_> = excitations.collect();
+        let excitations = excitations(now.iter().map(|(place, _)| scenes[*place]));
         let excitations = Excitations::of(&excitations);
         if let Ok(together) = ExactSideBySide::new(settings, excitations, first.clock) {
             together.within(first.budget()).run(&rows, tallies);
@@ -96,6 +97,18 @@ fn exact(scenes: &[&Simulation], tallies: &mut SceneSums) -> bool {
         left = later;
     }
     any
+}
+
+/// The ground motions of scenes; of those that share a record it is looked through once.
+fn excitations<'a>(scenes: impl Iterator<Item = &'a Simulation>) -> Vec<Excitation<'a>> {
+    let mut last: Option<(&Simulation, Excitation<'_>)> = None;
+    let one = |scene: &'a Simulation| {
+        let shared = last.filter(|(other, _)| Arc::ptr_eq(&scene.record, &other.record));
+        let excitation = shared.map_or_else(|| scene.excitation(), |(_, known)| known);
+        last = Some((scene, excitation));
+        excitation
+    };
+    scenes.map(one).collect()
 }
 
 /// Settings of the exact method, where that is the scene's.
