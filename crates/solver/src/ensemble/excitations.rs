@@ -5,7 +5,7 @@ use fearless_simd::Simd;
 use super::number::{Lanes, MOST_LANES};
 use super::rows::Rows;
 use crate::error::require;
-use crate::{Clock, Excitation, RunError};
+use crate::{Excitation, RunError};
 
 /// The ground motions of scenes.
 #[derive(Debug, Clone, Copy)]
@@ -75,55 +75,32 @@ impl<'a> Excitations<'a> {
     }
 }
 
-/// Ground motions at the nodes of a clock.
-#[derive(Debug, Clone)]
-pub(super) struct Sampled<'a> {
-    pub(super) excitations: Excitations<'a>,
-    pub(super) clock: Clock,
-    /// Acceleration of the common one at every node \[m/s²\]; others are sampled when their scenes run.
-    pub(super) common: Vec<f64>,
-}
-
-impl<'a> Sampled<'a> {
-    pub(super) fn new(excitations: Excitations<'a>, clock: Clock) -> Self {
-        let common = match excitations {
-            Excitations::Common(excitation) => excitation.sampled(clock).collect(),
-            Excitations::Each(_) => Vec::new(),
-        };
-        Self {
-            excitations,
-            clock,
-            common,
-        }
-    }
-}
-
 /// Groups of scenes that go in step, at most.
 pub(super) const GROUPS: usize = 2;
 
 /// Ground accelerations of groups of scenes at the nodes of a clock \[m/s²\].
-pub(super) trait Grounds<S: Simd> {
+pub(super) trait Grounds {
     /// What is kept of a node.
     type Node;
 
     /// Takes the motions of groups of rows up to a step, where they have motions of their own.
-    fn take<Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize);
+    fn take<S: Simd, Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize);
 
     /// All nodes, or those up to the step that was taken.
     fn nodes(&self) -> &[Self::Node];
 
     /// The accelerations of the groups at a node.
-    fn at(simd: S, node: &Self::Node) -> [Lanes<S>; GROUPS];
+    fn at<S: Simd>(simd: S, node: &Self::Node) -> [Lanes<S>; GROUPS];
 }
 
 /// One motion for all scenes.
 pub(super) struct Common<'a>(pub(super) &'a [f64]);
 
-impl<S: Simd> Grounds<S> for Common<'_> {
+impl Grounds for Common<'_> {
     type Node = f64;
 
     #[inline(always)]
-    fn take<Column>(&mut self, _: &[Rows<'_, Column>; GROUPS], _: usize) {}
+    fn take<S: Simd, Column>(&mut self, _: &[Rows<'_, Column>; GROUPS], _: usize) {}
 
     #[inline(always)]
     fn nodes(&self) -> &[f64] {
@@ -131,7 +108,7 @@ impl<S: Simd> Grounds<S> for Common<'_> {
     }
 
     #[inline(always)]
-    fn at(simd: S, node: &f64) -> [Lanes<S>; GROUPS] {
+    fn at<S: Simd>(simd: S, node: &f64) -> [Lanes<S>; GROUPS] {
         [Lanes::splat(simd, *node); GROUPS]
     }
 }
@@ -139,45 +116,43 @@ impl<S: Simd> Grounds<S> for Common<'_> {
 /// A motion for every scene, at the nodes of a clock.
 pub(super) struct Own<'a> {
     each: &'a [Excitation<'a>],
-    clock: Clock,
+    time_step: f64,
     nodes: Vec<[[f64; MOST_LANES]; GROUPS]>,
 }
 
 impl<'a> Own<'a> {
-    pub(super) fn new(each: &'a [Excitation<'a>], clock: Clock) -> Self {
+    pub(super) fn new(each: &'a [Excitation<'a>], time_step: f64) -> Self {
         Self {
             each,
-            clock,
+            time_step,
             nodes: Vec::new(),
         }
     }
 }
 
-impl<S: Simd> Grounds<S> for Own<'_> {
+impl Grounds for Own<'_> {
     type Node = [[f64; MOST_LANES]; GROUPS];
 
-    fn take<Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize) {
-        let clock = Clock {
-            n_steps,
-            ..self.clock
+    fn take<S: Simd, Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize) {
+        let of_lane = |rows: &Rows<'_, Column>, lane: usize| {
+            self.each[rows.scene(lane)].at_steps(self.time_step)
         };
-        self.nodes.resize(n_steps + 1, Default::default());
-        for (group, rows) in groups.iter().enumerate() {
-            if group > 0 && rows.first == groups[0].first {
-                // A group without scenes repeats the first one.
-                self.nodes.iter_mut().for_each(|node| node[group] = node[0]);
-                continue;
+        let motions: [[_; MOST_LANES]; GROUPS] = groups
+            .each_ref()
+            .map(|rows| std::array::from_fn(|lane| of_lane(rows, lane)));
+        // A group without scenes repeats the first one.
+        let repeats = groups[1].first == groups[0].first;
+        let n_groups = if repeats { 1 } else { GROUPS };
+        self.nodes.resize(n_steps + 1, Self::Node::default());
+        // Node by node: lane by lane, all nodes would pass through the cache for every lane.
+        for (step, node) in self.nodes.iter_mut().enumerate() {
+            for (lanes, motions) in node.iter_mut().zip(&motions[..n_groups]) {
+                for (lane, motion) in lanes.iter_mut().zip(motions).take(Lanes::<S>::N) {
+                    *lane = motion(step);
+                }
             }
-            for lane in 0..Lanes::<S>::N {
-                if lane > 0 && rows.scene(lane) == rows.scene(lane - 1) {
-                    let nodes = self.nodes.iter_mut();
-                    nodes.for_each(|node| node[group][lane] = node[group][lane - 1]);
-                    continue;
-                }
-                let accelerations = self.each[rows.scene(lane)].sampled(clock);
-                for (node, acceleration) in self.nodes.iter_mut().zip(accelerations) {
-                    node[group][lane] = acceleration;
-                }
+            if repeats {
+                node[1] = node[0];
             }
         }
     }
@@ -188,7 +163,7 @@ impl<S: Simd> Grounds<S> for Own<'_> {
     }
 
     #[inline(always)]
-    fn at(simd: S, [one, other]: &Self::Node) -> [Lanes<S>; GROUPS] {
+    fn at<S: Simd>(simd: S, [one, other]: &Self::Node) -> [Lanes<S>; GROUPS] {
         [Lanes::new(simd, one), Lanes::new(simd, other)]
     }
 }

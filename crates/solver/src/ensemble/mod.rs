@@ -42,7 +42,7 @@ pub use column::RowsOf;
 use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use excitations::Excitations;
-use excitations::{Common, Grounds, Own, Sampled};
+use excitations::{Common, Grounds, Own};
 pub use tallies::{PairSums, SceneSums};
 
 use crate::model::buildings::Buildings;
@@ -85,7 +85,10 @@ impl From<Stepping> for Integrator {
 #[derive(Debug, Clone)]
 pub struct SideBySide<'a> {
     stepping: Stepping,
-    ground: Sampled<'a>,
+    clock: Clock,
+    excitations: Excitations<'a>,
+    /// Acceleration of a common one at every node \[m/s²\]; others are sampled when their scenes run.
+    common: Vec<f64>,
     level: Level,
     budget: Budget,
 }
@@ -117,9 +120,16 @@ impl<'a> SideBySide<'a> {
             let allowed = "1 side by side; scenes with more run alone";
             crate::error::require(substeps == 1, "contact_substeps", substeps.into(), allowed)?;
         }
+        let excitations = excitations.into();
+        let common = match excitations {
+            Excitations::Common(excitation) => excitation.sampled(clock).collect(),
+            Excitations::Each(_) => Vec::new(),
+        };
         Ok(Self {
             stepping,
-            ground: Sampled::new(excitations.into(), clock),
+            clock,
+            excitations,
+            common,
             level: Level::new(),
             budget: Budget::default(),
         })
@@ -150,9 +160,9 @@ impl<'a> SideBySide<'a> {
         n_steps: &[usize],
         tallies: &mut SceneSums,
     ) -> bool {
-        let reach = 1..=self.ground.clock.n_steps;
+        let reach = 1..=self.clock.n_steps;
         let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
-        let in_reach = in_reach && self.ground.excitations.are_for(rows.len());
+        let in_reach = in_reach && self.excitations.are_for(rows.len());
         let first = rows.first().filter(|_| in_reach && are_alike(rows));
         let Some(first) = first.filter(|row| self.stepping.takes(row)) else {
             tallies.begin(0, (0, 0));
@@ -160,32 +170,10 @@ impl<'a> SideBySide<'a> {
         };
         tallies.begin(rows.len(), (first.nodes().len(), first.pairs().len()));
         let task = (rows, n_steps);
-        match self.stepping {
-            Stepping::CentralDifference(settings) => {
-                let method = self.with(settings);
-                match self.ground.excitations {
-                    Excitations::Common(_) => {
-                        let common = Common(&self.ground.common);
-                        dispatch!(self.level, simd => run::run((simd, &method), common, task, tallies));
-                    }
-                    Excitations::Each(each) => {
-                        let clock = self.ground.clock;
-                        dispatch!(self.level, simd => run::run((simd, &method), Own::new(each, clock), task, tallies));
-                    }
-                }
-            }
-            Stepping::Verlet(settings) => {
-                let method = self.with(settings);
-                match self.ground.excitations {
-                    Excitations::Common(_) => {
-                        let common = Common(&self.ground.common);
-                        dispatch!(self.level, simd => verlet::run((simd, &method), common, task, tallies));
-                    }
-                    Excitations::Each(each) => {
-                        let clock = self.ground.clock;
-                        dispatch!(self.level, simd => verlet::run((simd, &method), Own::new(each, clock), task, tallies));
-                    }
-                }
+        match self.excitations {
+            Excitations::Common(_) => self.run_under(Common(&self.common), task, tallies),
+            Excitations::Each(each) => {
+                self.run_under(Own::new(each, self.clock.time_step), task, tallies);
             }
         }
         let is_compliant = |pair: &Pair| pair.law.is_compliant();
@@ -206,10 +194,28 @@ impl<'a> SideBySide<'a> {
         true
     }
 
+    fn run_under<Column: SideBySideColumn>(
+        &self,
+        grounds: impl Grounds,
+        task: (&[&Row<Column>], &[usize]),
+        tallies: &mut SceneSums,
+    ) {
+        match self.stepping {
+            Stepping::CentralDifference(settings) => {
+                let method = self.with(settings);
+                dispatch!(self.level, simd => run::run((simd, &method), grounds, task, tallies));
+            }
+            Stepping::Verlet(settings) => {
+                let method = self.with(settings);
+                dispatch!(self.level, simd => verlet::run((simd, &method), grounds, task, tallies));
+            }
+        }
+    }
+
     fn with<Settings>(&self, settings: Settings) -> Shaken<Settings> {
         Shaken {
             settings,
-            time_step: self.ground.clock.time_step,
+            time_step: self.clock.time_step,
             budget: self.budget,
         }
     }

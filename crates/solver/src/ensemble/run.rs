@@ -33,7 +33,7 @@ struct Task<'a, G, Column> {
 #[inline(always)]
 pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     (simd, method): (S, &Shaken<CentralDifference>),
-    mut grounds: impl Grounds<S>,
+    mut grounds: impl Grounds,
     (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut SceneSums,
 ) {
@@ -50,7 +50,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
         let first = index * in_step;
         let parts = Rows { rows, first }.split::<S>();
         let longest = n_steps.iter().copied().max().unwrap_or(0);
-        grounds.take(&parts, longest);
+        grounds.take::<S, _>(&parts, longest);
         let task = Task {
             rows: Rows { rows, first },
             n_steps,
@@ -63,7 +63,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
 
 /// Runs as many rows as the groups have lanes, or fewer, and tells what happened in them.
 #[inline(always)]
-fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
+fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
     simd: S,
     n_groups: usize,
     method: &Shaken<CentralDifference>,
@@ -126,7 +126,7 @@ fn gathered<S: Simd, Column: SideBySideColumn>(
 
 /// All steps of some groups; what happened in a scene is told at its end.
 #[inline(always)]
-fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds<S>>(
+fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
     method: &Shaken<CentralDifference>,
     groups: &mut [Group<'_, S, Column, F>],
     Task {
@@ -195,13 +195,7 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds<S>>(
     clippy::needless_range_loop,
     reason = "iterators over the motions of both groups would keep them in memory"
 )]
-fn go_apart<
-    S: Simd,
-    Column: SideBySideColumn,
-    F: Frame<S, Column>,
-    G: Grounds<S>,
-    const N: usize,
->(
+fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds, const N: usize>(
     [one, other]: [&mut Group<'_, S, Column, F>; 2],
     nodes: &[G::Node],
     step: usize,

@@ -23,7 +23,7 @@ const NEAR: f64 = 1e-9;
 
 /// Runs rows of two structures, each for its number of steps, and tells what happened in them.
 #[inline(always)]
-pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
+pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds>(
     (simd, method): (S, &Shaken<Verlet>),
     mut grounds: G,
     (rows, n_steps): (&[&Row<Column>], &[usize]),
@@ -35,7 +35,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
         let first = index * in_step;
         let parts = Rows { rows, first }.split::<S>();
         let longest = n_steps.iter().copied().max().unwrap_or(0);
-        grounds.take(&parts, longest);
+        grounds.take::<S, _>(&parts, longest);
         let at_start = G::at(simd, &grounds.nodes()[0]);
         let [one, other] = [0, 1].map(|group: usize| (parts[group], at_start[group]));
         let mut groups = [
@@ -48,7 +48,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
 
 /// All steps of two groups; what happened in a scene is told at its end, as one of those from `first` on.
 #[inline(always)]
-fn steps<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
+fn steps<S: Simd, Column: SideBySideColumn, G: Grounds>(
     method: &Shaken<Verlet>,
     grounds: &G,
     groups: &mut [Group<S, Column>; 2],
@@ -96,7 +96,7 @@ fn steps<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
 
 /// Goes on while no lane may touch, with the motions at hand; the number of steps that are done.
 #[inline(always)]
-fn go_apart<S: Simd, Column: SideBySideColumn, G: Grounds<S>>(
+fn go_apart<S: Simd, Column: SideBySideColumn, G: Grounds>(
     [one, other]: &mut [Group<S, Column>; 2],
     nodes: &[G::Node],
     before: usize,
