@@ -22,7 +22,7 @@ const CHOOSING: usize = 64;
 const MEASURING: usize = 128;
 /// The first of those that choose, which tell what methods cost and whether any step can be short enough.
 const FEW: usize = 8;
-/// Runs that fill lanes, and of which there are as many as keep some cores busy.
+/// Runs that fill the lanes of any machine.
 const TOGETHER: usize = 16;
 /// Scenes of which more than this part goes side by side do so.
 const HALF: f64 = 0.5;
@@ -291,23 +291,19 @@ impl Sweep {
     /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
     /// number with its sign, and none of what the row went through.
     fn numbers(&self, runs: &[u64]) -> Sampled {
-        let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
-        let of_floors = of_floor.cycle();
-        let of_floors = of_floors.take(self.outputs.structures.len() * self.row.floors.len());
-        let are_peaks: Vec<_> = of_floors.collect();
-        let number = |(column, value): (usize, &f64)| {
-            let is_peak = are_peaks.get(column).is_some_and(|is_peak| *is_peak);
-            if is_peak { value.abs() } else { *value }
+        let are_peaks = self.are_peaks();
+        let number = |(value, is_peak): (&f64, &bool)| {
+            if *is_peak { value.abs() } else { *value }
         };
         let some = |runs: &[u64]| {
             let mut told = Vec::with_capacity(runs.len());
             self.run_all(runs.iter().copied(), self.at_a_time(), |run, ran| {
                 let ran = ran.map(|ran| {
                     let numbers = Numbers {
-                        values: ran.numbers.iter().enumerate().map(number).collect(),
+                        values: ran.numbers.iter().zip(&are_peaks).map(number).collect(),
                         least: ran.least.to_vec(),
                     };
-                    (numbers, f64::from(u8::from(ran.beside)), ran.price)
+                    (numbers, if ran.beside { 1.0 } else { 0.0 }, ran.price)
                 });
                 told.push((run, ran.ok()));
             });
@@ -316,7 +312,10 @@ impl Sweep {
             told.sort_by_key(|(run, _)| place(run));
             told
         };
-        let told: Vec<_> = runs.par_chunks(TOGETHER).flat_map_iter(some).collect();
+        // Runs that fill lanes, but some chunks for every thread.
+        let together = runs.len() / (4 * rayon::current_num_threads());
+        let together = together.clamp(1, TOGETHER);
+        let told: Vec<_> = runs.par_chunks(together).flat_map_iter(some).collect();
         let costs = |of: fn(&(Numbers, f64, f64)) -> f64| {
             mean(told.iter().map(|(_, ran)| ran.as_ref().map_or(0.0, of)))
         };

@@ -6,9 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Sweep;
 use super::checked::{Checked, TwoRuns};
+use super::plan::Setting;
 use super::renumbered::Renumbered;
 use super::sampling::Point;
 use pounding_scene::{Error, Extras, Going, Simulation};
+use serde_json::Value;
 
 /// What came out of a range of runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,14 +84,76 @@ impl AtATime {
 /// Samples of records that scenes which are ready keep, those of one record for all of them not counted: 4 MB.
 const MOST_SAMPLES: usize = 1 << 19;
 
+/// Scenes that fill the lanes of any machine: so many of one motion do not wait for those of another, beside which each would be sampled
+/// by itself.
+const FILL_LANES: usize = 16;
+
 /// Scenes that are ready to run, each with its run.
 #[derive(Default)]
 struct Ready {
     scenes: Vec<(u64, Box<Simulation>)>,
     /// Of records of their own.
     samples: usize,
-    /// Motion of the template of which all are; nothing where some are of none, or of another one.
-    set: Option<usize>,
+    /// Whether all are of the template of the last one.
+    of_template: bool,
+}
+
+/// What makes scenes ready, motion by motion.
+struct Making<'a> {
+    sweep: &'a Sweep,
+    scene: Value,
+    point: Point,
+    settings: Vec<Setting>,
+    motion: Option<usize>,
+    /// The scene under this motion, in which numbers are set; nothing where all are read.
+    template: Option<Renumbered>,
+    /// Scenes of the template that have run, whose memory the next ones take.
+    #[expect(
+        clippy::vec_box,
+        reason = "boxes go from here into scenes that are ready, and back"
+    )]
+    ran: Vec<Box<Simulation>>,
+}
+
+impl<'a> Making<'a> {
+    fn new(sweep: &'a Sweep) -> Self {
+        Self {
+            sweep,
+            scene: sweep.scene.clone(),
+            point: Point::default(),
+            settings: Vec::new(),
+            motion: None,
+            template: None,
+            ran: Vec::new(),
+        }
+    }
+
+    /// Goes on under a motion; what is made ready for the numbers of many runs is of no use to one.
+    fn turn_to(&mut self, motion: usize, many: bool) {
+        self.motion = Some(motion);
+        self.template = many.then(|| self.sweep.renumbered(motion)).flatten();
+        self.ran.clear();
+    }
+
+    /// The scene of a run under the motion, and whether it is of the template: others may be of other columns, in whose memory no numbers
+    /// are set.
+    fn make(&mut self, motion: usize, run: u64) -> Result<(Box<Simulation>, bool), String> {
+        let (sweep, ran) = (self.sweep, self.ran.pop());
+        sweep
+            .plan
+            .settings(run, &mut self.point, &mut self.settings);
+        let template = self.template.as_mut();
+        if let Some(one) = template.and_then(|one| one.prepared(&self.settings, ran)) {
+            return Ok((one, true));
+        }
+        let prepared = sweep.prepared(motion, &self.settings, &mut self.scene);
+        let prepared = prepared.map_err(|refused| refused.to_string())?;
+        if sweep.row.fits(prepared.floors()) {
+            Ok((Box::new(prepared), false))
+        } else {
+            Err("another number of floors or pairs than in the first run".into())
+        }
+    }
 }
 
 impl Sweep {
@@ -139,48 +203,26 @@ impl Sweep {
         at_a_time: AtATime,
         mut tell: impl FnMut(u64, Result<Ran<'_>, String>),
     ) {
-        let mut scene = self.scene.clone();
-        let (mut point, mut settings) = (Point::default(), Vec::new());
         let mut runs = runs.into_iter().peekable();
-        let (mut ready, mut ran) = (Ready::default(), Vec::new());
-        let mut template: (Option<usize>, Option<Renumbered>) = (None, None);
+        let (mut making, mut ready) = (Making::new(self), Ready::default());
         while let Some(run) = runs.next() {
             let motion = self.plan.motion(run).0;
-            if template.0 != Some(motion) {
-                // What is made ready for the numbers of many runs is of no use to one.
-                let many = runs
-                    .peek()
-                    .is_some_and(|next| self.plan.motion(*next).0 == motion);
-                template = (
-                    Some(motion),
-                    many.then(|| self.renumbered(motion)).flatten(),
-                );
-                ran.clear();
-            }
-            if ready.scenes.is_empty() {
-                ready.set = template.1.is_some().then_some(motion);
-            }
-            self.plan.settings(run, &mut point, &mut settings);
-            let prepared = caught(|| {
-                let one = template.1.as_mut();
-                if let Some(one) = one.and_then(|one| one.prepared(&settings, ran.pop())) {
-                    return Ok((one, true));
+            if making.motion != Some(motion) {
+                let next = runs.peek().map(|next| self.plan.motion(*next).0);
+                making.turn_to(motion, next == Some(motion));
+                ready.of_template = false;
+                if !self.motions.differ() && ready.scenes.len() >= FILL_LANES {
+                    self.run_ready(&ready.scenes, &mut tell);
+                    ready = Ready::default();
                 }
-                let prepared = self.prepared(motion, &settings, &mut scene);
-                let prepared = prepared.map_err(|refused| refused.to_string())?;
-                if self.row.fits(prepared.floors()) {
-                    Ok((Box::new(prepared), false))
-                } else {
-                    Err("another number of floors or pairs than in the first run".into())
-                }
-            });
-            match prepared {
-                Ok((mut prepared, is_set)) => {
+            }
+            match caught(|| making.make(motion, run)) {
+                Ok((mut prepared, of_template)) => {
                     prepared.set_stop(at_a_time.stop);
-                    // Those that are read anew may be of other columns, in whose memory no numbers are set.
-                    ready.set = ready.set.filter(|of| is_set && *of == motion);
+                    ready.of_template =
+                        of_template && (ready.of_template || ready.scenes.is_empty());
                     if self.motions.differ() {
-                        ready.samples += prepared.excitation().samples().len();
+                        ready.samples += prepared.record().samples().len();
                     }
                     ready.scenes.push((run, prepared));
                 }
@@ -189,13 +231,16 @@ impl Sweep {
             let full = ready.scenes.len() >= at_a_time.runs || ready.samples >= MOST_SAMPLES;
             if full || runs.peek().is_none() {
                 self.run_ready(&ready.scenes, &mut tell);
-                ran.clear();
-                let done = ready.scenes.drain(..).map(|(_, prepared)| prepared);
-                ran.extend(done.filter(|_| ready.set == Some(motion)));
-                ready.samples = 0;
                 if at_a_time.is_stopped() {
                     return;
                 }
+                let Ready {
+                    scenes,
+                    of_template,
+                    ..
+                } = std::mem::take(&mut ready);
+                let done = scenes.into_iter().filter(|_| of_template);
+                making.ran = done.map(|(_, prepared)| prepared).collect();
             }
         }
     }
@@ -206,15 +251,20 @@ impl Sweep {
         ready: &[(u64, Box<Simulation>)],
         tell: &mut impl FnMut(u64, Result<Ran<'_>, String>),
     ) {
-        let tallies = self.beside(ready);
+        let together = self.beside(ready);
         let mut numbers = Vec::with_capacity(self.n_columns());
         let mut least = Vec::new();
         for (scene, (run, prepared)) in ready.iter().enumerate() {
             numbers.clear();
             least.clear();
-            let beside = tallies
-                .as_ref()
-                .is_some_and(|tallies| self.tell(prepared, tallies, scene, &mut numbers));
+            // Scenes of several shapes go each by itself, which is faster than with recorders.
+            let single = match together {
+                None => self.beside(std::slice::from_ref(&ready[scene])),
+                Some(_) => None,
+            };
+            let tallies = together.as_ref().map(|sums| (sums, scene));
+            let tallies = tallies.or(single.as_ref().map(|sums| (sums, 0)));
+            let beside = tallies.is_some_and(|tallies| self.tell(prepared, tallies, &mut numbers));
             // A fault of the program in one run is no reason to lose the others.
             let ran = if !beside {
                 let price = caught(|| self.run_alone(prepared, &mut numbers, &mut least));

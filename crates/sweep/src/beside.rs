@@ -48,12 +48,20 @@ impl Sweep {
             .any(|name| named(name).is_some())
     }
 
+    /// Which of the columns are peaks, whose sign is that of their direction.
+    pub(super) fn are_peaks(&self) -> Vec<bool> {
+        let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
+        let of_floors = self.outputs.structures.len() * self.row.floors.len();
+        let mut are_peaks: Vec<_> = of_floor.cycle().take(of_floors).collect();
+        are_peaks.resize(self.n_columns(), false);
+        are_peaks
+    }
+
     /// The numbers of one of these scenes in the order of the columns; false where they are none, and a run alone says why.
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
-        tallies: &SceneSums,
-        scene: usize,
+        (tallies, scene): (&SceneSums, usize),
         numbers: &mut Vec<f64>,
     ) -> bool {
         let none = f64::NAN;

@@ -72,10 +72,7 @@ impl Sweep {
     /// # Errors
     /// Names the number that is furthest off.
     pub(super) fn compare(&self, scene: &Simulation, runs: &TwoRuns<'_>) -> Result<(), String> {
-        let numbers = runs.beside.iter().zip(runs.alone).zip(runs.least);
-        let apart =
-            |((beside, alone), least): ((&f64, &f64), &f64)| distance(*beside, *alone, *least);
-        let apart: Vec<f64> = numbers.map(apart).collect();
+        let apart = self.apart(scene, runs.beside, runs);
         let furthest = (0..apart.len()).max_by(|one, other| apart[*one].total_cmp(&apart[*other]));
         let Some(furthest) = furthest.filter(|place| apart[*place] > 0.0) else {
             return Ok(());
@@ -98,6 +95,21 @@ impl Sweep {
         ))
     }
 
+    /// How far numbers are from those of a run alone. To which side a peak is may be less than the exact method knows: its peaks count by
+    /// their magnitudes.
+    fn apart(&self, scene: &Simulation, numbers: &[f64], runs: &TwoRuns<'_>) -> Vec<f64> {
+        let is_exact = matches!(scene.method(), Method::Exact { .. });
+        let mut apart = Vec::with_capacity(numbers.len());
+        for (column, is_peak) in self.are_peaks().into_iter().enumerate() {
+            let (mut one, mut other) = (numbers[column], runs.alone[column]);
+            if is_peak && is_exact {
+                (one, other) = (one.abs(), other.abs());
+            }
+            apart.push(distance(one, other, runs.least[column]));
+        }
+        apart
+    }
+
     /// How far numbers of the exact method may be apart: as a change of the record's size or pace as small as its tolerance moves the
     /// furthest of them.
     fn allowed(&self, scene: &Simulation, runs: &TwoRuns<'_>, tolerance: f64) -> f64 {
@@ -113,9 +125,8 @@ impl Sweep {
             if self.run_alone(&near, &mut moved, &mut least).is_err() {
                 return f64::INFINITY;
             }
-            let numbers = moved.iter().zip(runs.alone).zip(runs.least);
-            let moved = numbers.map(|((one, other), least)| distance(*one, *other, *least));
-            furthest = moved.fold(furthest, f64::max);
+            let moved = self.apart(scene, &moved, runs);
+            furthest = moved.into_iter().fold(furthest, f64::max);
         }
         TIMES * (change + furthest)
     }

@@ -1,5 +1,7 @@
 //! The ground motions of scenes side by side: one for all of them, or one for each.
 
+use std::ops::RangeInclusive;
+
 use fearless_simd::Simd;
 
 use super::number::{Lanes, MOST_LANES};
@@ -83,28 +85,30 @@ pub(super) trait Grounds {
     /// What is kept of a node.
     type Node;
 
-    /// Takes the motions of groups of rows up to a step, where they have motions of their own.
-    fn take<S: Simd, Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize);
-
-    /// All nodes, or those up to the step that was taken.
-    fn nodes(&self) -> &[Self::Node];
+    /// The nodes from one step to another one, of groups of rows.
+    fn nodes<S: Simd, Column>(
+        &mut self,
+        groups: &[Rows<'_, Column>; GROUPS],
+        steps: RangeInclusive<usize>,
+    ) -> &[Self::Node];
 
     /// The accelerations of the groups at a node.
     fn at<S: Simd>(simd: S, node: &Self::Node) -> [Lanes<S>; GROUPS];
 }
 
-/// One motion for all scenes.
+/// One motion for all scenes, with all of its nodes.
 pub(super) struct Common<'a>(pub(super) &'a [f64]);
 
 impl Grounds for Common<'_> {
     type Node = f64;
 
     #[inline(always)]
-    fn take<S: Simd, Column>(&mut self, _: &[Rows<'_, Column>; GROUPS], _: usize) {}
-
-    #[inline(always)]
-    fn nodes(&self) -> &[f64] {
-        self.0
+    fn nodes<S: Simd, Column>(
+        &mut self,
+        _: &[Rows<'_, Column>; GROUPS],
+        steps: RangeInclusive<usize>,
+    ) -> &[f64] {
+        &self.0[steps]
     }
 
     #[inline(always)]
@@ -113,11 +117,11 @@ impl Grounds for Common<'_> {
     }
 }
 
-/// A motion for every scene, at the nodes of a clock.
+/// A motion for every scene, sampled piece by piece.
 pub(super) struct Own<'a> {
     each: &'a [Excitation<'a>],
     time_step: f64,
-    nodes: Vec<[[f64; MOST_LANES]; GROUPS]>,
+    piece: Vec<[[f64; MOST_LANES]; GROUPS]>,
 }
 
 impl<'a> Own<'a> {
@@ -125,7 +129,7 @@ impl<'a> Own<'a> {
         Self {
             each,
             time_step,
-            nodes: Vec::new(),
+            piece: Vec::new(),
         }
     }
 }
@@ -133,7 +137,11 @@ impl<'a> Own<'a> {
 impl Grounds for Own<'_> {
     type Node = [[f64; MOST_LANES]; GROUPS];
 
-    fn take<S: Simd, Column>(&mut self, groups: &[Rows<'_, Column>; GROUPS], n_steps: usize) {
+    fn nodes<S: Simd, Column>(
+        &mut self,
+        groups: &[Rows<'_, Column>; GROUPS],
+        steps: RangeInclusive<usize>,
+    ) -> &[Self::Node] {
         let of_lane = |rows: &Rows<'_, Column>, lane: usize| {
             self.each[rows.scene(lane)].at_steps(self.time_step)
         };
@@ -143,9 +151,10 @@ impl Grounds for Own<'_> {
         // A group without scenes repeats the first one.
         let repeats = groups[1].first == groups[0].first;
         let n_groups = if repeats { 1 } else { GROUPS };
-        self.nodes.resize(n_steps + 1, Self::Node::default());
+        self.piece.clear();
         // Node by node: lane by lane, all nodes would pass through the cache for every lane.
-        for (step, node) in self.nodes.iter_mut().enumerate() {
+        self.piece.extend(steps.map(|step| {
+            let mut node = Self::Node::default();
             for (lanes, motions) in node.iter_mut().zip(&motions[..n_groups]) {
                 for (lane, motion) in lanes.iter_mut().zip(motions).take(Lanes::<S>::N) {
                     *lane = motion(step);
@@ -154,12 +163,9 @@ impl Grounds for Own<'_> {
             if repeats {
                 node[1] = node[0];
             }
-        }
-    }
-
-    #[inline(always)]
-    fn nodes(&self) -> &[Self::Node] {
-        &self.nodes
+            node
+        }));
+        &self.piece
     }
 
     #[inline(always)]

@@ -25,7 +25,7 @@ const SHORT: usize = 3;
 struct Task<'a, G, Column> {
     rows: Rows<'a, Column>,
     n_steps: &'a [usize],
-    grounds: &'a G,
+    grounds: &'a mut G,
     tallies: &'a mut SceneSums,
 }
 
@@ -48,13 +48,10 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     let groups = rows.chunks(in_step).zip(n_steps.chunks(in_step));
     for (index, (rows, n_steps)) in groups.enumerate() {
         let first = index * in_step;
-        let parts = Rows { rows, first }.split::<S>();
-        let longest = n_steps.iter().copied().max().unwrap_or(0);
-        grounds.take::<S, _>(&parts, longest);
         let task = Task {
             rows: Rows { rows, first },
             n_steps,
-            grounds: &grounds,
+            grounds: &mut grounds,
             tallies,
         };
         run_in_step(simd, n_groups, method, task);
@@ -70,7 +67,7 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
     task: Task<'_, G, Column>,
 ) {
     let parts = task.rows.split::<S>();
-    let at_start = G::at(simd, &task.grounds.nodes()[0]);
+    let at_start = G::at(simd, &task.grounds.nodes::<S, _>(&parts, 0..=0)[0]);
     let states = [0, 1].map(|group: usize| parts[group].states(at_start[group]));
     let starts = states
         .each_ref()
@@ -136,27 +133,28 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
         tallies,
     }: Task<'_, G, Column>,
 ) {
-    let simd = groups[0].simd;
+    let (simd, parts) = (groups[0].simd, rows.split::<S>());
     let between = BETWEEN.div_ceil(rows.lane(0).nodes().len().max(1));
     let mut step = 0;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
         if method.budget.is_stopped() {
             return;
         }
-        let nodes = &grounds.nodes()[..=(*end).min(step + between)];
-        while step < nodes.len() {
+        let (first, last) = (step, (*end).min(step + between));
+        let nodes = grounds.nodes::<S, _>(&parts, first..=last);
+        while step <= last {
             if F::STANDS_ALONE
                 && let [one, other] = groups
                 && !(one.busy || other.busy)
             {
                 let groups = [one, other];
-                step = match groups[0].structures.len() {
-                    2 => go_apart::<S, Column, F, G, 2>(groups, nodes, step),
-                    SHORT => go_apart::<S, Column, F, G, SHORT>(groups, nodes, step),
-                    _ => step,
+                step += match groups[0].structures.len() {
+                    2 => go_apart::<S, Column, F, G, 2>(groups, &nodes[step - first..]),
+                    SHORT => go_apart::<S, Column, F, G, SHORT>(groups, &nodes[step - first..]),
+                    _ => 0,
                 };
             }
-            if let Some(node) = nodes.get(step) {
+            if let Some(node) = nodes.get(step - first) {
                 let grounds = G::at(simd, node);
                 for (index, group) in groups.iter_mut().enumerate() {
                     group.step(grounds[index]);
@@ -189,7 +187,7 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
     }
 }
 
-/// Goes on from a node while no lane touches, with the motions of so many structures at hand; the node at which one does.
+/// Goes on over nodes while no lane touches, with the motions of so many structures at hand; how many it passed.
 #[inline(always)]
 #[expect(
     clippy::needless_range_loop,
@@ -198,7 +196,6 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
 fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds, const N: usize>(
     [one, other]: [&mut Group<'_, S, Column, F>; 2],
     nodes: &[G::Node],
-    step: usize,
 ) -> usize {
     let simd = one.simd;
     let zero = Lanes::splat(simd, 0.0);
@@ -207,8 +204,8 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds, 
         std::array::from_fn(|index| motion(one, index)),
         std::array::from_fn(|index| motion(other, index)),
     ];
-    let mut reached = step;
-    for node in &nodes[step..] {
+    let mut passed = 0;
+    for node in nodes {
         let mut touching = zero.exceeds(zero);
         for left in 1..N {
             for (pair, motions) in [
@@ -233,11 +230,11 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds, 
             constants[0].step(&mut motions[0][index], zero, ground);
             constants[1].step(&mut motions[1][index], zero, its);
         }
-        reached += 1;
+        passed += 1;
     }
     for index in 0..N {
         one.structures[index].motion = motions[0][index];
         other.structures[index].motion = motions[1][index];
     }
-    reached
+    passed
 }

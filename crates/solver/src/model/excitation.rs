@@ -152,9 +152,12 @@ impl<'a> Excitation<'a> {
             return sample(below);
         }
         if below as f64 + 1.0 - position < SNAP {
-            return sample(below + 1);
+            return sample(below.saturating_add(1));
         }
-        match (self.samples.get(below), self.samples.get(below + 1)) {
+        match (
+            self.samples.get(below),
+            self.samples.get(below.saturating_add(1)),
+        ) {
             (Some(left), Some(right)) => left + fraction * (right - left),
             _ => 0.0,
         }

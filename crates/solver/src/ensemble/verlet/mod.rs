@@ -13,6 +13,7 @@ use pounding_contact::Number;
 
 use self::group::Group;
 use super::column::SideBySideColumn;
+use super::excitations::GROUPS;
 use super::number::Lanes;
 use super::rows::Rows;
 use super::{BETWEEN, Grounds, SceneSums, Shaken};
@@ -34,15 +35,19 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds>(
     for (index, (rows, n_steps)) in groups.enumerate() {
         let first = index * in_step;
         let parts = Rows { rows, first }.split::<S>();
-        let longest = n_steps.iter().copied().max().unwrap_or(0);
-        grounds.take::<S, _>(&parts, longest);
-        let at_start = G::at(simd, &grounds.nodes()[0]);
+        let at_start = G::at(simd, &grounds.nodes::<S, _>(&parts, 0..=0)[0]);
         let [one, other] = [0, 1].map(|group: usize| (parts[group], at_start[group]));
         let mut groups = [
             Group::new(simd, one, method),
             Group::new(simd, other, method),
         ];
-        steps(method, &grounds, &mut groups, (n_steps, first), tallies);
+        steps(
+            method,
+            (&parts, &mut grounds),
+            &mut groups,
+            (n_steps, first),
+            tallies,
+        );
     }
 }
 
@@ -50,7 +55,7 @@ pub(super) fn run<S: Simd, Column: SideBySideColumn, G: Grounds>(
 #[inline(always)]
 fn steps<S: Simd, Column: SideBySideColumn, G: Grounds>(
     method: &Shaken<Verlet>,
-    grounds: &G,
+    (parts, grounds): (&[Rows<'_, Column>; GROUPS], &mut G),
     groups: &mut [Group<S, Column>; 2],
     (n_steps, first): (&[usize], usize),
     tallies: &mut SceneSums,
@@ -61,10 +66,11 @@ fn steps<S: Simd, Column: SideBySideColumn, G: Grounds>(
             return;
         }
         let next = (*end).min(done + BETWEEN);
-        let nodes = &grounds.nodes()[..=next];
+        let before = done;
+        let nodes = grounds.nodes::<S, _>(parts, before..=next);
         while done < next {
-            done = go_apart::<S, Column, G>(groups, nodes, done);
-            if let [from, to, ..] = &nodes[done..] {
+            done += go_apart::<S, Column, G>(groups, &nodes[done - before..]);
+            if let [from, to, ..] = &nodes[done - before..] {
                 let simd = groups[0].constants[0].inverse_mass.token();
                 let (from, to) = (G::at(simd, from), G::at(simd, to));
                 for (index, group) in groups.iter_mut().enumerate() {
@@ -94,19 +100,18 @@ fn steps<S: Simd, Column: SideBySideColumn, G: Grounds>(
     }
 }
 
-/// Goes on while no lane may touch, with the motions at hand; the number of steps that are done.
+/// Goes on from the first of some nodes while no lane may touch, with the motions at hand; the number of steps.
 #[inline(always)]
 fn go_apart<S: Simd, Column: SideBySideColumn, G: Grounds>(
     [one, other]: &mut [Group<S, Column>; 2],
     nodes: &[G::Node],
-    before: usize,
 ) -> usize {
-    let mut done = before;
+    let mut done = 0;
     if one.busy || other.busy {
         return done;
     }
     let (mut ones, mut others) = (one.motions, other.motions);
-    for node in &nodes[before + 1..] {
+    for node in &nodes[1..] {
         let a = one.constants[0].step.predict(ones[0].kinematics());
         let b = one.constants[1].step.predict(ones[1].kinematics());
         let c = other.constants[0].step.predict(others[0].kinematics());
