@@ -167,7 +167,7 @@ impl Sweep {
                 halved = self.that_may_hold(of, asked, prices.halved(f64::INFINITY));
             }
         }
-        let method = self.stepping((chooses, &truth), asked, halved);
+        let method = self.stepping((chooses, &truth), asked, (halved, prices));
         method.unwrap_or(otherwise)
     }
 
@@ -239,34 +239,25 @@ impl Sweep {
         })
     }
 
-    /// The stepping method with the longest step that is within the error asked for in most runs, of two with the same step the
-    /// cheaper one.
+    /// The cheapest stepping method that is within the error asked for in most runs. The next finer step has to confirm it, as one step may
+    /// be lucky.
     fn stepping(
         &mut self,
         (runs, truth): (&[u64], &[Told]),
         asked: f64,
-        halved: Halved,
+        (halved, prices): (Halved, Prices),
     ) -> Option<Method> {
         let mut held = [false; STEPPING.len()];
-        let mut longer = None;
-        let finest = halved.into_iter().flatten().max()?;
         // A step finer confirms the finest.
-        for n in 0..=finest + 1 {
-            let step = LONGEST / f64::from(1 << n);
-            let methods = STEPPING.into_iter().zip(halved).zip(&mut held);
-            for ((method, halved), held) in methods {
-                if halved.is_none_or(|halved| n > halved + 1) {
-                    continue;
-                }
-                self.set_method(&method(step));
-                let before = *held;
-                *held = holds_for(truth, &self.numbers(runs).numbers, asked);
-                // One step may be lucky; the next finer one has to confirm it.
-                if before && *held {
-                    return longer.map(method);
-                }
+        let may = |place: usize, n| halved[place].is_some_and(|finest| n <= finest + 1);
+        for one in prices.tries(may) {
+            let (method, step) = (STEPPING[one.place], LONGEST / f64::from(1 << one.halved));
+            self.set_method(&method(step));
+            let holds = holds_for(truth, &self.numbers(runs).numbers, asked);
+            if holds && held[one.place] {
+                return Some(method(2.0 * step));
             }
-            longer = Some(step);
+            held[one.place] = holds;
         }
         None
     }

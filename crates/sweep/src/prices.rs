@@ -70,17 +70,50 @@ impl Prices {
     /// How often the longest step of each method may be halved so that this is worth it, and a run costs no more than otherwise;
     /// nothing where not even the longest is.
     pub(super) fn halved(&self, otherwise: f64) -> Halved {
-        let of_all = self.steps.iter().sum::<f64>();
+        let tries = self.tries(|_, _| true);
         self.steps.map(|own| {
             let worth = |halved: &i32| {
-                let price = |halved: i32, step: f64| step * f64::from(1 << halved) / LONGEST;
-                // All longer ones are tried before, and a finer one after.
-                let tried: f64 = (0..=halved + 1).map(|n| price(n, of_all)).sum();
-                let run = price(*halved, own);
+                let run = price(own, *halved);
+                // All cheaper ones are tried before, and the next finer one of the method confirms it.
+                let cheaper = tries.iter().filter(|one| one.price <= 2.0 * run);
+                let tried: f64 = cheaper.map(|one| one.price).sum();
                 run <= otherwise && self.is_worth(run, tried)
             };
             (0..HALVED).rfind(worth)
         })
+    }
+}
+
+/// A method with a step to try.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Try {
+    /// Of the method among those that step.
+    pub(super) place: usize,
+    /// How often the longest step is halved.
+    pub(super) halved: i32,
+    /// What a run costs.
+    price: f64,
+}
+
+/// What a run costs with the longest step halved so often, of a method that costs this with steps of a second.
+fn price(with_seconds: f64, halved: i32) -> f64 {
+    with_seconds * f64::from(1 << halved) / LONGEST
+}
+
+impl Prices {
+    /// Methods and steps that may be tried, the cheapest first.
+    pub(super) fn tries(&self, may: impl Fn(usize, i32) -> bool) -> Vec<Try> {
+        let mut tries = Vec::new();
+        for (place, step) in self.steps.into_iter().enumerate() {
+            let tried = (0..=HALVED).filter(|halved| may(place, *halved));
+            tries.extend(tried.map(|halved| Try {
+                place,
+                halved,
+                price: price(step, halved),
+            }));
+        }
+        tries.sort_by(|one, other| one.price.total_cmp(&other.price));
+        tries
     }
 }
 
