@@ -259,8 +259,8 @@ impl Sweep {
             least.clear();
             // Scenes of several shapes go each by itself, which is faster than with recorders.
             let single = match together {
-                None => self.beside(std::slice::from_ref(&ready[scene])),
-                Some(_) => None,
+                None if ready.len() > 1 => self.beside(std::slice::from_ref(&ready[scene])),
+                _ => None,
             };
             let tallies = together.as_ref().map(|sums| (sums, scene));
             let tallies = tallies.or(single.as_ref().map(|sums| (sums, 0)));
