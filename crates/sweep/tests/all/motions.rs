@@ -108,3 +108,36 @@ fn reference_exact_runs_with_motions_of_their_own_are_those_alone() {
     let touches = alone.0.iter().filter(|number| **number > 1e4).count();
     assert!(touches > 12, "{touches} forces");
 }
+
+/// A batch of several shapes was refused as a whole: its runs went alone.
+#[test]
+fn issue_kinds_of_laws_that_alternate_go_side_by_side() {
+    let folder = folder("alternate");
+    let laws = json!([
+        {"linear_spring": {"impact_stiffness_n_per_m": 1e8}},
+        {"stereomechanical": {"restitution": 0.6}},
+    ]);
+    let mut towards = scene();
+    towards["record"]["generated"]["half_sine"]["amplitude_m_per_s2"] = json!(-4.0);
+    let words = |pairs: &[&str]| {
+        json!({
+            "scene": towards,
+            "vary": [
+                {"field": "contacts[0].gap_m", "values": [0.004, 0.008, 0.012]},
+                {"field": "contacts[0].law", "values": laws},
+            ],
+            "outputs": {"structures": [], "pairs": pairs},
+        })
+    };
+    let [together, alone] = [
+        &["collisions", "total_impulse_n_s"][..],
+        &["collisions", "total_impulse_n_s", "touching_s"],
+    ]
+    .map(|pairs| sweep(&folder, &words(pairs)).batch(0..6));
+    assert_eq!([together.beside, alone.beside], [6, 0]);
+    assert_eq!(together.columns, alone.columns[..2], "the same bits");
+    assert!(
+        together.columns[0].iter().all(|count| *count > 0.0),
+        "all touch"
+    );
+}
