@@ -140,6 +140,29 @@ mod tests {
         }
     }
 
+    /// Two towers of seven and six storeys took twenty times as long with the longer steps of a method that does not go side by side.
+    #[test]
+    fn issue_fine_steps_that_cost_less_are_tried_before_coarse_ones() {
+        let prices = Prices {
+            steps: [1.0, 20.0],
+            ..prices(3200.0, 1e6, 1.0)
+        };
+        let tries = prices.tries(|_, halved| halved < 6);
+        let order: Vec<_> = tries.iter().map(|one| (one.place, one.halved)).collect();
+        let first = [
+            (0, 0),
+            (0, 1),
+            (0, 2),
+            (0, 3),
+            (0, 4),
+            (1, 0),
+            (0, 5),
+            (1, 1),
+        ];
+        assert_eq!(order[..8], first, "the cheapest first");
+        assert_eq!(order.len(), 12, "each once");
+    }
+
     /// Two towers of three storeys, 20 s: 500 runs took four times as long with the steps that were chosen as by the exact method.
     #[test]
     fn issue_steps_that_cost_more_than_exact_runs_are_not_tried() {

@@ -145,7 +145,8 @@ impl<'a> SideBySide<'a> {
     /// cannot run side by side.
     ///
     /// Rows of one shape have the same floors and pairs, with laws of the same kinds; the ground motion arrives everywhere at once, and
-    /// no row has more steps than the clock. Where each has a ground motion of its own, there are as many of them as rows. By the velocity Verlet method they have two structures of one storey.
+    /// no row has more steps than the clock. Where each has a ground motion of its own, there are as many of them as rows. By the velocity
+    /// Verlet method they have two structures of one storey.
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
             RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
