@@ -153,6 +153,14 @@ impl FloorQuantity {
 }
 
 impl Quantity {
+    /// Whether it is the value of largest magnitude of something that goes to both sides.
+    pub fn is_peak(self) -> bool {
+        match self {
+            Self::Floor(quantity) => quantity.is_peak(),
+            Self::Pair(_) => false,
+        }
+    }
+
     /// Every number whose errors are measured; ductility and drift ratio have that of the drift, instants of peaks jump where two
     /// peaks are nearly equal.
     pub const COMPARED: [Self; 15] = [

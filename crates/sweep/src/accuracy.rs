@@ -14,7 +14,7 @@ use super::column_errors::{ColumnErrors, at_most, distance};
 use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, Halved, LONGEST, Prices, STEPPING, mean};
 use super::sampling::Point;
-use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Simulation};
+use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Quantity, Simulation};
 use pounding_text::to_csv;
 
 /// Runs that choose the method, and others that measure it.
@@ -282,16 +282,20 @@ impl Sweep {
     /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
     /// number with its sign, and none of what the row went through.
     fn numbers(&self, runs: &[u64]) -> Sampled {
-        let are_peaks = self.are_peaks();
-        let number = |(value, is_peak): (&f64, &bool)| {
-            if *is_peak { value.abs() } else { *value }
+        let quantities = self.quantities();
+        let number = |(value, quantity): (&f64, &Quantity)| {
+            if quantity.is_peak() {
+                value.abs()
+            } else {
+                *value
+            }
         };
         let some = |runs: &[u64]| {
             let mut told = Vec::with_capacity(runs.len());
             self.run_all(runs.iter().copied(), self.at_a_time(), |run, ran| {
                 let ran = ran.map(|ran| {
                     let numbers = Numbers {
-                        values: ran.numbers.iter().zip(&are_peaks).map(number).collect(),
+                        values: ran.numbers.iter().zip(&quantities).map(number).collect(),
                         least: ran.least.to_vec(),
                     };
                     (numbers, if ran.beside { 1.0 } else { 0.0 }, ran.price)
@@ -331,7 +335,7 @@ type Told = Option<Numbers>;
 #[derive(Debug, Clone)]
 struct Numbers {
     values: Vec<f64>,
-    /// What each counts as at least where its error is relative to it; empty of a run side by side, none of whose numbers does.
+    /// What each counts as at least where its error is relative to it; empty of a run none of whose numbers does.
     least: Vec<f64>,
 }
 

@@ -58,8 +58,7 @@ impl Batch {
 pub(super) struct Ran<'a> {
     /// In the order of the columns.
     pub(super) numbers: &'a [f64],
-    /// What each counts as at least where its error is relative to it, 0 for its own size; empty of a run side by side, none of whose
-    /// numbers does.
+    /// What each counts as at least where its error is relative to it, 0 for its own size; empty of a run none of whose numbers does.
     pub(super) least: &'a [f64],
     pub(super) checked: Checked,
     /// Whether it went side by side.
@@ -264,7 +263,8 @@ impl Sweep {
             };
             let tallies = together.as_ref().map(|sums| (sums, scene));
             let tallies = tallies.or(single.as_ref().map(|sums| (sums, 0)));
-            let beside = tallies.is_some_and(|tallies| self.tell(prepared, tallies, &mut numbers));
+            let beside = tallies
+                .is_some_and(|tallies| self.tell(prepared, tallies, (&mut numbers, &mut least)));
             // A fault of the program in one run is no reason to lose the others.
             let ran = if !beside {
                 let price = caught(|| self.run_alone(prepared, &mut numbers, &mut least));

@@ -3,7 +3,9 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Sweep;
-use pounding_scene::{FloorQuantity, PairQuantity, Simulation, side_by_side};
+use pounding_scene::{
+    FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening, side_by_side,
+};
 use pounding_solver::SceneSums;
 
 impl Sweep {
@@ -13,7 +15,7 @@ impl Sweep {
             return None;
         }
         let scenes: Vec<_> = ready.iter().map(|(_, prepared)| &**prepared).collect();
-        catch_unwind(AssertUnwindSafe(|| side_by_side(&scenes)))
+        catch_unwind(AssertUnwindSafe(|| side_by_side(&scenes, self.closings)))
             .ok()
             .flatten()
     }
@@ -33,7 +35,11 @@ impl Sweep {
         let of_pairs = self.outputs.pairs.iter().all(|one| {
             matches!(
                 one,
-                PairQuantity::Collisions | PairQuantity::PeakForceN | PairQuantity::TotalImpulseNS
+                PairQuantity::Collisions
+                    | PairQuantity::LargestImpulseNS
+                    | PairQuantity::PeakForceN
+                    | PairQuantity::TotalImpulseNS
+                    | PairQuantity::LeastOpeningM
             )
         });
         of_structures && of_pairs && !self.is_limited()
@@ -48,21 +54,22 @@ impl Sweep {
             .any(|name| named(name).is_some())
     }
 
-    /// Which of the columns are peaks, whose sign is that of their direction.
-    pub(super) fn are_peaks(&self) -> Vec<bool> {
-        let of_floor = self.outputs.structures.iter().map(|one| one.is_peak());
-        let of_floors = self.outputs.structures.len() * self.row.floors.len();
-        let mut are_peaks: Vec<_> = of_floor.cycle().take(of_floors).collect();
-        are_peaks.resize(self.n_columns(), false);
-        are_peaks
+    /// What each of the columns holds.
+    pub(super) fn quantities(&self) -> Vec<Quantity> {
+        let of_floor = self.outputs.structures.iter().copied().map(Quantity::from);
+        let of_pair = self.outputs.pairs.iter().copied().map(Quantity::from);
+        let floors = self.row.floors.iter().flat_map(|_| of_floor.clone());
+        let pairs = self.row.pairs.iter().flat_map(|_| of_pair.clone());
+        floors.chain(pairs).collect()
     }
 
-    /// The numbers of one of these scenes in the order of the columns; false where they are none, and a run alone says why.
+    /// The numbers of one of these scenes in the order of the columns, and what they count as at least, which stays empty where none of them
+    /// does; false where they are none, and a run alone says why.
     pub(super) fn tell(
         &self,
         prepared: &Simulation,
         (tallies, scene): (&SceneSums, usize),
-        numbers: &mut Vec<f64>,
+        (numbers, least): (&mut Vec<f64>, &mut Vec<f64>),
     ) -> bool {
         let none = f64::NAN;
         if !tallies.is_told(scene) || (self.verdict && tallies.is_doubted(scene)) {
@@ -88,19 +95,33 @@ impl Sweep {
                 | FloorQuantity::TransferredMomentumNS => none,
             }));
         }
+        if self.closings {
+            least.resize(numbers.len(), 0.0);
+        }
         for (index, pair) in prepared.pairs().iter().enumerate() {
+            if self.closings {
+                let peak = |floor| tallies.displacement(scene, floor).abs();
+                let part = LEAST_PART * peak(pair.left).max(peak(pair.right));
+                least.extend(self.outputs.pairs.iter().map(|asked| {
+                    let is_opening = matches!(asked, PairQuantity::LeastOpeningM);
+                    if is_opening { part } else { 0.0 }
+                }));
+            }
             let tally = tallies.pair(scene, index);
-            let has_force = tally.collisions > 0.0 && pair.law.is_compliant();
+            let touches = tally.collisions > 0.0;
+            let has_force = touches && pair.law.is_compliant();
+            let opening = |closing| least_opening(pair.gap, closing, touches);
             numbers.extend(self.outputs.pairs.iter().map(|asked| match asked {
                 PairQuantity::Collisions => tally.collisions,
                 PairQuantity::TotalImpulseNS => tally.impulse,
+                PairQuantity::LargestImpulseNS if touches => tally.largest_impulse,
                 PairQuantity::PeakForceN if has_force => tally.peak_force,
-                PairQuantity::PeakForceN
+                PairQuantity::LeastOpeningM => tally.closing.map_or(none, opening),
+                PairQuantity::LargestImpulseNS
+                | PairQuantity::PeakForceN
                 | PairQuantity::FirstStartS
                 | PairQuantity::FirstImpulseNS
-                | PairQuantity::LargestImpulseNS
-                | PairQuantity::TouchingS
-                | PairQuantity::LeastOpeningM => none,
+                | PairQuantity::TouchingS => none,
             }));
         }
         true

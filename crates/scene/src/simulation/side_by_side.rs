@@ -26,21 +26,21 @@ macro_rules! rows {
     };
 }
 
-/// Runs scenes side by side, and takes what happened in them; nothing where they cannot: they have to be rows of one shape, without
+/// Runs scenes side by side, and takes what happened in them, where it is asked for also how far neighbours come towards each other; nothing where they cannot: they have to be rows of one shape, without
 /// Bouc–Wen columns or a motion that travels, all run by one method. Each may have a record of its own.
 ///
 /// By the central difference method without sub-steps, and two structures of one storey by the velocity Verlet method, every scene has
 /// the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
 /// more; they then have the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
-pub fn side_by_side(scenes: &[&Simulation]) -> Option<SceneSums> {
+pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
     let first = scenes.first()?;
     let mut tallies = SceneSums::default();
     if let Some(stepping) = Stepping::of(first.integrator)
         && scenes.iter().all(|scene| goes_with(scene, first))
     {
-        return stepped(scenes, stepping, &mut tallies)?.then_some(tallies);
+        return stepped((scenes, closings), stepping, &mut tallies)?.then_some(tallies);
     }
-    exact(scenes, &mut tallies).then_some(tallies)
+    exact(scenes, closings, &mut tallies).then_some(tallies)
 }
 
 /// Whether scenes have one method and time step.
@@ -49,7 +49,11 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
     one.integrator == other.integrator && steps[0].total_cmp(&steps[1]).is_eq()
 }
 
-fn stepped(scenes: &[&Simulation], stepping: Stepping, tallies: &mut SceneSums) -> Option<bool> {
+fn stepped(
+    (scenes, closings): (&[&Simulation], bool),
+    stepping: Stepping,
+    tallies: &mut SceneSums,
+) -> Option<bool> {
     let first = scenes.first()?;
     let n_steps: Vec<_> = scenes.iter().map(|scene| scene.clock.n_steps).collect();
     let clock = Clock {
@@ -58,7 +62,7 @@ fn stepped(scenes: &[&Simulation], stepping: Stepping, tallies: &mut SceneSums) 
     };
     let excitations = excitations(scenes.iter().copied());
     let together = SideBySide::new(stepping, Excitations::of(&excitations), clock).ok()?;
-    let together = together.within(first.budget());
+    let together = together.within(first.budget()).with_closings(closings);
     let mut run = |rows| together.run(rows, &n_steps, tallies);
     Some(match first.model {
         Model::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
@@ -69,7 +73,7 @@ fn stepped(scenes: &[&Simulation], stepping: Stepping, tallies: &mut SceneSums) 
 }
 
 /// Runs those scenes that the exact method can, whatever the others are; false where that is none.
-fn exact(scenes: &[&Simulation], tallies: &mut SceneSums) -> bool {
+fn exact(scenes: &[&Simulation], closings: bool, tallies: &mut SceneSums) -> bool {
     let [n_structures, n_pairs] = [scenes[0].floors().all().len(), scenes[0].pairs().len()];
     tallies.begin(scenes.len(), (n_structures, n_pairs));
     let flies = |(place, scene): (usize, &&Simulation)| {
@@ -92,7 +96,8 @@ fn exact(scenes: &[&Simulation], tallies: &mut SceneSums) -> bool {
         let excitations = excitations(now.iter().map(|(place, _)| scenes[*place]));
         let excitations = Excitations::of(&excitations);
         if let Ok(together) = ExactSideBySide::new(settings, excitations, first.clock) {
-            together.within(first.budget()).run(&rows, tallies);
+            let together = together.within(first.budget());
+            together.with_closings(closings).run(&rows, tallies);
         }
         left = later;
     }

@@ -3,15 +3,16 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::Shaken;
 use super::body::Body;
 use super::books::Push;
+use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
 use super::jump::Jumps;
 use super::law::Law;
 use super::number::{Lanes, Mask};
 use super::scenes::{Pair, Scenes, Structure};
+use super::{PairSums, Shaken};
 use crate::impact::rounds::Touching;
 use crate::{CentralDifference, RestoringForce};
 
@@ -26,8 +27,10 @@ pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Colum
     pub(super) pairs: &'a mut [Option<Pair<S>>],
     frame: F,
     jumps: Jumps<'a, S>,
+    /// Nothing where nobody asks how close neighbours come.
+    closings: Option<&'a mut Closings<S>>,
     /// Whether compliant pairs that touched at the node before have their books to close.
-    pub(super) busy: bool,
+    busy: bool,
     /// Steps in which some lane touches.
     pub(super) touching_steps: u64,
 }
@@ -39,12 +42,13 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         method: &Shaken<CentralDifference>,
         (structures, pairs): Scenes<'a, S, Column>,
         frame: F,
-        jumps: Jumps<'a, S>,
+        (jumps, closings): (Jumps<'a, S>, Option<&'a mut Closings<S>>),
     ) -> Self {
         Self {
             simd,
             time_step: method.time_step,
             jumps,
+            closings,
             frame,
             structures,
             pairs,
@@ -53,15 +57,43 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         }
     }
 
+    /// Whether structures have nothing to do but to go on, as long as no lane touches.
+    #[inline(always)]
+    pub(super) fn is_plain(&self) -> bool {
+        !self.busy && self.closings.is_none()
+    }
+
     /// A step from a node with this acceleration of the ground \[m/s²\].
     #[inline(always)]
     pub(super) fn step(&mut self, ground: Lanes<S>) {
         let touches = self.deform();
+        if let Some(closings) = &mut self.closings {
+            closings.look(self.structures);
+        }
         if touches || self.busy {
             self.contact_step(ground);
             self.touching_steps += u64::from(touches);
         } else {
             self.frame.step(self.structures, ground);
+            self.arrive();
+        }
+    }
+
+    /// Follows the neighbours to a node, after the step from it and before velocities jump there.
+    #[inline(always)]
+    fn arrive(&mut self) {
+        if let Some(closings) = &mut self.closings {
+            closings.arrive(self.structures);
+        }
+    }
+
+    /// What happened to a pair in a lane.
+    #[inline(always)]
+    pub(super) fn sums(&self, pair: &Pair<S>, lane: usize) -> PairSums {
+        let closings = self.closings.as_ref();
+        PairSums {
+            closing: closings.and_then(|closings| closings.of(pair.index, lane)),
+            ..pair.tally.lane(lane)
         }
     }
 
@@ -121,9 +153,11 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         }
         self.busy = busy;
         self.frame.step_in_contact(self.structures, ground, jumps);
+        self.arrive();
         if jumps {
             let scenes = (&mut *self.structures, &mut *self.pairs);
-            self.jumps.jump(&mut self.frame, scenes, ground);
+            let closings = self.closings.as_deref_mut();
+            self.jumps.jump(&mut self.frame, scenes, ground, closings);
         }
     }
 }

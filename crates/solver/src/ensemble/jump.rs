@@ -4,6 +4,7 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::body::Body;
+use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
 use super::law::{Impulsive, Law};
@@ -41,13 +42,15 @@ impl<S: Simd> Jumps<'_, S> {
         }
     }
 
-    /// Lets the velocities at a node jump where impulsive pairs touch and approach; what has jumped begins anew from there.
+    /// Lets the velocities at a node jump where impulsive pairs touch and approach; what has jumped begins anew from there, and is told
+    /// to those who follow neighbours.
     #[inline(always)]
     pub(super) fn jump<Column: SideBySideColumn>(
         &mut self,
         frame: &mut impl Frame<S, Column>,
         (structures, pairs): Scenes<'_, S, Column>,
         ground: Lanes<S>,
+        closings: Option<&mut Closings<S>>,
     ) {
         match self {
             Self::TwoStructures => {
@@ -60,11 +63,22 @@ impl<S: Simd> Jumps<'_, S> {
                 {
                     left.restart(ground);
                     right.restart(ground);
+                    if let Some(closings) = closings {
+                        closings.jump(0, left.contact.jumped);
+                        closings.jump(1, right.contact.jumped);
+                    }
                 }
             }
             Self::Longer(rounds) => {
                 if strike_all(rounds, frame, (structures, pairs)) {
                     frame.restart(structures, rounds.links(), ground);
+                    if let Some(closings) = closings {
+                        for link in rounds.links() {
+                            for place in [link.left, link.right].map(|node| frame.place(node)) {
+                                closings.jump(place, structures[place].contact.jumped);
+                            }
+                        }
+                    }
                 }
                 rounds.clear();
             }

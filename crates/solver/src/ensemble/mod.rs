@@ -18,6 +18,7 @@
 
 mod body;
 mod books;
+mod closings;
 mod column;
 mod exact;
 mod excitations;
@@ -91,6 +92,7 @@ pub struct SideBySide<'a> {
     common: Vec<f64>,
     level: Level,
     budget: Budget,
+    closings: bool,
 }
 
 /// The same with the settings of one method.
@@ -98,6 +100,8 @@ struct Shaken<Settings> {
     settings: Settings,
     time_step: f64,
     budget: Budget,
+    /// Whether neighbours are followed where they come close.
+    closings: bool,
 }
 
 /// Steps of structures between two looks at whether to stop: a fraction of a second.
@@ -132,6 +136,7 @@ impl<'a> SideBySide<'a> {
             common,
             level: Level::new(),
             budget: Budget::default(),
+            closings: false,
         })
     }
 
@@ -139,6 +144,12 @@ impl<'a> SideBySide<'a> {
     #[must_use]
     pub fn within(self, budget: Budget) -> Self {
         Self { budget, ..self }
+    }
+
+    /// The same, and tells how far neighbours come towards each other ([`PairSums::closing`]); steps without contact take longer then.
+    #[must_use]
+    pub fn with_closings(self, closings: bool) -> Self {
+        Self { closings, ..self }
     }
 
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
@@ -218,6 +229,7 @@ impl<'a> SideBySide<'a> {
             settings,
             time_step: self.clock.time_step,
             budget: self.budget,
+            closings: self.closings,
         }
     }
 }

@@ -6,6 +6,7 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
+use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::{Frame, Single};
 use super::group::Group;
@@ -75,9 +76,10 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
     if let Some(storeys) = Storeys::of(simd, parts[0], method.time_step) {
         let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0], storeys.nodes());
         let mut rounds = rounds::<S, Column>(&storeys, &structures, &pairs);
+        let mut closings = closings::<S, Column>((simd, method), &storeys, &pairs);
         let scenes = (&mut structures[..], &mut pairs[..]);
-        let jumps = Jumps::Longer(&mut rounds);
-        let mut groups = [Group::new(simd, method, scenes, storeys, jumps)];
+        let lent = (Jumps::Longer(&mut rounds), closings.as_mut());
+        let mut groups = [Group::new(simd, method, scenes, storeys, lent)];
         steps(method, &mut groups, task);
     } else if parts[0].lane(0).nodes().len() == 2 {
         let (mut a, mut b) = (parts[0].two(simd, starts[0]), parts[1].two(simd, starts[1]));
@@ -85,9 +87,22 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
             [parts[0].pair(simd, 0), None],
             [parts[1].pair(simd, 0), None],
         );
-        let scenes = [(&mut a[..], &mut c[..]), (&mut b[..], &mut d[..])];
-        let group = |scenes| Group::new(simd, method, scenes, Single, Jumps::TwoStructures);
-        let mut groups = scenes.map(group);
+        let mut closings =
+            [&c, &d].map(|pairs| closings::<S, Column>((simd, method), &Single, &pairs[..]));
+        let [one, other] = closings.each_mut().map(Option::as_mut);
+        let scenes = [
+            ((&mut a[..], &mut c[..]), one),
+            ((&mut b[..], &mut d[..]), other),
+        ];
+        let mut groups = scenes.map(|(scenes, closings)| {
+            Group::new(
+                simd,
+                method,
+                scenes,
+                Single,
+                (Jumps::TwoStructures, closings),
+            )
+        });
         steps(method, &mut groups, task);
     } else {
         let nodes: Vec<_> = (0..parts[0].lane(0).nodes().len()).collect();
@@ -95,15 +110,29 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
         let scenes = scenes.map(|(rows, start)| {
             let (structures, pairs) = gathered(simd, *rows, start, &nodes);
             let rounds = rounds::<S, Column>(&Single, &structures, &pairs);
-            (structures, pairs, rounds)
+            let closings = closings::<S, Column>((simd, method), &Single, &pairs);
+            (structures, pairs, rounds, closings)
         });
         let mut scenes: Vec<_> = scenes.collect();
-        let groups = scenes.iter_mut().map(|(structures, pairs, rounds)| {
-            let scenes = (&mut structures[..], &mut pairs[..]);
-            Group::new(simd, method, scenes, Single, Jumps::Longer(rounds))
-        });
+        let groups = scenes
+            .iter_mut()
+            .map(|(structures, pairs, rounds, closings)| {
+                let scenes = (&mut structures[..], &mut pairs[..]);
+                let lent = (Jumps::Longer(rounds), closings.as_mut());
+                Group::new(simd, method, scenes, Single, lent)
+            });
         steps(method, &mut groups.collect::<Vec<_>>(), task);
     }
+}
+
+/// What follows the neighbours of some scenes, where that is asked for.
+fn closings<S: Simd, Column: SideBySideColumn>(
+    (simd, method): (S, &Shaken<CentralDifference>),
+    frame: &impl Frame<S, Column>,
+    pairs: &[Option<Pair<S>>],
+) -> Option<Closings<S>> {
+    let of = || Closings::new((simd, method.time_step), pairs, |node| frame.place(node));
+    method.closings.then(of)
 }
 
 /// The structures of some rows, in an order of their nodes, and the pairs.
@@ -145,7 +174,8 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
         while step <= last {
             if F::STANDS_ALONE
                 && let [one, other] = groups
-                && !(one.busy || other.busy)
+                && one.is_plain()
+                && other.is_plain()
             {
                 let groups = [one, other];
                 step += match groups[0].structures.len() {
@@ -173,7 +203,7 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
                 tallies.take_floor(scene, node, group.peaks(node, lane));
             }
             for pair in group.pairs.iter().flatten() {
-                tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
+                tallies.take_pair(scene, pair.index, group.sums(pair, lane));
                 if pair.tally.books.is_doubtful(lane) {
                     tallies.doubt(scene);
                 }

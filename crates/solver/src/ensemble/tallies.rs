@@ -11,8 +11,13 @@ pub struct PairSums {
     pub collisions: f64,
     /// Sum of their impulses \[N·s\].
     pub impulse: f64,
+    /// The largest of them \[N·s\].
+    pub largest_impulse: f64,
     /// Largest pounding force \[N\] of a compliant pair; 0 of an impulsive one, whose force has no limit.
     pub peak_force: f64,
+    /// Largest displacement of the left neighbour less that of the right one \[m\], as [`Closings`](crate::Closings) finds it; nothing
+    /// unless asked for.
+    pub closing: Option<f64>,
 }
 
 /// What happened in many scenes of one shape, in their order.

@@ -12,6 +12,8 @@ pub(super) struct SceneSum<S: Simd> {
     collisions: Lanes<S>,
     /// Sum of the impulses of the collisions that have ended \[N·s\].
     impulse: Lanes<S>,
+    /// The largest of them \[N·s\].
+    largest_impulse: Lanes<S>,
     /// Largest pounding force of a compliant pair \[N\].
     peak_force: Lanes<S>,
     /// Where a compliant collision goes on, and its impulse so far \[N·s\].
@@ -32,6 +34,7 @@ impl<S: Simd> SceneSum<S> {
         Self {
             collisions: zero,
             impulse: zero,
+            largest_impulse: zero,
             peak_force: zero,
             open: nowhere,
             current: zero,
@@ -64,6 +67,7 @@ impl<S: Simd> SceneSum<S> {
         let ends = self.open & !self.overlapped;
         if Lanes::any(ends) {
             self.impulse = Number::select(ends, self.impulse + self.current, self.impulse);
+            self.largest_impulse = self.with_current(ends);
             self.current = Number::select(ends, zero, self.current);
             self.books.close(ends);
         }
@@ -87,6 +91,14 @@ impl<S: Simd> SceneSum<S> {
         let hit = impulse.exceeds(zero);
         self.collisions = self.collisions + Number::select(hit, zero.like(1.0), zero);
         self.impulse = Number::select(hit, self.impulse + impulse, self.impulse);
+        self.largest_impulse = self.largest_impulse.max(impulse);
+    }
+
+    /// The largest impulse, with those of collisions that go on or end, in these lanes.
+    #[inline(always)]
+    fn with_current(&self, lanes: Mask<S>) -> Lanes<S> {
+        let largest = self.largest_impulse.max(self.current);
+        Number::select(lanes, largest, self.largest_impulse)
     }
 
     /// What happened in a lane.
@@ -96,7 +108,9 @@ impl<S: Simd> SceneSum<S> {
         PairSums {
             collisions: self.collisions.lane(lane),
             impulse: impulse.lane(lane),
+            largest_impulse: self.with_current(self.open).lane(lane),
             peak_force: self.peak_force.lane(lane),
+            closing: None,
         }
     }
 }

@@ -1,4 +1,4 @@
-mod cubic;
+pub(crate) mod cubic;
 mod gap;
 mod piece;
 

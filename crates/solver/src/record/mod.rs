@@ -1,6 +1,6 @@
 //! Recorders: each keeps one kind of result and sees only spans and impacts.
 
-mod closings;
+pub(crate) mod closings;
 mod collisions;
 mod floor_accelerations;
 mod histories;

@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Collisions, Elastic, ElastoPlastic, Excitation,
+    Bilinear, CentralDifference, Clock, Closings, Collisions, Elastic, ElastoPlastic, Excitation,
     Excitations, Hysteretic, Integrator, Ledger, Node, Pair, PairSums, Peaks, Row, RowsOf,
     RunError, SceneSums, SideBySide, Stepping,
 };
@@ -72,18 +72,24 @@ fn alone<Column: Hysteretic>(
     excitation: Excitation<'_>,
 ) -> Alone {
     let (n, pairs) = (row.nodes().len(), row.pairs());
+    let walls = row.nodes().iter().map(Node::is_wall).collect();
     let mut recorder = (
         (Peaks::new(n), Collisions::new(n, pairs)),
+        Closings::new(walls, 1.0),
         Ledger::new(row, excitation),
     );
     Integrator::from(stepping).watch(row, excitation, Clock { n_steps, ..CLOCK }, &mut recorder)?;
-    let ((peaks, collisions), ledger) = recorder;
+    let ((peaks, collisions), closings, ledger) = recorder;
     let mut tallies = vec![PairSums::default(); pairs.len()];
     for one in collisions.all() {
         let tally = &mut tallies[one.pair];
         tally.collisions += 1.0;
         tally.impulse += one.impulse;
+        tally.largest_impulse = tally.largest_impulse.max(one.impulse);
         tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
+    }
+    for (tally, pair) in tallies.iter_mut().zip(pairs) {
+        tally.closing = closings.of(pair.left).map(|closing| closing.distance);
     }
     let floor = |node| {
         let peaks = peaks.of(node);
@@ -127,6 +133,37 @@ pub(crate) fn compare<'a, Column: Hysteretic>(
     compare_under(stepping, (rows, kind), &own)
 }
 
+fn bits_of_pair(sums: &PairSums) -> ([u64; 4], Option<u64>) {
+    let PairSums {
+        collisions,
+        impulse,
+        largest_impulse,
+        peak_force,
+        closing,
+    } = *sums;
+    let numbers = [collisions, impulse, largest_impulse, peak_force];
+    (numbers.map(f64::to_bits), closing.map(f64::to_bits))
+}
+
+/// Whether sums are those of runs that nobody asked for closings.
+fn are_the_same<Column>(full: &SceneSums, lean: &SceneSums, row: &Row<Column>) -> bool {
+    let floor = |sums: &SceneSums, scene: usize, floor: usize| {
+        [sums.displacement(scene, floor), sums.drift(scene, floor)].map(f64::to_bits)
+    };
+    let pair = |sums: &SceneSums, scene: usize, pair: usize| {
+        bits_of_pair(&PairSums {
+            closing: None,
+            ..sums.pair(scene, pair)
+        })
+    };
+    (0..full.len()).all(|scene| {
+        let (mut floors, mut pairs) = (0..row.nodes().len(), 0..row.pairs().len());
+        full.is_told(scene) == lean.is_told(scene)
+            && floors.all(|index| floor(full, scene, index) == floor(lean, scene, index))
+            && pairs.all(|index| pair(full, scene, index) == pair(lean, scene, index))
+    })
+}
+
 fn compare_under<'a, Column: Hysteretic>(
     stepping: Stepping,
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
@@ -134,12 +171,15 @@ fn compare_under<'a, Column: Hysteretic>(
 ) -> Result<(), TestCaseError> {
     let together = SideBySide::new(stepping, Excitations::of(shaken), CLOCK);
     let together = together.expect("the settings are valid");
-    let mut found = SceneSums::default();
     let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
-    prop_assert!(
-        together.run(kind(rows), &n_steps, &mut found),
-        "the rows are of one shape"
-    );
+    let sums = |closings: bool| {
+        let mut found = SceneSums::default();
+        let together = together.clone().with_closings(closings);
+        let takes = together.run(kind(rows), &n_steps, &mut found);
+        takes.then_some(found).expect("the rows are of one shape")
+    };
+    let found = sums(true);
+    prop_assert!(are_the_same(&found, &sums(false), rows[0]), "lean is full");
     prop_assert_eq!(found.len(), rows.len());
     for (scene, (row, excitation)) in rows.iter().zip(shaken).enumerate() {
         let Ok((floors, pairs, is_refused)) = alone((stepping, steps(scene)), row, *excitation)
@@ -171,13 +211,10 @@ fn compare_under<'a, Column: Hysteretic>(
             prop_assert_eq!(bits(lane), bits(*wanted), "{} {}", scene, floor);
         }
         for (pair, wanted) in pairs.iter().enumerate() {
-            let bits = |tally: &PairSums| {
-                [tally.collisions, tally.impulse, tally.peak_force].map(f64::to_bits)
-            };
             let lane = found.pair(scene, pair);
             prop_assert_eq!(
-                bits(&lane),
-                bits(wanted),
+                bits_of_pair(&lane),
+                bits_of_pair(wanted),
                 "{} {}: {:?} {:?}",
                 scene,
                 pair,

@@ -4,8 +4,8 @@ use pounding_contact::{
     Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical,
 };
 use pounding_solver::{
-    Clock, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Excitations, Integrator, Node,
-    Pair, PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
+    Clock, Closings, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Excitations,
+    Integrator, Node, Pair, PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
 };
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -22,6 +22,9 @@ pub(crate) const CLOCK: Clock = Clock {
     time_step: 0.005,
     n_steps: 801,
 };
+
+/// Between two looks of a run alone at how far neighbours come towards each other: cubics between them are off by rounding.
+const LOOK: f64 = 2e-5;
 
 #[derive(Debug, Clone)]
 struct Case {
@@ -95,18 +98,26 @@ fn settings(tolerance: f64) -> Exact {
     }
 }
 
-/// Peak displacements \[m\], sum of impulses \[N·s\], and peak force \[N\] with the number of collisions.
-pub(crate) type Found = ([f64; 3], [f64; 2]);
+/// Peak displacements and closing \[m\], sum and largest of the impulses \[N·s\], and peak force \[N\] with the number of collisions.
+pub(crate) type Found = ([f64; 5], [f64; 2]);
 
 /// What the exact method finds in a row alone, and the momentum \[N·s\] with which its structures touch, of all touches.
 pub(crate) fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<(Found, f64)> {
     let excitation = Excitation::new(GROUND_STEP, ground).expect("the record is finite");
-    let mut recorder = (Peaks::new(2), Collisions::new(2, row.pairs()));
+    let walls = row.nodes().iter().map(Node::is_wall).collect();
+    let mut recorder = (
+        Peaks::new(2),
+        Collisions::new(2, row.pairs()),
+        Closings::new(walls, LOOK),
+    );
     Integrator::Exact(settings(1e-14))
         .watch(row, excitation, CLOCK, &mut recorder)
         .ok()?;
-    let (peaks, collisions) = recorder;
-    let mut tally = PairSums::default();
+    let (peaks, collisions, closings) = recorder;
+    let mut tally = PairSums {
+        closing: closings.of(0).map(|closing| closing.distance),
+        ..PairSums::default()
+    };
     let inverse_masses = row.nodes().iter().map(|node| node.inverse_mass);
     let reduced_mass = 1.0 / inverse_masses.sum::<f64>();
     let mut momentum = 0.0;
@@ -114,6 +125,7 @@ pub(crate) fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<(Found, f64)> 
         momentum += reduced_mass * one.approach_speed.unwrap_or(0.0);
         tally.collisions += 1.0;
         tally.impulse += one.impulse;
+        tally.largest_impulse = tally.largest_impulse.max(one.impulse);
         tally.peak_force = tally.peak_force.max(one.peak_force.unwrap_or(0.0));
     }
     let peak = |node| peaks.of(node).displacement.value;
@@ -121,7 +133,8 @@ pub(crate) fn alone(row: &Row<Elastic>, ground: &[f64]) -> Option<(Found, f64)> 
 }
 
 fn found([left, right]: [f64; 2], tally: PairSums) -> Found {
-    let numbers = [left, right, tally.impulse];
+    let closing = tally.closing.expect("asked for");
+    let numbers = [left, right, closing, tally.impulse, tally.largest_impulse];
     (numbers, [tally.peak_force, tally.collisions])
 }
 
@@ -137,6 +150,7 @@ fn beside_under(
     tolerance: f64,
 ) -> Vec<Option<Found>> {
     let together = ExactSideBySide::new(settings(tolerance), excitations, CLOCK).expect("valid");
+    let together = together.with_closings(true);
     let mut tallies = SceneSums::default();
     tallies.begin(rows.len(), (2, 1));
     let places: Vec<_> = rows.iter().enumerate().collect();
@@ -150,12 +164,14 @@ fn beside_under(
 }
 
 /// The largest difference of peaks, impulses and forces, relative to the larger of them. Peaks are compared without their signs: which side
-/// is further is decided by less than the error where both are nearly as far. Impulses that are less than the momentum of approach are
+/// is further is decided by less than the error where both are nearly as far. Closings are differences of displacements. Impulses that are less than the momentum of approach are
 /// relative to that, as the tolerance is: a soft touch of long duration passes on a hundredth of it.
 pub(crate) fn distance((one, momentum): &(Found, f64), other: &Found) -> f64 {
     let relative =
         |a: f64, b: f64, least: f64| (a.abs() - b.abs()).abs() / a.abs().max(b.abs()).max(least);
-    let least = [1e-12, 1e-12, momentum.max(1e-12)];
+    let displacement = one.0[0].abs().max(one.0[1].abs()).max(1e-12);
+    let momentum = momentum.max(1e-12);
+    let least = [1e-12, 1e-12, displacement, momentum, momentum];
     let peaks = one.0.iter().zip(&other.0).zip(least);
     let peaks = peaks
         .map(|((a, b), least)| relative(*a, *b, least))

@@ -1,6 +1,7 @@
 //! Batches of scenes from sample to sample: in lanes by groups, and alone where something happens.
 
 use fearless_simd::Simd;
+use pounding_contact::Number;
 
 use super::fly::{Ahead, Flyer};
 use super::pair::{Link, Scene, Side, Stage};
@@ -24,7 +25,7 @@ pub(super) fn run<S: Simd>(
     for (batch, rows) in rows.chunks(BATCH).enumerate() {
         let mut scenes: Vec<Scene> = rows
             .iter()
-            .map(|(_, row)| Scene::new(row, method.tolerance, method.step))
+            .map(|(_, row)| Scene::new(row, method))
             .collect();
         let scenes_of_groups = scenes.chunks(Lanes::<S>::N);
         let mut groups: Vec<Group<S>> = scenes_of_groups
@@ -133,6 +134,8 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
 struct Group<S: Simd> {
     flyers: [Flyer<S>; 2],
     gap: Lanes<S>,
+    /// How far they have come towards each other \[m\]; nothing where nobody asks.
+    closing: Option<Lanes<S>>,
     /// Lanes whose pair is not plainly apart, and so goes alone; those whose scenes have been given up; and those that have scenes.
     touching: u64,
     lost: u64,
@@ -159,6 +162,10 @@ impl<S: Simd> Group<S> {
                 Flyer::new(simd, &side(1), step),
             ],
             gap: Lanes::new(simd, &std::array::from_fn(|lane| of(lane).gap)),
+            closing: of(0).tally.closing.map(|_| {
+                let closing = |lane: usize| of(lane).tally.closing.unwrap_or(f64::NAN);
+                Lanes::new(simd, &std::array::from_fn(closing))
+            }),
             touching: bits(|scene| !matches!(scene.link, Link::Apart)),
             lost: bits(|scene| scene.stage == Stage::GivenUp),
             all: !(u64::MAX << scenes.len()),
@@ -175,7 +182,10 @@ impl<S: Simd> Group<S> {
         let before = left.displacement - right.displacement;
         let after = one.displacement - other.displacement;
         let reached = before.max(after) + one.bow + other.bow;
-        let events = turns | also | reached.reaches(self.gap);
+        let mut events = turns | also | reached.reaches(self.gap);
+        if let Some(closing) = self.closing {
+            events = events | reached.exceeds(closing);
+        }
         let mut alone = events.bits() | self.touching;
         if ahead.0 < step {
             alone = u64::MAX;
@@ -207,6 +217,9 @@ impl<S: Simd> Group<S> {
         }
         for (flyer, side) in self.flyers.iter_mut().zip(&scene.sides) {
             flyer.take(lane, side);
+        }
+        if let Some((lanes, closing)) = self.closing.as_mut().zip(scene.tally.closing) {
+            lanes.set(lane, closing);
         }
     }
 

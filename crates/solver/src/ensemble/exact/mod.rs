@@ -17,6 +17,7 @@ mod press;
 mod pressed;
 mod pressing;
 mod rest;
+mod rises;
 mod scene;
 mod search;
 
@@ -45,6 +46,8 @@ pub struct ExactSideBySide<'a> {
     rest: Option<f64>,
     pub(super) level: Level,
     budget: Budget,
+    /// Whether neighbours are followed where they come close.
+    closings: bool,
 }
 
 /// The ground between two samples of the record.
@@ -94,6 +97,7 @@ impl<'a> ExactSideBySide<'a> {
             rest: (rest > 1e-9 * end).then_some(rest),
             level: Level::new(),
             budget: Budget::default(),
+            closings: false,
         })
     }
 
@@ -101,6 +105,12 @@ impl<'a> ExactSideBySide<'a> {
     #[must_use]
     pub fn within(self, budget: Budget) -> Self {
         Self { budget, ..self }
+    }
+
+    /// The same, and tells how far neighbours come towards each other ([`PairSums::closing`](super::PairSums::closing)).
+    #[must_use]
+    pub fn with_closings(self, closings: bool) -> Self {
+        Self { closings, ..self }
     }
 
     /// Whether a row can run side by side with others: two structures of one storey, or one and a wall, which can touch; the ground

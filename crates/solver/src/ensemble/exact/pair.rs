@@ -2,6 +2,7 @@
 
 use pounding_contact::ContactLaw;
 
+use super::ExactSideBySide;
 use super::contact::Contact;
 use crate::ensemble::PairSums;
 use crate::exact::{LONGEST_LEAP, in_flight};
@@ -43,6 +44,8 @@ pub(super) struct Scene {
     pub(super) events: usize,
     /// Impacts that have followed each other at once.
     pub(super) bounces: Bounces,
+    /// Impulse of the last one, with that of the rest behind it \[N·s\].
+    pub(super) struck: f64,
 }
 
 /// What is between two neighbours.
@@ -150,8 +153,9 @@ impl Side {
 }
 
 impl Scene {
-    /// The scene of a row under a record with samples this far apart \[s\]; given up at once where series do not reach over an interval.
-    pub(super) fn new(row: &Row<Elastic>, tolerance: f64, step: f64) -> Self {
+    /// The scene of a row; given up at once where series do not reach over an interval.
+    pub(super) fn new(row: &Row<Elastic>, method: &ExactSideBySide<'_>) -> Self {
+        let step = method.step;
         let pair = &row.pairs()[0];
         let sides = [0, 1].map(|node: usize| Side::new(&row.nodes()[node], step));
         let reaches = |side: &Side| step * side.fastest_rate() <= LONGEST_LEAP;
@@ -165,17 +169,20 @@ impl Scene {
             gap: pair.gap,
             law: pair.law,
             reduced_mass: row.reduced_mass(pair),
-            tolerance,
+            tolerance: method.tolerance,
             tally: PairSums::default(),
             link: Link::Apart,
             stage,
             at: 0.0,
             events: 0,
             bounces: Bounces::default(),
+            struck: 0.0,
         };
-        if scene.closing() == (0.0, 0.0) {
+        let (deformation, rate) = scene.closing();
+        if (deformation, rate) == (0.0, 0.0) {
             scene.link = Link::Closed { is_struck: false };
         }
+        scene.tally.closing = method.closings.then_some(deformation + pair.gap);
         scene
     }
 
@@ -187,6 +194,7 @@ impl Scene {
         };
         PairSums {
             impulse: self.tally.impulse + open,
+            largest_impulse: self.tally.largest_impulse.max(open),
             ..self.tally
         }
     }

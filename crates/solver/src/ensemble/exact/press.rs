@@ -18,10 +18,13 @@ pub(super) fn press<S: Simd>(
     scenes: &mut [Scene],
     waiting: &[usize],
 ) {
-    let Some(Link::Pressed(first)) = waiting.first().map(|scene| scenes[*scene].link) else {
+    let Some(scene) = waiting.first().map(|scene| &scenes[*scene]) else {
         return;
     };
-    let mut pressing = Pressing::new(simd, &first.form);
+    let Link::Pressed(first) = scene.link else {
+        return;
+    };
+    let mut pressing = Pressing::new(simd, &first.form, scene);
     let mut waiting = waiting.iter();
     let mut inside: [Option<(usize, Contact)>; MOST_LANES] = [None; MOST_LANES];
     let inside = &mut inside[..Lanes::<S>::N];

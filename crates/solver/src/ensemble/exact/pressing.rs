@@ -39,6 +39,8 @@ pub(super) struct Pressing<S: Simd> {
     peak_force: Lanes<S>,
     /// Least and largest displacements of both sides.
     extremes: [[Lanes<S>; 2]; 2],
+    /// How far they have come towards each other \[m\]; nothing where nobody asks.
+    closing: Option<Lanes<S>>,
 }
 
 /// What became of lanes in a step.
@@ -51,9 +53,9 @@ pub(super) struct Ends<S: Simd> {
 }
 
 impl<S: Simd> Pressing<S> {
-    /// Lanes for contacts by laws of the same powers as that of a scene.
+    /// Lanes for contacts by laws of the same powers as that of a scene, which is asked for the same.
     #[inline(always)]
-    pub(super) fn new(simd: S, form: &Form) -> Self {
+    pub(super) fn new(simd: S, form: &Form, scene: &Scene) -> Self {
         let zero = Lanes::splat(simd, 0.0);
         let half = Half {
             inverse_mass: zero,
@@ -93,6 +95,7 @@ impl<S: Simd> Pressing<S> {
             climb: zero,
             peak_force: zero,
             extremes: [[zero; 2]; 2],
+            closing: scene.tally.closing.map(|_| zero),
         }
     }
 
@@ -150,6 +153,9 @@ impl<S: Simd> Pressing<S> {
         ] {
             number.set(lane, of_scene);
         }
+        if let Some((lanes, closing)) = self.closing.as_mut().zip(scene.tally.closing) {
+            lanes.set(lane, closing);
+        }
     }
 
     /// Looks at where lanes are, after scenes were taken in.
@@ -172,6 +178,7 @@ impl<S: Simd> Pressing<S> {
         contact.climb = self.climb.lane(lane);
         contact.impulse = self.here.state[4].lane(lane);
         scene.tally.peak_force = self.peak_force.lane(lane);
+        scene.tally.closing = self.closing.map(|closing| closing.lane(lane));
     }
 
     /// Time since a scene came into a lane \[s\].

@@ -40,7 +40,8 @@ impl Scene {
         left.velocity -= left.inverse_mass * impulse;
         right.velocity += right.inverse_mass * impulse;
         self.tally.collisions += 1.0;
-        self.tally.impulse += impulse;
+        self.struck = 0.0;
+        self.push(impulse);
         self.bounces = Bounces {
             last: self.at,
             burst: if at_once { self.bounces.burst + 1 } else { 0 },
@@ -50,6 +51,13 @@ impl Scene {
         } else {
             Link::Closed { is_struck: true }
         };
+    }
+
+    /// Adds to the impulse of the last impact, as rest behind it does \[N·s\].
+    fn push(&mut self, impulse: f64) {
+        self.struck += impulse;
+        self.tally.impulse += impulse;
+        self.tally.largest_impulse = self.tally.largest_impulse.max(self.struck);
     }
 
     /// Rests or parts, whichever the first coefficient of the free deformation says that is not rounding.
@@ -185,7 +193,7 @@ impl Scene {
                 (length, turned) = (turn, true);
             }
         }
-        self.tally.impulse -= integral(minus_force, length);
+        self.push(-integral(minus_force, length));
         let pushes = minus_force.iter().any(|force| *force != 0.0);
         let end = [value(displacement, length), value(rates, length)];
         self.sides[base].displacement = end[0];

@@ -5,6 +5,7 @@ use pounding_contact::{Action, Form};
 use super::Interval;
 use super::contact::Contact;
 use super::pair::{Bounces, Link, Opening, Scene, Side, Stage};
+use super::rises::{first_turn, highest, rise_bound};
 use crate::roots::{CAPACITY, quick_first_root, value_and_slope};
 use crate::span::{Expansion, value};
 
@@ -99,6 +100,7 @@ impl Scene {
     pub(super) fn part(&mut self, contact: &Contact, passed: f64, interval: &Interval) {
         self.at = (self.at + passed).min(interval.length);
         self.tally.impulse += contact.impulse;
+        self.tally.largest_impulse = self.tally.largest_impulse.max(contact.impulse);
         let (_, rate) = self.closing();
         self.link = Link::Parting(Opening::At(0.0, rate));
         self.count();
@@ -161,6 +163,9 @@ impl Scene {
             side.velocity = value(room.velocity(side.len), length);
             side.reach(side.displacement);
         }
+        if let Some(closing) = &mut self.tally.closing {
+            *closing = self.gap + highest(deformation, length, *closing - self.gap);
+        }
         let (deformation, rate) = value_and_slope(deformation, length);
         Flown {
             length,
@@ -194,25 +199,13 @@ impl Side {
     /// First instant at which it turns; `None` if it cannot pass its extremes within a length. The first coefficient of its displacement
     /// is not read.
     pub(super) fn turn(&self, [displacement, rates]: [&[f64]; 2], length: f64) -> Option<f64> {
-        let first = rates.iter().find(|rate| **rate != 0.0)?;
         let farther = |sign: f64| sign * self.displacement + rise_bound(displacement, sign, length);
         let [least, largest] = self.extremes;
         if farther(1.0) <= largest && farther(-1.0) <= -least {
             return None;
         }
-        let mut series = [0.0; CAPACITY];
-        let falling = &mut series[..rates.len()];
-        for (rate, coefficient) in falling.iter_mut().zip(rates) {
-            *rate = -first.signum() * coefficient;
-        }
-        quick_first_root(falling, length)
+        first_turn(rates, length)
     }
-}
-
-/// Upper bound of the rise of a polynomial, times this sign, from 0 to x.
-fn rise_bound(coefficients: &[f64], sign: f64, x: f64) -> f64 {
-    let sum = |sum: f64, coefficient: &f64| sum * x + (sign * coefficient).max(0.0);
-    x * coefficients.iter().skip(1).rev().fold(0.0, sum)
 }
 
 impl Interval {

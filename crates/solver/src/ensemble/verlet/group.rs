@@ -5,14 +5,15 @@ use pounding_contact::Number;
 
 use super::NEAR;
 use super::body::{self, Constants, Motion};
-use crate::ensemble::Shaken;
 use crate::ensemble::books;
+use crate::ensemble::closings::{Apart, Nearest};
 use crate::ensemble::column::SideBySideColumn;
 use crate::ensemble::jump::struck;
 use crate::ensemble::law::{Impulsive, Law};
 use crate::ensemble::number::{Lanes, Mask};
 use crate::ensemble::rows::Rows;
 use crate::ensemble::scenes::Pair;
+use crate::ensemble::{PairSums, Shaken};
 use crate::explicit::verlet::formulas::Closing;
 use crate::{Verlet, VerletImpacts};
 
@@ -25,10 +26,12 @@ pub(super) struct Group<S: Simd, Column: SideBySideColumn> {
     pub(super) motions: Motions<S, Column>,
     /// Nothing where they cannot touch.
     pub(super) pair: Option<Pair<S>>,
+    /// Nothing where nobody asks how close they come.
+    nearest: Option<Nearest<S>>,
     /// Whether impacts are located.
     located: bool,
     /// Whether a compliant pair that touched at the node before has its books to close.
-    pub(super) busy: bool,
+    busy: bool,
     /// Steps in which some lane touches.
     pub(super) touching_steps: u64,
 }
@@ -47,6 +50,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
             constants: [left, right],
             motions: [left_motion, right_motion],
             pair: rows.pair(simd, 0),
+            nearest: method.closings.then(|| Nearest::new(simd)),
             located: method.settings.impacts == VerletImpacts::Located,
             busy: false,
             touching_steps: 0,
@@ -72,9 +76,37 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         end.max(on_the_way).reaches(zero.like(-NEAR))
     }
 
-    /// A step between nodes with these accelerations of the ground \[m/s²\].
+    /// Whether structures have nothing to do but to go on, as long as no lane touches.
     #[inline(always)]
-    pub(super) fn step(&mut self, [from, to]: [Lanes<S>; 2]) {
+    pub(super) fn is_plain(&self) -> bool {
+        !self.busy && self.nearest.is_none()
+    }
+
+    /// How far the left structure is ahead of the right one at an instant \[s\].
+    #[inline(always)]
+    fn apart(&self, time: Lanes<S>) -> Apart<S> {
+        let [left, right] = &self.motions;
+        Apart {
+            time,
+            displacement: left.displacement - right.displacement,
+            velocity: left.velocity - right.velocity,
+        }
+    }
+
+    /// Follows the structures from an instant to where they are, at another one, in these lanes.
+    #[inline(always)]
+    fn follow(&mut self, start: &Apart<S>, time: Lanes<S>, lanes: Mask<S>) {
+        let end = self.apart(time);
+        if let Some(nearest) = &mut self.nearest {
+            nearest.follow(start, &end, lanes);
+        }
+    }
+
+    /// A step between nodes with these accelerations of the ground \[m/s²\], at these instants \[s\].
+    #[inline(always)]
+    pub(super) fn step(&mut self, [from, to]: [Lanes<S>; 2], times: [f64; 2]) {
+        let times = times.map(|time| to.like(time));
+        let start = self.apart(times[0]);
         let mut ends = [to; 2];
         for (end, (constants, motion)) in ends
             .iter_mut()
@@ -87,7 +119,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         match self.pair.as_ref().map(|pair| &pair.law) {
             Some(Law::Impulsive(law)) if near => {
                 let law = *law;
-                self.step_with_impacts(law, [from, to]);
+                return self.step_with_impacts(law, [from, to], times);
             }
             Some(Law::Viscoelastic(_) | Law::Formed(_)) if near => self.step_with_force(to, ends),
             _ => {
@@ -97,6 +129,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
                 }
             }
         }
+        self.follow(&start, times[1], Mask::splat(to.token(), true));
     }
 
     /// A step at the end of which compliant pairs push each other.
@@ -147,7 +180,12 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
 
     /// A step in which, or at the end of which, velocities jump.
     #[inline(always)]
-    fn step_with_impacts(&mut self, law: Impulsive<S>, [from, to]: [Lanes<S>; 2]) {
+    fn step_with_impacts(
+        &mut self,
+        law: Impulsive<S>,
+        [from, to]: [Lanes<S>; 2],
+        times: [Lanes<S>; 2],
+    ) {
         let duration = self.constants[0].step.whole;
         let zero = to.like(0.0);
         let all = Mask::splat(to.token(), true);
@@ -156,6 +194,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
             force: zero,
         };
         let (mut rest, mut touched) = (duration, false);
+        let mut start = self.apart(times[0]);
         if self.located
             && let Some((closes, instant)) = self.closes()
         {
@@ -165,13 +204,17 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
                 let length = constants.span(instant);
                 constants.finish_span(motion, &length, moves, nothing, ground);
             }
+            let time = times[0] + instant;
+            self.follow(&start, time, moves);
             self.strike(closes, law, ground);
+            start = self.apart(time);
             (rest, touched) = (duration - instant, true);
         }
         for (constants, motion) in self.constants.iter().zip(&mut self.motions) {
             let length = constants.span(rest);
             constants.finish_span(motion, &length, all, nothing, to);
         }
+        self.follow(&start, times[1], all);
         let touches = self.touches();
         self.touching_steps += u64::from(touched | Lanes::any(touches));
         self.strike(touches, law, to);
@@ -224,5 +267,13 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         }
         self.constants[0].jump(left, struck.velocities[0], ground);
         self.constants[1].jump(right, struck.velocities[1], ground);
+    }
+    /// What happened to the pair in a lane.
+    #[inline(always)]
+    pub(super) fn sums(&self, pair: &Pair<S>, lane: usize) -> PairSums {
+        PairSums {
+            closing: self.nearest.map(|nearest| nearest.lane(lane)),
+            ..pair.tally.lane(lane)
+        }
     }
 }

@@ -73,8 +73,9 @@ fn steps<S: Simd, Column: SideBySideColumn, G: Grounds>(
             if let [from, to, ..] = &nodes[done - before..] {
                 let simd = groups[0].constants[0].inverse_mass.token();
                 let (from, to) = (G::at(simd, from), G::at(simd, to));
+                let times = [done, done + 1].map(|step| step as f64 * method.time_step);
                 for (index, group) in groups.iter_mut().enumerate() {
-                    group.step([from[index], to[index]]);
+                    group.step([from[index], to[index]], times);
                 }
                 done += 1;
             }
@@ -86,7 +87,7 @@ fn steps<S: Simd, Column: SideBySideColumn, G: Grounds>(
                 tallies.take_floor(scene, node, [motion.peak(lane); 2]);
             }
             if let Some(pair) = &group.pair {
-                tallies.take_pair(scene, pair.index, pair.tally.lane(lane));
+                tallies.take_pair(scene, pair.index, group.sums(pair, lane));
                 if pair.tally.books.is_doubtful(lane) {
                     tallies.doubt(scene);
                 }
@@ -107,7 +108,7 @@ fn go_apart<S: Simd, Column: SideBySideColumn, G: Grounds>(
     nodes: &[G::Node],
 ) -> usize {
     let mut done = 0;
-    if one.busy || other.busy {
+    if !(one.is_plain() && other.is_plain()) {
         return done;
     }
     let (mut ones, mut others) = (one.motions, other.motions);

@@ -1,25 +1,32 @@
 //! Cubics through displacements and velocities at both ends.
 
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+use pounding_contact::Number;
+
 use super::Closing;
 use crate::{Motion, Travel};
 
 /// Instant \[s\], displacement \[m\] and velocity \[m/s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Node {
-    pub(super) time: f64,
-    pub(super) displacement: f64,
-    pub(super) velocity: f64,
+pub(crate) struct Node {
+    pub(crate) time: f64,
+    pub(crate) displacement: f64,
+    pub(crate) velocity: f64,
 }
 
 /// The cubic through two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Cubic {
-    pub(super) start: Node,
-    pub(super) end: Node,
+pub(crate) struct Cubic {
+    pub(crate) start: Node,
+    pub(crate) end: Node,
 }
 
 impl Node {
-    pub(super) fn new(time: f64, motion: Motion) -> Self {
+    pub(crate) fn new(time: f64, motion: Motion) -> Self {
         Self {
             time,
             displacement: motion.displacement,
@@ -30,7 +37,7 @@ impl Node {
 
 impl Cubic {
     /// The ground of a node over the same interval.
-    pub(super) fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
+    pub(crate) fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
         let at = |time: f64| {
             let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
             Node::new(time, ground)
@@ -41,7 +48,7 @@ impl Cubic {
         }
     }
 
-    pub(super) fn duration(&self) -> f64 {
+    pub(crate) fn duration(&self) -> f64 {
         self.end.time - self.start.time
     }
 
@@ -70,7 +77,7 @@ impl Cubic {
     }
 
     /// The part up to an instant, which is not before its start.
-    pub(super) fn until(self, time: f64) -> Self {
+    pub(crate) fn until(self, time: f64) -> Self {
         if time < self.end.time {
             Self {
                 end: self.at(time),
@@ -82,14 +89,14 @@ impl Cubic {
     }
 
     /// The part from an instant before its end on.
-    pub(super) fn from(self, time: f64) -> Self {
+    pub(crate) fn from(self, time: f64) -> Self {
         Self {
             start: self.at(time),
             ..self
         }
     }
 
-    pub(super) fn mirrored(self) -> Self {
+    pub(crate) fn mirrored(self) -> Self {
         let mirrored = |node: Node| Node {
             displacement: -node.displacement,
             velocity: -node.velocity,
@@ -102,7 +109,7 @@ impl Cubic {
     }
 
     /// The difference of two cubics over one interval.
-    pub(super) fn less(self, other: Self) -> Self {
+    pub(crate) fn less(self, other: Self) -> Self {
         let less = |one: Node, other: Node| Node {
             time: one.time,
             displacement: one.displacement - other.displacement,
@@ -115,19 +122,13 @@ impl Cubic {
     }
 
     /// Heights between which it stays: those of its Bézier points.
-    pub(super) fn controls(&self) -> [f64; 4] {
-        let third = self.duration() / 3.0;
-        let (start, end) = (&self.start, &self.end);
-        [
-            start.displacement,
-            start.displacement + third * start.velocity,
-            end.displacement - third * end.velocity,
-            end.displacement,
-        ]
+    pub(crate) fn controls(&self) -> [f64; 4] {
+        let [start, end] = [self.start, self.end].map(|node| [node.displacement, node.velocity]);
+        controls(self.duration(), [start, end])
     }
 
     /// Its largest value and where it is first.
-    pub(super) fn highest(&self) -> Closing {
+    pub(crate) fn highest(&self) -> Closing {
         let [u, a, b, c] = self.coefficients();
         // Slope a + 2bs + 3cs²; without a root where it does not change its sign. A root that is no number, of b = 0 and
         // c = 0 or a = 0, is not between 0 and 1.
@@ -158,4 +159,17 @@ impl Cubic {
         }
         highest
     }
+}
+
+/// Heights between which a cubic of this duration \[s\] stays, with displacements and velocities at both ends; of one scene or of several
+/// side by side.
+#[inline(always)]
+pub(crate) fn controls<N: Number>(duration: N, [start, end]: [[N; 2]; 2]) -> [N; 4] {
+    let third = duration / duration.like(3.0);
+    [
+        start[0],
+        start[0] + third * start[1],
+        end[0] - third * end[1],
+        end[0],
+    ]
 }

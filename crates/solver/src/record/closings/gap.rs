@@ -43,11 +43,11 @@ impl Gap {
     ) {
         let reversed = self.reversed;
         let closing = |cubic: Cubic| {
-            let apart = cubic.less(wall(cubic));
+            let wall = wall(cubic);
             if (side == 0) == reversed {
-                apart.mirrored()
+                wall.less(cubic)
             } else {
-                apart
+                cubic.less(wall)
             }
         };
         if !self.knows(&closing(piece.cubic), piece.leaves_out()) {

@@ -5,7 +5,7 @@ use pounding_contact::Number;
 
 use super::Pressing;
 use super::reach::{PROBE, ROUGHLY, Reached};
-use crate::ensemble::exact::pressed::rate;
+use crate::ensemble::exact::pressed::{State, rate};
 use crate::ensemble::exact::search::rise;
 use crate::ensemble::number::{Lanes, Mask};
 
@@ -65,9 +65,34 @@ impl<S: Simd> Pressing<S> {
         for side in 0..2 {
             self.extremes[side] = reach(taken, self.extremes[side], next.state[2 * side]);
         }
+        self.follow_closing(reached, taken);
         let climb = Number::select(reached.bends, zero.like(f64::NAN), climb);
         self.climb = Number::select(taken, climb, self.climb);
         self.peak_force = Number::select(taken, peak_force, self.peak_force);
+    }
+}
+
+impl<S: Simd> Pressing<S> {
+    /// How far neighbours come towards each other in a step that is taken, where that is asked for.
+    #[inline(always)]
+    fn follow_closing(&mut self, reached: &Reached<S>, taken: Mask<S>) {
+        let Some(known) = self.closing else {
+            return;
+        };
+        let (here, next) = (&self.here, &reached.next);
+        let ahead = |state: &State<Lanes<S>>| state[0] - state[2];
+        let rates = [&here.state, &next.state].map(rate);
+        let zero = known.like(0.0);
+        let mut closing = known.max(ahead(&next.state));
+        let turns = taken & rates[0].exceeds(zero) & zero.exceeds(rates[1]);
+        if Lanes::any(turns) {
+            let way = reached.stepped.way(here, reached.length);
+            let opens = rates.map(|rate| zero - rate);
+            let turn = rise(turns, opens, ROUGHLY, |part| zero - rate(&way.at(part)));
+            let nearest = closing.max(ahead(&way.at(turn)));
+            closing = Number::select(turns, nearest, closing);
+        }
+        self.closing = Some(Number::select(taken, closing, known));
     }
 }
 

@@ -5,6 +5,7 @@ use pounding_contact::Number;
 
 use super::Pressing;
 use super::reach::Reached;
+use crate::ensemble::exact::pressed::State;
 use crate::ensemble::number::{Lanes, Mask};
 
 /// The cubic through a number at both ends of a step, with its derivatives there by the part of the step.
@@ -59,6 +60,14 @@ impl<S: Simd> Pressing<S> {
                 slopes: [length * here.slope[u], length * next.slope[u]],
             };
             self.stop_between(&displacements, self.extremes[side], reached);
+        }
+        if let Some(closing) = self.closing {
+            let ahead = |state: &State<Lanes<S>>| state[0] - state[2];
+            let distances = Cubic {
+                values: [ahead(&here.state), ahead(&next.state)],
+                slopes: [&here.slope, &next.slope].map(|slope| length * ahead(slope)),
+            };
+            self.stop_between(&distances, [zero - closing, closing], reached);
         }
     }
 
