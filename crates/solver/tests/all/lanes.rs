@@ -146,7 +146,7 @@ fn bits_of_pair(sums: &PairSums) -> ([u64; 4], Option<u64>) {
 }
 
 /// Whether sums are those of runs that nobody asked for closings.
-fn are_the_same<Column>(full: &SceneSums, lean: &SceneSums, row: &Row<Column>) -> bool {
+fn are_the_same<Column: Hysteretic>(full: &SceneSums, lean: &SceneSums, row: &Row<Column>) -> bool {
     let floor = |sums: &SceneSums, scene: usize, floor: usize| {
         [sums.displacement(scene, floor), sums.drift(scene, floor)].map(f64::to_bits)
     };
