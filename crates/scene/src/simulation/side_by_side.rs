@@ -26,8 +26,9 @@ macro_rules! rows {
     };
 }
 
-/// Runs scenes side by side, and takes what happened in them, where it is asked for also how far neighbours come towards each other; nothing where they cannot: they have to be rows of one shape, without
-/// Bouc–Wen columns or a motion that travels, all run by one method. Each may have a record of its own.
+/// Runs scenes side by side, and takes what happened in them, with `closings` also how far neighbours come towards each other; nothing
+/// where they cannot: they have to be rows of one shape, without Bouc–Wen columns or a motion that travels, all run by one method. Each may
+/// have a record of its own.
 ///
 /// By the central difference method without sub-steps, and two structures of one storey by the velocity Verlet method, every scene has
 /// the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or

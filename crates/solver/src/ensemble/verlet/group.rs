@@ -268,6 +268,7 @@ impl<S: Simd, Column: SideBySideColumn> Group<S, Column> {
         self.constants[0].jump(left, struck.velocities[0], ground);
         self.constants[1].jump(right, struck.velocities[1], ground);
     }
+
     /// What happened to the pair in a lane.
     #[inline(always)]
     pub(super) fn sums(&self, pair: &Pair<S>, lane: usize) -> PairSums {

@@ -26,7 +26,7 @@ pub(crate) struct Cubic {
 }
 
 impl Node {
-    pub(crate) fn new(time: f64, motion: Motion) -> Self {
+    pub(super) fn new(time: f64, motion: Motion) -> Self {
         Self {
             time,
             displacement: motion.displacement,
@@ -37,7 +37,7 @@ impl Node {
 
 impl Cubic {
     /// The ground of a node over the same interval.
-    pub(crate) fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
+    pub(super) fn of_ground(self, node: usize, travel: Option<&Travel>) -> Self {
         let at = |time: f64| {
             let ground = travel.map_or_else(Motion::default, |travel| travel.ground(node, time));
             Node::new(time, ground)
@@ -48,7 +48,7 @@ impl Cubic {
         }
     }
 
-    pub(crate) fn duration(&self) -> f64 {
+    pub(super) fn duration(&self) -> f64 {
         self.end.time - self.start.time
     }
 
@@ -77,7 +77,7 @@ impl Cubic {
     }
 
     /// The part up to an instant, which is not before its start.
-    pub(crate) fn until(self, time: f64) -> Self {
+    pub(super) fn until(self, time: f64) -> Self {
         if time < self.end.time {
             Self {
                 end: self.at(time),
@@ -89,14 +89,14 @@ impl Cubic {
     }
 
     /// The part from an instant before its end on.
-    pub(crate) fn from(self, time: f64) -> Self {
+    pub(super) fn from(self, time: f64) -> Self {
         Self {
             start: self.at(time),
             ..self
         }
     }
 
-    pub(crate) fn mirrored(self) -> Self {
+    pub(super) fn mirrored(self) -> Self {
         let mirrored = |node: Node| Node {
             displacement: -node.displacement,
             velocity: -node.velocity,
@@ -109,7 +109,7 @@ impl Cubic {
     }
 
     /// The difference of two cubics over one interval.
-    pub(crate) fn less(self, other: Self) -> Self {
+    pub(super) fn less(self, other: Self) -> Self {
         let less = |one: Node, other: Node| Node {
             time: one.time,
             displacement: one.displacement - other.displacement,
@@ -122,7 +122,7 @@ impl Cubic {
     }
 
     /// Heights between which it stays: those of its Bézier points.
-    pub(crate) fn controls(&self) -> [f64; 4] {
+    pub(super) fn controls(&self) -> [f64; 4] {
         let [start, end] = [self.start, self.end].map(|node| [node.displacement, node.velocity]);
         controls(self.duration(), [start, end])
     }
