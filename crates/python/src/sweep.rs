@@ -25,9 +25,10 @@ pub(crate) fn sweep(
     let ran = wait(py, progress, |watch| -> Result<_, String> {
         let words = |error: pounding_scene::Error| crate::refused::said(&error);
         let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
-        let sweep = Sweep::of((file, text.as_bytes()), &path).map_err(|error| error.to_string())?;
+        let sweep = Sweep::of((file, text.as_bytes()), &path, Some(watch.stop))
+            .map_err(|error| error.to_string())?;
         let of = sweep.n_runs();
-        let columns = sweep.table(watch.stop, &|runs| watch.step(runs, of));
+        let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;
         let told = (
             sweep.left_out().to_vec(),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use super::Sweep;
 use super::checked::{Checked, TwoRuns};
@@ -65,19 +65,6 @@ pub(super) struct Ran<'a> {
     pub(super) beside: bool,
     /// What it cost where it did not, in force evaluations that take as long.
     pub(super) price: f64,
-}
-
-/// How many runs are made ready at a time, and who ends them.
-#[derive(Clone, Copy)]
-pub(super) struct AtATime {
-    pub(super) runs: usize,
-    pub(super) stop: Option<&'static AtomicBool>,
-}
-
-impl AtATime {
-    fn is_stopped(self) -> bool {
-        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
-    }
 }
 
 /// Samples of records that scenes which are ready keep, those of one record for all of them not counted: 4 MB.
@@ -164,32 +151,30 @@ impl Sweep {
 
     /// Runs that are made ready at a time: of two structures as many as a batch has use for (the record is read once for all of them), of
     /// long rows what fills all lanes and not the memory.
-    pub(super) fn at_a_time(&self) -> AtATime {
+    pub(super) fn at_a_time(&self) -> usize {
         const FLOORS: usize = 4096;
         let n_floors = self.row.floors.len().max(1);
-        AtATime {
-            runs: (FLOORS / n_floors).clamp(16, 256),
-            stop: None,
-        }
+        (FLOORS / n_floors).clamp(16, 256)
     }
 
-    /// Runs a range of runs, below [`Self::n_runs`].
+    /// Whether somebody said stop.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
+
+    /// Runs a range of runs, below [`Self::n_runs`]; some fail where somebody says stop.
     pub fn batch(&self, runs: Range<u64>) -> Batch {
         self.batch_of(runs, self.at_a_time())
     }
 
-    /// The same; nothing where somebody sets `stop` before they are done.
-    pub(super) fn batch_until(&self, runs: Range<u64>, stop: &'static AtomicBool) -> Option<Batch> {
-        let at_a_time = AtATime {
-            stop: Some(stop),
-            ..self.at_a_time()
-        };
-        let batch = self.batch_of(runs, at_a_time);
-        (!at_a_time.is_stopped()).then_some(batch)
+    /// The same; nothing where somebody says stop before they are done.
+    pub(super) fn batch_unless_stopped(&self, runs: Range<u64>) -> Option<Batch> {
+        let batch = self.batch(runs);
+        (!self.is_stopped()).then_some(batch)
     }
 
-    /// The same; some fail where somebody sets `stop`.
-    pub(super) fn batch_of(&self, runs: Range<u64>, at_a_time: AtATime) -> Batch {
+    /// The same, so many at a time.
+    pub(super) fn batch_of(&self, runs: Range<u64>, at_a_time: usize) -> Batch {
         let mut batch = Batch::of(runs.clone(), self.n_columns());
         self.run_all(runs, at_a_time, |run, ran| batch.take(run, ran));
         batch
@@ -199,7 +184,7 @@ impl Sweep {
     pub(super) fn run_all(
         &self,
         runs: impl IntoIterator<Item = u64>,
-        at_a_time: AtATime,
+        at_a_time: usize,
         mut tell: impl FnMut(u64, Result<Ran<'_>, String>),
     ) {
         let mut runs = runs.into_iter().peekable();
@@ -217,7 +202,7 @@ impl Sweep {
             }
             match caught(|| making.make(motion, run)) {
                 Ok((mut prepared, of_template)) => {
-                    prepared.set_stop(at_a_time.stop);
+                    prepared.set_stop(self.stop);
                     ready.of_template =
                         of_template && (ready.of_template || ready.scenes.is_empty());
                     if self.motions.differ() {
@@ -227,10 +212,10 @@ impl Sweep {
                 }
                 Err(reason) => tell(run, Err(reason)),
             }
-            let full = ready.scenes.len() >= at_a_time.runs || ready.samples >= MOST_SAMPLES;
+            let full = ready.scenes.len() >= at_a_time || ready.samples >= MOST_SAMPLES;
             if full || runs.peek().is_none() {
                 self.run_ready(&ready.scenes, &mut tell);
-                if at_a_time.is_stopped() {
+                if self.is_stopped() {
                     return;
                 }
                 let Ready {

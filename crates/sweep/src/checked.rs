@@ -163,7 +163,7 @@ mod tests {
         );
         let path = Path::new("sweep.toml");
         let file = SweepFile::parse(text.as_bytes(), path).unwrap();
-        Sweep::of((file, text.as_bytes()), path).unwrap()
+        Sweep::of((file, text.as_bytes()), path, None).unwrap()
     }
 
     /// What a fault side by side would do to a number, put in on purpose: it is found in the last bit of a stepping method, and by the

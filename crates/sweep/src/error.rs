@@ -81,6 +81,23 @@ pub enum SweepError {
     /// More runs than can be counted.
     #[error("vary: found {0:e} runs, allowed are up to 1e15; take coarser grids or fewer samples")]
     TooManyRuns(f64),
+    /// More parts than a folder is looked through for.
+    #[error(
+        "vary: found {found} runs, allowed are up to {allowed} {}",
+        if *has_rows {
+            "with rows; add a `summary`, which needs none, or make several sweeps"
+        } else {
+            "of what these cost; take coarser grids or fewer samples"
+        }
+    )]
+    TooManyParts {
+        /// Runs of the sweep.
+        found: u64,
+        /// Most runs that are cut into so many parts.
+        allowed: u64,
+        /// Whether a part holds rows.
+        has_rows: bool,
+    },
     /// A value with which no scene can be made.
     #[error("{place}: found {field} = {value}, which the scene refuses: {reason}")]
     Refused {
@@ -195,6 +212,9 @@ pub enum SweepError {
         /// What it is instead.
         found: &'static str,
     },
+    /// Somebody said stop while a method was chosen.
+    #[error("stopped while a method was chosen, before any run; the same command goes on")]
+    Stopped,
     /// An output at which another process is at work.
     #[error(transparent)]
     Lock(#[from] LockError),
@@ -300,7 +320,7 @@ impl SweepError {
             Self::Inline(RefusedScene::NotFinite { .. } | RefusedScene::Scene(_)) => "scene",
             Self::NothingSampled => "samples",
             Self::TooManyAxes { .. } => "samples.method",
-            Self::TooManyRuns(_) | Self::Accuracy => "vary",
+            Self::TooManyRuns(_) | Self::TooManyParts { .. } | Self::Accuracy => "vary",
             Self::NoSuchRecord(_) | Self::NoRecord(_) => "records",
             Self::Summary(error) => error.place(),
             Self::Scene(_)
@@ -313,6 +333,7 @@ impl SweepError {
             | Self::DamagedManifest(_)
             | Self::OtherForm { .. }
             | Self::Damaged { .. }
+            | Self::Stopped
             | Self::Lock(_)
             | Self::Missing { .. } => return None,
         };

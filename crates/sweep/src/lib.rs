@@ -15,7 +15,7 @@
 //!     structures = [{ sdof = { name = "tower", mass_kg = 1e5, period_s = 1.0, damping.ratio = 0 } }, { wall = {} }]
 //!     contacts = [{ gap_m = 0.05066059, law.stereomechanical.restitution = 0.65 }]"#;
 //! let path = "sweep.toml".as_ref();
-//! let sweep = Sweep::of((SweepFile::parse(text, path)?, text), path)?;
+//! let sweep = Sweep::of((SweepFile::parse(text, path)?, text), path, None)?;
 //!
 //! // The tower arrives with A T/8 = 0.5 m/s, whatever the restitution: (1+e) m v₀ is 60, 80 and 100 kN·s.
 //! let impulses = sweep.batch(0..sweep.n_runs()).columns.concat();
@@ -62,6 +62,7 @@ mod table;
 mod trial;
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -111,6 +112,8 @@ pub struct Sweep {
     sha256: String,
     /// Files that were read.
     inputs: Vec<PathBuf>,
+    /// Set by who wants no more runs.
+    stop: Option<&'static AtomicBool>,
 }
 
 /// The scene of a sweep as it was read.
@@ -122,19 +125,19 @@ struct Read {
 }
 
 impl Sweep {
-    /// Reads a sweep, its scene and its records, and tries the values of its grids and lists, each with the first values of
-    /// all others.
+    /// Reads a sweep, its scene and its records, tries the values of its grids and lists, each with the first values of
+    /// all others, and chooses the method where an accuracy is asked for. Who sets `stop` ends this and all runs.
     ///
     /// # Errors
-    /// [`SweepError`] names the line of the field.
-    pub fn read(path: &Path) -> Result<Self, SweepError> {
+    /// [`SweepError`] names the line of the field. [`SweepError::Stopped`] where somebody says stop while a method is chosen.
+    pub fn read(path: &Path, stop: Option<&'static AtomicBool>) -> Result<Self, SweepError> {
         let unreadable = |source| Error::Unreadable {
             path: path.to_path_buf(),
             source,
         };
         let bytes = pounding_scene::bytes(path).map_err(unreadable)?;
         let file = SweepFile::parse(&bytes, path)?;
-        Self::of((file, &bytes), path).map_err(|error| error.in_file(path))
+        Self::of((file, &bytes), path, stop).map_err(|error| error.in_file(path))
     }
 
     /// The same of a file that was read as these bytes, by which its parts are known again.
@@ -144,7 +147,11 @@ impl Sweep {
     ///
     /// # Panics
     /// Never: a budget is numbers and their names, which JSON holds.
-    pub fn of((file, bytes): (SweepFile, &[u8]), path: &Path) -> Result<Self, SweepError> {
+    pub fn of(
+        (file, bytes): (SweepFile, &[u8]),
+        path: &Path,
+        stop: Option<&'static AtomicBool>,
+    ) -> Result<Self, SweepError> {
         let folder = |path: &Path| path.parent().unwrap_or_else(|| Path::new("")).to_path_buf();
         let mut read = Read::of(&file.scene, path)?;
         if let (Some(budget), Some(scene)) = (file.budget, read.scene.as_object_mut()) {
@@ -161,9 +168,12 @@ impl Sweep {
         let scene = trial::first_scene(&first, &read.scene)?;
         let (base, of_scene) = (folder(path), folder(&read.path));
         let motions = Motions::read(&file, &base, &of_scene, &scene, first.axes());
-        let motions = motions.map_err(|error| {
-            let named_here = matches!(error, SweepError::NoSuchRecord(_) | SweepError::NoRecord(_));
-            error.in_file(if named_here { path } else { &read.path })
+        let motions = motions.map_err(|error| match error {
+            SweepError::Scene(error) => match trial::blamed(&first, &error) {
+                Some((axis, value)) => trial::refused(axis, value, error.into()),
+                None => SweepError::Scene(error.in_file(&read.path)),
+            },
+            other => other.in_file(path),
         })?;
         let plan = Plan::new(vary, file.samples, motions.all.len())?;
         let sha256 = hash(bytes, &read.bytes, &motions);
@@ -181,6 +191,7 @@ impl Sweep {
             summary: None,
             sha256,
             inputs,
+            stop,
         };
         if asked.is_some() {
             sweep.set_method(&Method::EXACT);
@@ -195,6 +206,9 @@ impl Sweep {
         }
         if let Some(asked) = asked {
             sweep.choose(asked);
+            if sweep.is_stopped() {
+                return Err(SweepError::Stopped);
+            }
         }
         Ok(sweep)
     }
@@ -378,7 +392,7 @@ mod tests {
             "samples": samples,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of((file, b""), Path::new("sweep.json"))
+        Sweep::of((file, b""), Path::new("sweep.json"), None)
     }
 
     #[test]

@@ -3,7 +3,6 @@
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use pounding_files::{Existing, Lock, NewFile, Users};
@@ -14,6 +13,9 @@ use super::join::{self, Joined, Sources};
 use super::manifest::{JOINED, Manifest, is_own, path_of};
 use super::part::{self, sealed};
 use super::{Shard, Sweep, SweepError};
+
+/// Most parts of a table: the folder is looked through for each of them.
+const MOST: u64 = 1_000_000;
 
 /// A part that took longer is synced at once, which takes some hundredth of this.
 const LONG: Duration = Duration::from_millis(500);
@@ -48,7 +50,8 @@ impl Parts {
     /// has put its table on disk, and was ended while it deleted the parts: then they are gone now.
     ///
     /// # Errors
-    /// [`SweepError::Lock`], [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the system refuses.
+    /// [`SweepError::TooManyParts`], [`SweepError::Lock`], [`SweepError::OtherSweep`], [`SweepError::DamagedManifest`], and what the
+    /// system refuses.
     pub fn open(
         sweep: &Sweep,
         out: &Path,
@@ -56,6 +59,14 @@ impl Parts {
         overwritten: bool,
     ) -> Result<Option<Self>, SweepError> {
         let folder = Self::folder_of(out);
+        let manifest = Manifest::of(sweep);
+        if manifest.n_parts() > MOST {
+            return Err(SweepError::TooManyParts {
+                found: manifest.runs,
+                allowed: MOST * manifest.runs_per_part,
+                has_rows: sweep.without_rows().is_none(),
+            });
+        }
         let users = if shard.is_whole() {
             Users::One
         } else {
@@ -65,7 +76,7 @@ impl Parts {
         let mut parts = Self {
             out: out.to_path_buf(),
             folder,
-            manifest: Manifest::of(sweep),
+            manifest,
             shard,
             missing: Vec::new(),
             damaged: Vec::new(),
@@ -187,17 +198,16 @@ impl Parts {
             }
             match part::read(&self.manifest, *part, &path) {
                 Ok(_) => Ok((false, None)),
-                Err(damaged @ SweepError::Damaged { .. }) => Ok((true, Some(damaged))),
+                Err(damaged @ SweepError::Damaged { .. }) => Ok((true, Some(Box::new(damaged)))),
                 Err(error) => Err(error),
             }
         };
-        let found: Vec<Result<_, SweepError>> = parts.par_iter().map(look).collect();
-        for (part, found) in parts.into_iter().zip(found) {
-            let (is_missing, damaged) = found?;
+        let found: Result<Vec<_>, SweepError> = parts.par_iter().map(look).collect();
+        for (part, (is_missing, damaged)) in parts.into_iter().zip(found?) {
             if is_missing {
                 self.missing.push(part);
             }
-            self.damaged.extend(damaged);
+            self.damaged.extend(damaged.map(|damaged| *damaged));
         }
         Ok(())
     }
@@ -248,17 +258,16 @@ impl Parts {
     pub fn fill(
         &self,
         sweep: &Sweep,
-        stop: &'static AtomicBool,
         done: &(dyn Fn(u64) + Sync),
     ) -> Result<u64, SweepError> {
         // One part after the other to whoever is free: they differ in the time that they take.
         let parts = self.missing.par_iter().with_max_len(1);
         let made = parts.map(|part| {
             let begin = Instant::now();
-            if stop.load(Ordering::Relaxed) {
+            if sweep.is_stopped() {
                 return Ok(None);
             }
-            let Some(body) = self.body(sweep, *part, (stop, done)) else {
+            let Some(body) = self.body(sweep, *part, done) else {
                 return Ok(None);
             };
             let bytes = sealed(&self.manifest, *part, &body);
@@ -280,15 +289,15 @@ impl Parts {
         &self,
         sweep: &Sweep,
         part: u64,
-        (stop, done): (&'static AtomicBool, &(dyn Fn(u64) + Sync)),
+        done: &(dyn Fn(u64) + Sync),
     ) -> Option<Vec<u8>> {
         let runs = self.manifest.runs_of(part);
         if let Some(form) = self.manifest.without_rows() {
             let runs = (runs, Manifest::runs_per_batch(sweep));
-            let tally = sweep.summed_up(form, runs, stop, done)?;
+            let tally = sweep.summed_up(form, runs, done)?;
             return Some(tally.line().into_bytes());
         }
-        let batch = sweep.batch_until(runs, stop)?;
+        let batch = sweep.batch_unless_stopped(runs)?;
         done(self.manifest.n_runs_of(part));
         Some(sweep.rows(&batch))
     }

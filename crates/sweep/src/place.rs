@@ -82,6 +82,11 @@ impl Place {
         steps(text).is_some_and(|steps| self.0.starts_with(&steps))
     }
 
+    /// Whether a field is this one, or lies in it.
+    pub(super) fn holds(&self, text: &str) -> bool {
+        steps(text).is_some_and(|steps| steps.starts_with(&self.0))
+    }
+
     /// Of a field of an item of a list its index, and the way from there: of `structures[0].sdof.mass_kg` 0 and `sdof.mass_kg`.
     pub(super) fn in_item_of(&self, list: &str) -> Option<(usize, String)> {
         match &self.0[..] {

@@ -156,7 +156,6 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::super::Sweep;
-    use super::super::batch::AtATime;
 
     /// Laws with the fields that vary.
     fn laws() -> [Value; 7] {
@@ -247,10 +246,7 @@ mod tests {
     }
 
     /// Scenes made ready at a time: fewer than runs under a motion, so that those that have run are used again.
-    const BESIDE: AtATime = AtATime {
-        runs: 16,
-        stop: None,
-    };
+    const AT_A_TIME: usize = 16;
 
     fn sweep(scene: &Value, vary: &[Value], seed: u64) -> Sweep {
         let file = json!({
@@ -262,7 +258,7 @@ mod tests {
             "verdict": false,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of((file, b""), Path::new("sweep.json")).expect("its typical numbers are valid")
+        Sweep::of((file, b""), Path::new("sweep.json"), None).expect("its typical numbers are valid")
     }
 
     proptest! {
@@ -293,7 +289,7 @@ mod tests {
             vary.push(json!({"field": "contacts[0].levels", "values": [null]}));
             let read = sweep(&scene, &vary, seed.into());
             prop_assert!(read.renumbered(0).is_none(), "{vary:?}");
-            let [found, wanted] = [&set, &read].map(|sweep| sweep.batch_of(0..80, BESIDE));
+            let [found, wanted] = [&set, &read].map(|sweep| sweep.batch_of(0..80, AT_A_TIME));
             prop_assert_eq!(&found.failed, &wanted.failed);
             let bits = |columns: &[Vec<f64>]| columns.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
             prop_assert_eq!(bits(&found.columns), bits(&wanted.columns));

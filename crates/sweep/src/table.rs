@@ -1,7 +1,6 @@
 //! A sweep as columns in memory, for a program that works on with them.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
@@ -15,31 +14,22 @@ use super::{Batch, Sweep};
 impl Sweep {
     /// Runs the whole sweep with all threads; its columns with the names of [`columns`](Self::columns), and the numbers of a table on
     /// disk; of a sweep that writes no rows, those of its summary. `done` is told of every batch how many runs it has. `None` if somebody
-    /// sets `stop` before all are done.
-    pub fn table(
-        &self,
-        stop: &'static AtomicBool,
-        done: &(dyn Fn(u64) + Sync),
-    ) -> Option<Vec<(String, SweepColumn)>> {
+    /// says stop before all are done.
+    pub fn table(&self, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<(String, SweepColumn)>> {
         match self.without_rows() {
-            Some(form) => Some(self.summed(form, stop, done)?.columns()),
-            None => self.table_of_rows(stop, done),
+            Some(form) => Some(self.summed(form, done)?.columns()),
+            None => self.table_of_rows(done),
         }
     }
 
     /// Runs the whole sweep and sums it up.
-    fn summed(
-        &self,
-        form: &Form,
-        stop: &'static AtomicBool,
-        done: &(dyn Fn(u64) + Sync),
-    ) -> Option<SummaryTable> {
+    fn summed(&self, form: &Form, done: &(dyn Fn(u64) + Sync)) -> Option<SummaryTable> {
         let (n_runs, batch) = (self.n_runs(), Manifest::runs_per_batch(self));
         let whole = Mutex::new(Tally::default());
         let batches: Vec<u64> = (0..n_runs.div_ceil(batch)).collect();
         let made = batches.into_par_iter().with_max_len(1).map(|index| {
             let runs = index * batch..n_runs.min((index + 1) * batch);
-            let tally = self.summed_up(form, (runs, batch), stop, done)?;
+            let tally = self.summed_up(form, (runs, batch), done)?;
             whole.lock().ok()?.merge(&tally);
             Some(())
         });
@@ -47,21 +37,17 @@ impl Sweep {
         Some(SummaryTable::new(form.clone(), whole.into_inner().ok()?))
     }
 
-    fn table_of_rows(
-        &self,
-        stop: &'static AtomicBool,
-        done: &(dyn Fn(u64) + Sync),
-    ) -> Option<Vec<(String, SweepColumn)>> {
+    fn table_of_rows(&self, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<(String, SweepColumn)>> {
         let n_runs = self.n_runs();
         // As in the parts of a table on disk: which runs go side by side is in the bits of the exact method.
         let part = Manifest::runs_per_batch(self);
         let batches: Vec<u64> = (0..n_runs.div_ceil(part)).collect();
         let made = batches.into_par_iter().with_max_len(1).map(|batch| {
-            if stop.load(Ordering::Relaxed) {
+            if self.is_stopped() {
                 return None;
             }
             let runs = batch * part..n_runs.min((batch + 1) * part);
-            let made = self.batch_until(runs.clone(), stop)?;
+            let made = self.batch_unless_stopped(runs.clone())?;
             done(runs.end - runs.start);
             Some(made)
         });

@@ -8,11 +8,14 @@ use serde_json::Value;
 use super::error::RefusedScene;
 use super::manifest::PRICES;
 use super::plan::{Axis, Plan, Setting};
+use super::spread::Spread;
 use super::{Sweep, SweepError};
 use pounding_scene::{Error, Floors, Scene, SceneError, SharedMotion, Simulation};
 
-/// Values of an axis that are tried: the first ones.
+/// Values of a grid or list that are tried: the first ones.
 const MOST_TRIED: u64 = 1000;
+/// Where an interval is tried, as a part of it: in its middle and inside its ends, which may be those of what is allowed.
+const TRIED: [f64; 3] = [0.5, 1e-6, 1.0 - 1e-6];
 
 /// What a row of structures is made of, by name; every run of a sweep has the same.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -89,7 +92,15 @@ pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepErro
     Ok(found)
 }
 
-fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
+/// What an error blames of that which varies, with its typical value.
+pub(super) fn blamed<'p>(plan: &'p Plan, error: &Error) -> Option<(&'p Axis, Setting)> {
+    let place = error.place()?;
+    let sets = |axis: &Axis| axis.fields.iter().any(|field| field.holds(&place));
+    let mut axes = plan.axes().iter().zip(plan.typical());
+    axes.find(|(axis, _)| sets(axis))
+}
+
+pub(super) fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
     SweepError::Refused {
         place: axis.place.clone(),
         field: axis.name.clone(),
@@ -115,19 +126,31 @@ fn is_of_values(error: &RefusedScene) -> bool {
     )
 }
 
+/// The values of a spread that are tried. What is distributed without ends reaches beyond what is allowed by its nature, and is tried in
+/// the middle alone.
+fn tried(spread: &Spread) -> Vec<Setting> {
+    let sampled = |places: &[f64]| {
+        let values = places.iter().filter_map(|place| spread.sample(*place));
+        values.map(Setting::Number).collect()
+    };
+    match spread {
+        Spread::Uniform(_) | Spread::LogUniform(_) => sampled(&TRIED),
+        Spread::Normal(_) | Spread::LogNormal(_) => sampled(&TRIED[..1]),
+        Spread::Values(_) | Spread::Grid(_) => {
+            let count = spread.count().unwrap_or(0).min(MOST_TRIED);
+            (0..count).map(|value| spread.at(value)).collect()
+        }
+    }
+}
+
 impl Sweep {
-    /// Tries the values of grids and lists, each with the first values of all others; the row that all have,
-    /// where one of them runs.
+    /// Tries the values of grids and lists and both ends of intervals, each with the first values of all others; the row that
+    /// all have, where one of them runs.
     pub(super) fn tried(&self) -> Result<Option<Row>, SweepError> {
         let first = self.plan.typical();
         let mut row = None;
         for (index, axis) in self.plan.axes().iter().enumerate() {
-            let count = axis.spread.count().unwrap_or(1).min(MOST_TRIED);
-            for value in 0..count {
-                let setting = match axis.spread.count() {
-                    Some(_) => axis.spread.at(value),
-                    None => first[index],
-                };
+            for setting in tried(&axis.spread) {
                 let mut settings = first.clone();
                 settings[index] = setting;
                 self.try_one(axis, setting, &settings, &mut row)?;

@@ -5,7 +5,6 @@ mod task;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 
 use pounding::scene::Method;
 use pounding::sweep::{
@@ -17,7 +16,7 @@ pub(super) use joined::{answer, result};
 
 use super::Failure;
 use super::suite::{STOPPED, said_of_untold, stop_when_asked};
-use crate::progress::Counter;
+use crate::progress::{Counter, Waiting};
 use crate::text::{paragraph, percent};
 use crate::{new_file, say};
 
@@ -107,7 +106,10 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
         return Err(new_file::there_already(&out).into());
     }
     let words = |error: SweepError| error.to_string();
-    let sweep = Sweep::read(&args.sweep).map_err(words)?;
+    stop_when_asked();
+    let waiting = Waiting::new("preparing");
+    let sweep = Sweep::read(&args.sweep, Some(&STOPPED)).map_err(words)?;
+    drop(waiting);
     new_file::keep(&out, sweep.inputs())?;
     keep_errors(&sweep, &out, args.overwrite)?;
     keep_summary(&sweep, &out, args.overwrite)?;
@@ -123,13 +125,12 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
         return Ok(finished(&out));
     }
     announce(&sweep, &parts);
-    stop_when_asked();
     let progress = Counter::new(parts.n_runs_there(), parts.n_runs());
-    let filled = parts.fill(&sweep, &STOPPED, &|runs| progress.add(runs));
+    let filled = parts.fill(&sweep, &|runs| progress.add(runs));
     drop(progress);
     let there = filled.map_err(words)?;
     let n_runs = parts.n_runs();
-    if there < n_runs && STOPPED.load(Ordering::Relaxed) {
+    if there < n_runs && sweep.is_stopped() {
         return Err(format!(
             "stopped: {there} of {n_runs} runs are in {}; the same command runs the others",
             parts.folder().display()

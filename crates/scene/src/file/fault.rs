@@ -207,7 +207,8 @@ fn in_words(text: &str) -> String {
         ("string ", "the text "),
     ] {
         if let Some(value) = text.strip_prefix(rust) {
-            let value = value.trim_matches('`');
+            // Wide integers have their type behind them.
+            let value = value.split('`').nth(1).unwrap_or(value);
             return match value.parse() {
                 // Some hundred digits tell no more than a few.
                 Ok(number) if value.len() > MOST_DIGITS => {

@@ -130,8 +130,8 @@ pub fn position_in(path: &Path, place: &str) -> Option<(usize, usize)> {
 }
 
 impl Error {
-    /// Line and column of the field to blame in the file of its scene.
-    fn position_in(&self, path: &Path) -> Option<(usize, usize)> {
+    /// The field to blame in the file of its scene, as messages name it.
+    pub fn place(&self) -> Option<String> {
         let message = if let Self::Scene { source, .. } = self {
             source.to_string()
         } else if matches!(self, Self::NoRecord { .. }) {
@@ -140,7 +140,7 @@ impl Error {
             return None;
         };
         let (place, _) = message.split_once(": ")?;
-        position_in(path, place)
+        Some(place.into())
     }
 
     /// Names the file that holds the scene, and the line of the field, where the message does not yet.
@@ -156,7 +156,7 @@ impl Error {
         ) {
             Self::InFile {
                 path: path.to_path_buf(),
-                position: self.position_in(path),
+                position: self.place().and_then(|place| position_in(path, &place)),
                 source: Box::new(self),
             }
         } else {

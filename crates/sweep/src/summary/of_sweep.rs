@@ -1,7 +1,6 @@
 //! The summary of a sweep: what it is made of, and its runs summed up.
 
 use std::ops::Range;
-use std::sync::atomic::AtomicBool;
 
 use super::form::{Form, Listed, Summed};
 use super::tally::Tally;
@@ -74,20 +73,19 @@ impl Sweep {
         summed.collect()
     }
 
-    /// Runs a range of runs, so many at a time, and sums them up; nothing where somebody sets `stop` before they are done. `done` is told
+    /// Runs a range of runs, so many at a time, and sums them up; nothing where somebody says stop before they are done. `done` is told
     /// how many runs each time were.
     pub(crate) fn summed_up(
         &self,
         form: &Form,
         (runs, at_a_time): (Range<u64>, u64),
-        stop: &'static AtomicBool,
         done: &(dyn Fn(u64) + Sync),
     ) -> Option<Tally> {
         let mut tally = Tally::default();
         let mut run = runs.start;
         while run < runs.end {
             let next = (run + at_a_time).min(runs.end);
-            tally.add_batch(form, &self.batch_until(run..next, stop)?);
+            tally.add_batch(form, &self.batch_unless_stopped(run..next)?);
             done(next - run);
             run = next;
         }

@@ -1,12 +1,10 @@
 //! Sweeps whose scene asks for an accuracy: which method they choose, and what they say of it.
 
-use std::fs;
-
 use pounding_scene::Method;
-use pounding_sweep::Sweep;
+use pounding_sweep::{Sweep, SweepError};
 use serde_json::{Value, json};
 
-use crate::{folder, scene, sweep, table};
+use crate::{STOPPED, folder, read, scene, sweep, table};
 
 /// Three hundred periods of the left structure in a scene.
 fn with_periods(scene: &Value) -> Value {
@@ -130,11 +128,20 @@ fn extreme_a_method_that_is_chosen_does_not_vary() {
         "scene": scene,
         "vary": [{"field": "method.accuracy", "values": [0.01, 0.02]}],
     });
-    let path = folder.join("sweep.json");
-    fs::write(&path, words.to_string()).expect("a file");
-    let refused = Sweep::read(&path).expect_err("there is one method");
+    let refused = read(&folder, &words, None).expect_err("there is one method");
     let text = refused.to_string();
     assert!(text.contains("asks for an accuracy"), "{text}");
+}
+
+/// A stop while a method was chosen ended the program without a word.
+#[test]
+fn issue_a_stop_while_a_method_is_chosen_is_told() {
+    let mut scene = scene();
+    scene["method"] = json!({"accuracy": 0.02});
+    let words = with_periods(&scene);
+    let refused = read(&folder("accuracy_stopped"), &words, Some(&STOPPED));
+    let refused = refused.expect_err("somebody said stop");
+    assert!(matches!(refused, SweepError::Stopped), "{refused}");
 }
 
 /// Steps were chosen that cost more than exact runs, after a search that cost more still; fewer runs than measure a method have

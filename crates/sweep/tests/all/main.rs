@@ -12,12 +12,11 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_files::Existing;
 use pounding_scene::{Scene, Simulation};
-use pounding_sweep::{Parts, Shard, Sweep, merge};
+use pounding_sweep::{Parts, Shard, Sweep, SweepError, merge};
 use serde_json::{Value, json};
 
 /// Nobody says stop, or somebody has.
-pub(crate) static GO: AtomicBool = AtomicBool::new(false);
-static STOPPED: AtomicBool = AtomicBool::new(true);
+pub(crate) static STOPPED: AtomicBool = AtomicBool::new(true);
 
 /// A folder for one test.
 fn folder(test: &str) -> PathBuf {
@@ -47,9 +46,18 @@ fn scene() -> Value {
 }
 
 fn sweep(folder: &Path, words: &Value) -> Sweep {
+    read(folder, words, None).expect("a sweep")
+}
+
+/// The same, until somebody says stop.
+pub(crate) fn read(
+    folder: &Path,
+    words: &Value,
+    stop: Option<&'static AtomicBool>,
+) -> Result<Sweep, SweepError> {
     let path = folder.join("sweep.json");
     fs::write(&path, words.to_string()).expect("a file");
-    Sweep::read(&path).expect("a sweep")
+    Sweep::read(&path, stop)
 }
 
 /// The parts of a table beside `out`.
@@ -288,13 +296,13 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         // Which keeps runs from going side by side, in larger parts.
         "outputs": {"pairs": ["first_start_s", "total_impulse_n_s"]},
     });
-    let sweep = sweep(&folder, &words);
-    let fill = |out: &str, shard: Shard, stop: &'static AtomicBool| {
-        let parts = opened(&sweep, &folder.join(out), shard);
-        let there = parts.fill(&sweep, stop, &|_| ()).expect("a disk");
+    let going = sweep(&folder, &words);
+    let fill = |sweep: &Sweep, out: &str, shard: Shard| {
+        let parts = opened(sweep, &folder.join(out), shard);
+        let there = parts.fill(sweep, &|_| ()).expect("a disk");
         (parts, there)
     };
-    let (whole, _) = fill("whole.csv", Shard::WHOLE, &GO);
+    let (whole, _) = fill(&going, "whole.csv", Shard::WHOLE);
     let table = folder.join("whole.csv");
     let joined = whole.join(Existing::Kept).expect("a table");
     assert_eq!((joined.runs, joined.failed), (300, 0));
@@ -302,7 +310,7 @@ fn limit_shards_make_the_bytes_of_the_whole() {
     let mut folders = Vec::new();
     for index in 1..=3 {
         let shard = Shard::new(index, 3).expect("a shard");
-        let (parts, there) = fill(&format!("{index}.csv"), shard, &GO);
+        let (parts, there) = fill(&going, &format!("{index}.csv"), shard);
         assert_eq!(there, parts.n_runs());
         folders.push(parts.folder().to_path_buf());
         let out = folder.join("merged.csv");
@@ -322,7 +330,8 @@ fn limit_shards_make_the_bytes_of_the_whole() {
         }
     }
     // Stopped at once nothing is there; a part that is cut short is named.
-    assert_eq!(fill("stopped.csv", Shard::WHOLE, &STOPPED).1, 0);
+    let stopped = read(&folder, &words, Some(&STOPPED)).expect("a sweep");
+    assert_eq!(fill(&stopped, "stopped.csv", Shard::WHOLE).1, 0);
     let part = folders[0].join("part-000000007.csv");
     let text = fs::read_to_string(&part).expect("a part");
     fs::write(&part, &text[..text.len() - 5]).expect("a disk");
@@ -350,7 +359,7 @@ fn limit_a_compressed_table_is_the_same_table() {
     );
     let (plain, compressed) = (folder.join("runs.csv"), folder.join("runs.csv.zst"));
     let parts = opened(&sweep, &plain, Shard::WHOLE);
-    parts.fill(&sweep, &GO, &|_| ()).expect("a disk");
+    parts.fill(&sweep, &|_| ()).expect("a disk");
     let folders = [parts.folder().to_path_buf()];
     drop(parts);
     for out in [&plain, &compressed] {

@@ -7,7 +7,7 @@ use pounding_files::Existing;
 use pounding_sweep::{Parts, Shard, Sweep, SweepError, merge};
 use serde_json::json;
 
-use crate::{GO, folder, opened, scene, sweep};
+use crate::{folder, opened, scene, sweep};
 
 /// Ten runs in ten parts, which are there, and the table that they make.
 struct Prepared {
@@ -31,7 +31,7 @@ fn prepared(test: &str) -> Prepared {
     let parts = Parts::folder_of(&out);
     assert_eq!(
         opened(&sweep, &out, Shard::WHOLE)
-            .fill(&sweep, &GO, &|_| ())
+            .fill(&sweep, &|_| ())
             .expect("a disk"),
         10,
         "all are there"
@@ -62,7 +62,7 @@ impl Prepared {
         let parts = opened(&self.sweep, &self.out, Shard::WHOLE);
         let said = parts.damaged().iter().map(ToString::to_string).collect();
         let before = parts.n_runs_there();
-        let there = parts.fill(&self.sweep, &GO, &|_| ()).expect("a disk");
+        let there = parts.fill(&self.sweep, &|_| ()).expect("a disk");
         assert_eq!(there, 10, "all are there");
         assert!(self.merged_within(&parts) == self.table, "a wrong table");
         (said, before)
@@ -237,4 +237,34 @@ fn issue_one_process_works_on_a_table() {
     assert!(matches!(open(Shard::WHOLE), Err(SweepError::Lock(_))));
     drop(shards);
     assert!(open(Shard::WHOLE).is_ok());
+}
+
+/// Sweeps whose parts did not fit into memory ended the program.
+#[test]
+fn issue_more_rows_than_parts_hold_are_refused() {
+    let folder = folder("too_many_parts");
+    let words = |count: u64| {
+        json!({
+            "scene": scene(),
+            "vary": [{"field": "contacts[0].gap_m", "uniform": {"from": 0.0, "to": 0.02}}],
+            "samples": {"count": count, "seed": 4, "method": "random"},
+        })
+    };
+    let open = |words: &_| {
+        let sweep = sweep(&folder, words);
+        Parts::open(&sweep, &folder.join("runs.csv"), Shard::WHOLE, false)
+    };
+    let mut many = words(1_000_000_000_000_000);
+    let refused = open(&many).expect_err("no folder holds their parts");
+    let SweepError::TooManyParts {
+        allowed, has_rows, ..
+    } = refused
+    else {
+        panic!("{refused}")
+    };
+    assert!(has_rows, "nothing sums them up");
+    assert!(open(&words(allowed)).is_ok(), "{allowed} runs");
+    many["summary"] = json!({});
+    let refused = open(&many).expect_err("no folder holds their parts");
+    assert!(refused.to_string().contains("coarser grids"), "{refused}");
 }
