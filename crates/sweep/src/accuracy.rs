@@ -11,10 +11,11 @@ use serde_json::Value;
 
 use super::Sweep;
 use super::column_errors::{ColumnErrors, at_most, distance};
+use super::output::Output;
 use super::permutation::Permutation;
 use super::prices::{ALONE, Counts, HALVED, Halved, LONGEST, Prices, STEPPING, mean};
 use super::sampling::Point;
-use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Quantity, Simulation};
+use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Simulation};
 use pounding_text::to_csv;
 
 /// Runs that choose the method, and others that measure it.
@@ -97,17 +98,16 @@ impl Sweep {
             _ => Vec::new(),
         };
         self.set_method(&method);
-        let names = self.columns_of_numbers();
-        let column = |(index, name): (usize, &String)| {
+        let column = |(index, output): (usize, &Output)| {
             let of_runs = errors.iter().map(|row| row[index]).collect();
-            ColumnErrors::of(name.clone(), of_runs)
+            ColumnErrors::of(output.name.clone(), of_runs)
         };
         let rows = rows(&errors);
         let within = rows.iter().filter(|error| **error <= asked).count();
         self.accuracy = Some(SweepAccuracy {
             asked,
             method,
-            columns: names.iter().enumerate().map(column).collect(),
+            columns: self.outputs.iter().enumerate().map(column).collect(),
             within: if rows.is_empty() {
                 1.0
             } else {
@@ -282,9 +282,8 @@ impl Sweep {
     /// To which side a peak is turns over where both sides are nearly as far: any error of integration then is one of 200 % of the
     /// number with its sign, and none of what the row went through.
     fn numbers(&self, runs: &[u64]) -> Sampled {
-        let quantities = self.quantities();
-        let number = |(value, quantity): (&f64, &Quantity)| {
-            if quantity.is_peak() {
+        let number = |(value, output): (&f64, &Output)| {
+            if output.quantity.is_peak() {
                 value.abs()
             } else {
                 *value
@@ -295,7 +294,7 @@ impl Sweep {
             self.run_all(runs.iter().copied(), self.at_a_time(), |run, ran| {
                 let ran = ran.map(|ran| {
                     let numbers = Numbers {
-                        values: ran.numbers.iter().zip(&quantities).map(number).collect(),
+                        values: ran.numbers.iter().zip(&self.outputs).map(number).collect(),
                         least: ran.least.to_vec(),
                     };
                     (numbers, if ran.beside { 1.0 } else { 0.0 }, ran.price)

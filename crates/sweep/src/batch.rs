@@ -143,17 +143,11 @@ impl<'a> Making<'a> {
 }
 
 impl Sweep {
-    /// Number of the numbers that are asked for of every run.
-    pub(super) fn n_columns(&self) -> usize {
-        self.outputs.structures.len() * self.row.floors.len()
-            + self.outputs.pairs.len() * self.row.pairs.len()
-    }
-
     /// Runs that are made ready at a time: of two structures as many as a batch has use for (the record is read once for all of them), of
     /// long rows what fills all lanes and not the memory.
     pub(super) fn at_a_time(&self) -> usize {
         const FLOORS: usize = 4096;
-        let n_floors = self.row.floors.len().max(1);
+        let n_floors = self.row.n_floors().max(1);
         (FLOORS / n_floors).clamp(16, 256)
     }
 
@@ -175,7 +169,7 @@ impl Sweep {
 
     /// The same, so many at a time.
     pub(super) fn batch_of(&self, runs: Range<u64>, at_a_time: usize) -> Batch {
-        let mut batch = Batch::of(runs.clone(), self.n_columns());
+        let mut batch = Batch::of(runs.clone(), self.outputs.len());
         self.run_all(runs, at_a_time, |run, ran| batch.take(run, ran));
         batch
     }
@@ -236,7 +230,7 @@ impl Sweep {
         tell: &mut impl FnMut(u64, Result<Ran<'_>, String>),
     ) {
         let together = self.beside(ready);
-        let mut numbers = Vec::with_capacity(self.n_columns());
+        let mut numbers = Vec::with_capacity(self.outputs.len());
         let mut least = Vec::new();
         for (scene, (run, prepared)) in ready.iter().enumerate() {
             numbers.clear();
@@ -304,18 +298,15 @@ impl Sweep {
         }
         .map_err(reason)?;
         let values = outcome.values(prepared);
-        let none = f64::NAN;
-        for floor in 0..self.row.floors.len() {
-            for quantity in &self.outputs.structures {
-                least.push(values.least(*quantity, floor));
-                numbers.push(values.of(*quantity, floor).unwrap_or(none));
-            }
-        }
-        for pair in 0..self.row.pairs.len() {
-            for quantity in &self.outputs.pairs {
-                least.push(values.least(*quantity, pair));
-                numbers.push(values.of(*quantity, pair).unwrap_or(none));
-            }
+        for output in &self.outputs {
+            let quantity = output.quantity;
+            let of = |place| {
+                let number = values.of(quantity, place).unwrap_or(f64::NAN);
+                (number, values.least(quantity, place))
+            };
+            let (number, counts_as) = output.severest(of);
+            numbers.push(number);
+            least.push(counts_as);
         }
         let going = if self.verdict {
             Going::Judged

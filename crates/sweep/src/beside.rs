@@ -3,6 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Sweep;
+use super::output::Output;
 use pounding_scene::{
     FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening, side_by_side,
 };
@@ -22,27 +23,24 @@ impl Sweep {
 
     /// Whether runs side by side know all that is asked for: no more than peaks and sums.
     pub(super) fn asks_for_tallies(&self) -> bool {
-        let structures = &self.outputs.structures;
-        let of_structures = structures.iter().all(|one| {
-            matches!(
-                one,
+        let is_tallied = |output: &Output| match output.quantity {
+            Quantity::Floor(quantity) => matches!(
+                quantity,
                 FloorQuantity::PeakDisplacementM
                     | FloorQuantity::PeakDriftM
                     | FloorQuantity::Ductility
                     | FloorQuantity::DriftRatio
-            )
-        });
-        let of_pairs = self.outputs.pairs.iter().all(|one| {
-            matches!(
-                one,
+            ),
+            Quantity::Pair(quantity) => matches!(
+                quantity,
                 PairQuantity::Collisions
                     | PairQuantity::LargestImpulseNS
                     | PairQuantity::PeakForceN
                     | PairQuantity::TotalImpulseNS
                     | PairQuantity::LeastOpeningM
-            )
-        });
-        of_structures && of_pairs && !self.is_limited()
+            ),
+        };
+        self.outputs.iter().all(is_tallied) && !self.is_limited()
     }
 
     /// Whether runs are given up above a cost that is named: pieces and seconds are those of a run alone.
@@ -54,15 +52,6 @@ impl Sweep {
             .any(|name| named(name).is_some())
     }
 
-    /// What each of the columns holds.
-    pub(super) fn quantities(&self) -> Vec<Quantity> {
-        let of_floor = self.outputs.structures.iter().copied().map(Quantity::from);
-        let of_pair = self.outputs.pairs.iter().copied().map(Quantity::from);
-        let floors = self.row.floors.iter().flat_map(|_| of_floor.clone());
-        let pairs = self.row.pairs.iter().flat_map(|_| of_pair.clone());
-        floors.chain(pairs).collect()
-    }
-
     /// The numbers of one of these scenes in the order of the columns, and what they count as at least, which stays empty where none of them
     /// does; false where they are none, and a run alone says why.
     pub(super) fn tell(
@@ -71,59 +60,80 @@ impl Sweep {
         (tallies, scene): (&SceneSums, usize),
         (numbers, least): (&mut Vec<f64>, &mut Vec<f64>),
     ) -> bool {
-        let none = f64::NAN;
         if !tallies.is_told(scene) || (self.verdict && tallies.is_doubted(scene)) {
             return false;
         }
-        for (index, floor) in prepared.floors().all().iter().enumerate() {
-            let (displacement, drift) = (
-                tallies.displacement(scene, index),
-                tallies.drift(scene, index),
-            );
-            numbers.extend(self.outputs.structures.iter().map(|asked| match asked {
-                FloorQuantity::PeakDisplacementM if !floor.is_wall() => displacement,
-                FloorQuantity::PeakDriftM if floor.is_upper() => drift,
-                FloorQuantity::Ductility => floor.ductility(drift).unwrap_or(none),
-                FloorQuantity::DriftRatio => floor.drift_ratio(drift).unwrap_or(none),
-                FloorQuantity::PeakDisplacementM
-                | FloorQuantity::PeakDisplacementTimeS
-                | FloorQuantity::PeakShearForceN
-                | FloorQuantity::PeakDriftM
-                | FloorQuantity::ResidualDisplacementAtEndM
-                | FloorQuantity::ResidualDriftAtEndM
-                | FloorQuantity::PeakAccelerationMPerS2
-                | FloorQuantity::TransferredMomentumNS => none,
-            }));
-        }
-        if self.closings {
-            least.resize(numbers.len(), 0.0);
-        }
-        for (index, pair) in prepared.pairs().iter().enumerate() {
+        for output in &self.outputs {
+            let (number, counts_as) = match output.quantity {
+                Quantity::Floor(asked) => output
+                    .severest(|floor| (of_floor(prepared, (tallies, scene), floor, asked), 0.0)),
+                Quantity::Pair(asked) => {
+                    output.severest(|pair| of_pair(prepared, (tallies, scene), pair, asked))
+                }
+            };
+            numbers.push(number);
             if self.closings {
-                let peak = |floor| tallies.displacement(scene, floor).abs();
-                let part = LEAST_PART * peak(pair.left).max(peak(pair.right));
-                least.extend(self.outputs.pairs.iter().map(|asked| {
-                    let is_opening = matches!(asked, PairQuantity::LeastOpeningM);
-                    if is_opening { part } else { 0.0 }
-                }));
+                least.push(counts_as);
             }
-            let tally = tallies.pair(scene, index);
-            let touches = tally.collisions > 0.0;
-            let has_force = touches && pair.law.is_compliant();
-            let opening = |closing| least_opening(pair.gap, closing, touches);
-            numbers.extend(self.outputs.pairs.iter().map(|asked| match asked {
-                PairQuantity::Collisions => tally.collisions,
-                PairQuantity::TotalImpulseNS => tally.impulse,
-                PairQuantity::LargestImpulseNS if touches => tally.largest_impulse,
-                PairQuantity::PeakForceN if has_force => tally.peak_force,
-                PairQuantity::LeastOpeningM => tally.closing.map_or(none, opening),
-                PairQuantity::LargestImpulseNS
-                | PairQuantity::PeakForceN
-                | PairQuantity::FirstStartS
-                | PairQuantity::FirstImpulseNS
-                | PairQuantity::TouchingS => none,
-            }));
         }
         true
     }
+}
+
+/// A number of a floor of one of these scenes; NaN where it has none.
+fn of_floor(
+    prepared: &Simulation,
+    (tallies, scene): (&SceneSums, usize),
+    index: usize,
+    asked: FloorQuantity,
+) -> f64 {
+    let floor = &prepared.floors().all()[index];
+    let drift = || tallies.drift(scene, index);
+    let none = f64::NAN;
+    match asked {
+        FloorQuantity::PeakDisplacementM if !floor.is_wall() => tallies.displacement(scene, index),
+        FloorQuantity::PeakDriftM if floor.is_upper() => drift(),
+        FloorQuantity::Ductility => floor.ductility(drift()).unwrap_or(none),
+        FloorQuantity::DriftRatio => floor.drift_ratio(drift()).unwrap_or(none),
+        FloorQuantity::PeakDisplacementM
+        | FloorQuantity::PeakDisplacementTimeS
+        | FloorQuantity::PeakShearForceN
+        | FloorQuantity::PeakDriftM
+        | FloorQuantity::ResidualDisplacementAtEndM
+        | FloorQuantity::ResidualDriftAtEndM
+        | FloorQuantity::PeakAccelerationMPerS2
+        | FloorQuantity::TransferredMomentumNS => none,
+    }
+}
+
+/// A number of a pair of one of these scenes, NaN where it has none, and what it counts as at least.
+fn of_pair(
+    prepared: &Simulation,
+    (tallies, scene): (&SceneSums, usize),
+    index: usize,
+    asked: PairQuantity,
+) -> (f64, f64) {
+    let pair = &prepared.pairs()[index];
+    let tally = tallies.pair(scene, index);
+    let touches = tally.collisions > 0.0;
+    let has_force = touches && pair.law.is_compliant();
+    let none = f64::NAN;
+    let number = match asked {
+        PairQuantity::Collisions => tally.collisions,
+        PairQuantity::TotalImpulseNS => tally.impulse,
+        PairQuantity::LargestImpulseNS if touches => tally.largest_impulse,
+        PairQuantity::PeakForceN if has_force => tally.peak_force,
+        PairQuantity::LeastOpeningM => {
+            let peak = |floor| tallies.displacement(scene, floor).abs();
+            let counts_as = LEAST_PART * peak(pair.left).max(peak(pair.right));
+            let opening = |closing| least_opening(pair.gap, closing, touches);
+            return (tally.closing.map_or(none, opening), counts_as);
+        }
+        PairQuantity::LargestImpulseNS
+        | PairQuantity::PeakForceN
+        | PairQuantity::FirstStartS
+        | PairQuantity::FirstImpulseNS
+        | PairQuantity::TouchingS => none,
+    };
+    (number, 0.0)
 }

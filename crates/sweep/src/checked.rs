@@ -88,7 +88,7 @@ impl Sweep {
         Err(format!(
             "{}: found {} side by side with other runs and {} alone, {:.1e} apart, allowed is {allowed:.1e}; this is a fault of the program: \
              report it, and let all runs go alone, as with `touching_s` among the `outputs`",
-            self.columns_of_numbers()[furthest],
+            self.outputs[furthest].name,
             runs.beside[furthest],
             runs.alone[furthest],
             apart[furthest],
@@ -100,7 +100,8 @@ impl Sweep {
     fn apart(&self, scene: &Simulation, numbers: &[f64], runs: &TwoRuns<'_>) -> Vec<f64> {
         let is_exact = matches!(scene.method(), Method::Exact { .. });
         let mut apart = Vec::with_capacity(numbers.len());
-        for (column, quantity) in self.quantities().into_iter().enumerate() {
+        for (column, output) in self.outputs.iter().enumerate() {
+            let quantity = output.quantity;
             let (mut one, mut other) = (numbers[column], runs.alone[column]);
             let least = runs.least[column];
             if is_exact && quantity.is_peak() {

@@ -115,8 +115,8 @@ pub enum SweepError {
     Inline(RefusedScene),
     /// A value that changes what there is to count.
     #[error(
-        "{place}: found {field} = {value}, with which the row has {found} floors and walls and {found_pairs} pairs, where the first \
-         run has {allowed} and {allowed_pairs}; allowed are rows of one kind: make a sweep of each"
+        "{place}: found {field} = {value}, with which the row has {found}, where the first run has {allowed}; allowed are rows of one \
+         kind: make a sweep of each"
     )]
     OtherRow {
         /// The entry of the file.
@@ -125,14 +125,10 @@ pub enum SweepError {
         field: String,
         /// The value.
         value: String,
-        /// Floors and walls with it.
-        found: usize,
-        /// Pairs with it.
-        found_pairs: usize,
-        /// Floors and walls of the first run.
-        allowed: usize,
-        /// Pairs of the first run.
-        allowed_pairs: usize,
+        /// Floors and walls of every structure with it, and pairs.
+        found: String,
+        /// Those of the first run.
+        allowed: String,
     },
     /// A method that is chosen and varies.
     #[error(

@@ -208,14 +208,20 @@ impl Directions {
 pub struct Outputs {
     /// Of every structure, of a building of every floor.
     pub structures: Vec<FloorQuantity>,
-    /// Of every pair of neighbours.
+    /// Of every building and structure the severest of all floors: the largest by magnitude.
+    pub buildings: Vec<FloorQuantity>,
+    /// Of every pair of floors that can touch.
     pub pairs: Vec<PairQuantity>,
+    /// Of every two neighbours the severest of all levels: the largest number, the least opening, the first start.
+    pub neighbours: Vec<PairQuantity>,
 }
 
 impl Default for Outputs {
     fn default() -> Self {
         Self {
             structures: vec![FloorQuantity::PeakDisplacementM],
+            buildings: Vec::new(),
+            neighbours: Vec::new(),
             pairs: vec![
                 PairQuantity::Collisions,
                 PairQuantity::PeakForceN,

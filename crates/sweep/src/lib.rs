@@ -43,6 +43,7 @@ mod file;
 mod join;
 mod manifest;
 mod motions;
+mod output;
 mod part;
 mod parts;
 mod permutation;
@@ -79,17 +80,16 @@ pub use file::{
 };
 pub use join::{Joined, beside_table, compresses, merge, summary_beside};
 use motions::Motions;
+use output::{Output, Row};
 pub use parts::Parts;
-use place::Place;
 pub use place::PlaceError;
-use plan::Plan;
+use plan::{Plan, placed, varies_method};
 pub use shard::Shard;
 pub use spread::{Between, Grid, Spacing, Spread};
-pub use summary::{Exceedance, SummaryTable, SummedColumn};
+pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::{Summary, SummaryError};
-use trial::Row;
 
-use pounding_scene::{Error, Method, PairQuantity, Scene};
+use pounding_scene::{Error, Method, PairQuantity, Quantity, Scene};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -98,9 +98,9 @@ pub struct Sweep {
     motions: Motions,
     /// The scene that is varied.
     scene: Value,
-    /// Names of what it is a row of.
     row: Row,
-    outputs: Outputs,
+    /// The columns of numbers.
+    outputs: Vec<Output>,
     verdict: bool,
     /// Whether least openings are asked for.
     closings: bool,
@@ -168,21 +168,15 @@ impl Sweep {
         let scene = trial::first_scene(&first, &read.scene)?;
         let (base, of_scene) = (folder(path), folder(&read.path));
         let motions = Motions::read(&file, &base, &of_scene, &scene, first.axes());
-        let motions = motions.map_err(|error| match error {
-            SweepError::Scene(error) => match trial::blamed(&first, &error) {
-                Some((axis, value)) => trial::refused(axis, value, error.into()),
-                None => SweepError::Scene(error.in_file(&read.path)),
-            },
-            other => other.in_file(path),
-        })?;
+        let motions = motions.map_err(|error| trial::blamed(error, &first, [path, &read.path]))?;
         let plan = Plan::new(vary, file.samples, motions.all.len())?;
         let sha256 = hash(bytes, &read.bytes, &motions);
         let mut inputs = motions.files.clone();
         inputs.extend([path.to_path_buf(), read.path]);
         let mut sweep = Self {
             row: Row::default(),
-            closings: file.outputs.pairs.contains(&PairQuantity::LeastOpeningM),
-            outputs: file.outputs,
+            closings: false,
+            outputs: Vec::new(),
             verdict: file.verdict,
             scene: read.scene,
             plan,
@@ -198,8 +192,11 @@ impl Sweep {
         }
         sweep.row = match sweep.tried()? {
             Some(row) => row,
-            None => Row::of(&scene)?,
+            None => trial::row_of(&scene)?,
         };
+        sweep.outputs = sweep.row.outputs(&file.outputs);
+        let opening = Quantity::Pair(PairQuantity::LeastOpeningM);
+        sweep.closings = sweep.outputs.iter().any(|one| one.quantity == opening);
         if let Some(words) = &file.summary {
             let directions = file.directions.map_or(1, |all| all.reversed().len());
             sweep.summary = Some(sweep.form(words, directions)?);
@@ -290,68 +287,6 @@ fn set_tolerance(scene: &mut Value) {
     if let Some(exact) = method.get_mut("exact").and_then(Value::as_object_mut) {
         exact.entry("tolerance").or_insert_with(|| TOLERANCE.into());
     }
-}
-
-/// What must not vary, with what does instead.
-const FIXED: [(&str, &str); 4] = [
-    ("name", "it changes no number"),
-    ("record.file", "name records in `records`"),
-    ("record.component", "name records in `records`"),
-    ("record.reversed", "say `directions`"),
-];
-
-/// What varies, with the places of its fields in the scene.
-fn placed(file: &SweepFile, scene: &Value) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
-    let mut known: Vec<Place> = Vec::new();
-    let mut placed = Vec::with_capacity(file.vary.len());
-    for (index, vary) in file.vary.iter().enumerate() {
-        let place = || format!("vary[{index}]");
-        let mut fields = Vec::new();
-        for field in &vary.fields {
-            let found = Place::all(field, scene).map_err(|source| SweepError::NoField {
-                place: place(),
-                source,
-            })?;
-            for one in found {
-                if let Some(instead) = fixed(&one, file) {
-                    return Err(SweepError::Fixed {
-                        place: place(),
-                        field: one.to_string(),
-                        instead,
-                    });
-                }
-                if known.iter().any(|other| other.meets(&one)) {
-                    return Err(SweepError::Twice {
-                        place: place(),
-                        field: one.to_string(),
-                    });
-                }
-                known.push(one.clone());
-                fields.push(one);
-            }
-        }
-        placed.push((vary.clone(), fields));
-    }
-    Ok(placed)
-}
-
-/// Whether the method is among these fields, or a part of it.
-fn varies_method(fields: &[Place]) -> bool {
-    fields.iter().any(|field| field.is_in("method"))
-}
-
-/// What to do instead of varying a field that does not vary.
-fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
-    let text = place.to_string();
-    if text == "record" {
-        return Some("vary fields of it, or name records in `records`");
-    }
-    if file.records.is_some() && place.is_in("record.generated") {
-        return Some("`records` stand in its place; delete one of them");
-    }
-    let mut all = FIXED.iter();
-    all.find(|(fixed, _)| text == *fixed)
-        .map(|(_, instead)| *instead)
 }
 
 /// SHA-256 of the sources of what computes, from the build script.

@@ -255,11 +255,7 @@ impl Parts {
     ///
     /// # Errors
     /// What the system refuses to write.
-    pub fn fill(
-        &self,
-        sweep: &Sweep,
-        done: &(dyn Fn(u64) + Sync),
-    ) -> Result<u64, SweepError> {
+    pub fn fill(&self, sweep: &Sweep, done: &(dyn Fn(u64) + Sync)) -> Result<u64, SweepError> {
         // One part after the other to whoever is free: they differ in the time that they take.
         let parts = self.missing.par_iter().with_max_len(1);
         let made = parts.map(|part| {
@@ -285,12 +281,7 @@ impl Parts {
     }
 
     /// The rows of a part, or its runs summed up; nothing where somebody says stop.
-    fn body(
-        &self,
-        sweep: &Sweep,
-        part: u64,
-        done: &(dyn Fn(u64) + Sync),
-    ) -> Option<Vec<u8>> {
+    fn body(&self, sweep: &Sweep, part: u64, done: &(dyn Fn(u64) + Sync)) -> Option<Vec<u8>> {
         let runs = self.manifest.runs_of(part);
         if let Some(form) = self.manifest.without_rows() {
             let runs = (runs, Manifest::runs_per_batch(sweep));

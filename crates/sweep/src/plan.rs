@@ -3,7 +3,7 @@
 use serde_json::{Number, Value};
 
 use super::SweepError;
-use super::file::{MOST, Samples, Vary};
+use super::file::{MOST, Samples, SweepFile, Vary};
 use super::place::Place;
 use super::sampling::{Point, Sampler, most_sobol_axes};
 use super::spread::Spread;
@@ -118,6 +118,71 @@ impl Plan {
             })
         }));
     }
+}
+
+/// What must not vary, with what does instead.
+const FIXED: [(&str, &str); 4] = [
+    ("name", "it changes no number"),
+    ("record.file", "name records in `records`"),
+    ("record.component", "name records in `records`"),
+    ("record.reversed", "say `directions`"),
+];
+
+/// What varies, with the places of its fields in the scene.
+pub(super) fn placed(
+    file: &SweepFile,
+    scene: &Value,
+) -> Result<Vec<(Vary, Vec<Place>)>, SweepError> {
+    let mut known: Vec<Place> = Vec::new();
+    let mut placed = Vec::with_capacity(file.vary.len());
+    for (index, vary) in file.vary.iter().enumerate() {
+        let place = || format!("vary[{index}]");
+        let mut fields = Vec::new();
+        for field in &vary.fields {
+            let found = Place::all(field, scene).map_err(|source| SweepError::NoField {
+                place: place(),
+                source,
+            })?;
+            for one in found {
+                if let Some(instead) = fixed(&one, file) {
+                    return Err(SweepError::Fixed {
+                        place: place(),
+                        field: one.to_string(),
+                        instead,
+                    });
+                }
+                if known.iter().any(|other| other.meets(&one)) {
+                    return Err(SweepError::Twice {
+                        place: place(),
+                        field: one.to_string(),
+                    });
+                }
+                known.push(one.clone());
+                fields.push(one);
+            }
+        }
+        placed.push((vary.clone(), fields));
+    }
+    Ok(placed)
+}
+
+/// Whether the method is among these fields, or a part of it.
+pub(super) fn varies_method(fields: &[Place]) -> bool {
+    fields.iter().any(|field| field.is_in("method"))
+}
+
+/// What to do instead of varying a field that does not vary.
+fn fixed(place: &Place, file: &SweepFile) -> Option<&'static str> {
+    let text = place.to_string();
+    if text == "record" {
+        return Some("vary fields of it, or name records in `records`");
+    }
+    if file.records.is_some() && place.is_in("record.generated") {
+        return Some("`records` stand in its place; delete one of them");
+    }
+    let mut all = FIXED.iter();
+    all.find(|(fixed, _)| text == *fixed)
+        .map(|(_, instead)| *instead)
 }
 
 /// Number of sampled axes; refuses samples of nothing, and what is sampled without their number.

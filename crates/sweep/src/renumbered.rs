@@ -231,8 +231,11 @@ mod tests {
                 json!({"from": 0.7 * number, "to": 1.4 * number}),
             ),
             1 => (
-                "uniform",
-                json!({"from": -0.2 * number, "to": 2.0 * number}),
+                "normal",
+                json!({
+                    "mean": number, "standard_deviation": 5.0 * number,
+                    "from": -0.2 * number, "to": 2.0 * number,
+                }),
             ),
             2 => (
                 "normal",
@@ -258,7 +261,8 @@ mod tests {
             "verdict": false,
         });
         let file = serde_json::from_value(file).expect("the words of a sweep");
-        Sweep::of((file, b""), Path::new("sweep.json"), None).expect("its typical numbers are valid")
+        Sweep::of((file, b""), Path::new("sweep.json"), None)
+            .expect("its typical numbers are valid")
     }
 
     proptest! {

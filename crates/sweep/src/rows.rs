@@ -2,8 +2,6 @@
 
 use std::io::Write as _;
 
-use serde::Serialize;
-
 use super::plan::{Axis, Setting};
 use super::sampling::Point;
 use super::{Batch, Sweep};
@@ -69,30 +67,8 @@ impl Sweep {
     pub fn columns(&self) -> Vec<String> {
         let mut columns = vec!["run".into(), "record".into(), "reversed".into()];
         columns.extend(self.plan.axes().iter().map(|axis| axis.name.clone()));
-        columns.extend(self.columns_of_numbers());
+        columns.extend(self.outputs.iter().map(|output| output.name.clone()));
         columns.extend(["checked".into(), "failed".into()]);
-        columns
-    }
-
-    /// Names of the columns of what came out.
-    pub(super) fn columns_of_numbers(&self) -> Vec<String> {
-        let of = |names: &[String], asked: &[String]| {
-            let column = |name: &String| {
-                let asked = asked.iter();
-                asked
-                    .map(|one| format!("{name}: {one}"))
-                    .collect::<Vec<_>>()
-            };
-            unique(names).iter().flat_map(column).collect::<Vec<_>>()
-        };
-        let pairs = self.row.pairs.iter();
-        let pairs: Vec<String> = pairs
-            .map(|[left, right]| format!("{left} – {right}"))
-            .collect();
-        let structures: Vec<String> = self.outputs.structures.iter().map(name).collect();
-        let mut columns = of(&self.row.floors, &structures);
-        let quantities: Vec<String> = self.outputs.pairs.iter().map(name).collect();
-        columns.extend(of(&pairs, &quantities));
         columns
     }
 
@@ -150,23 +126,4 @@ impl Rows {
             }
         }
     }
-}
-
-/// Name of a quantity, as files spell it.
-pub(super) fn name(quantity: &impl Serialize) -> String {
-    let name = serde_json::to_value(quantity).unwrap_or_default();
-    name.as_str().unwrap_or_default().into()
-}
-
-/// Names that are told apart by their number where they are the same.
-fn unique(names: &[String]) -> Vec<String> {
-    let same = |index: usize| names.iter().filter(move |name| **name == names[index]);
-    let own = |index: usize| {
-        let before = names[..index].iter().filter(|name| **name == names[index]);
-        match same(index).count() {
-            1 => names[index].clone(),
-            _ => format!("{} ({})", names[index], before.count() + 1),
-        }
-    };
-    (0..names.len()).map(own).collect()
 }

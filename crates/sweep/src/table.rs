@@ -63,7 +63,7 @@ impl Sweep {
             SweepColumn::Flags(reversed.collect()),
         ];
         columns.extend(self.varied());
-        columns.extend((0..self.n_columns()).map(|column| {
+        columns.extend((0..self.outputs.len()).map(|column| {
             let numbers = batches.iter().flat_map(|batch| &batch.columns[column]);
             SweepColumn::Numbers(numbers.copied().collect())
         }));

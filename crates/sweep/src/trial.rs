@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use super::error::RefusedScene;
 use super::manifest::PRICES;
+use super::output::Row;
 use super::plan::{Axis, Plan, Setting};
 use super::spread::Spread;
 use super::{Sweep, SweepError};
@@ -17,42 +18,14 @@ const MOST_TRIED: u64 = 1000;
 /// Where an interval is tried, as a part of it: in its middle and inside its ends, which may be those of what is allowed.
 const TRIED: [f64; 3] = [0.5, 1e-6, 1.0 - 1e-6];
 
-/// What a row of structures is made of, by name; every run of a sweep has the same.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Row {
-    /// Floors and walls.
-    pub(super) floors: Vec<String>,
-    /// Left and right floor of every pair.
-    pub(super) pairs: Vec<[String; 2]>,
-}
-
-impl Row {
-    pub(super) fn of(scene: &Scene) -> Result<Self, SweepError> {
-        let refused = |source| Error::Scene {
-            scene: scene.name.clone(),
-            source,
-        };
-        scene.check().map_err(refused)?;
-        let floors = Floors::of(scene).map_err(refused)?;
-        Ok(Self::of_floors(&floors))
-    }
-
-    fn of_floors(floors: &Floors) -> Self {
-        let pairs = 0..floors.facing().len();
-        Self {
-            floors: floors
-                .all()
-                .iter()
-                .map(|floor| floor.name.clone())
-                .collect(),
-            pairs: pairs.map(|pair| floors.names(pair)).collect(),
-        }
-    }
-
-    /// Whether floors are as many and as paired as those of the row.
-    pub(super) fn fits(&self, floors: &Floors) -> bool {
-        self.floors.len() == floors.all().len() && self.pairs.len() == floors.facing().len()
-    }
+/// The row of a scene that does not run.
+pub(super) fn row_of(scene: &Scene) -> Result<Row, SweepError> {
+    let refused = |source| Error::Scene {
+        scene: scene.name.clone(),
+        source,
+    };
+    scene.check().map_err(refused)?;
+    Ok(Row::of(&Floors::of(scene).map_err(refused)?))
 }
 
 /// Reads a scene whose fields were set; an error names the field.
@@ -92,15 +65,25 @@ pub(super) fn first_scene(plan: &Plan, scene: &Value) -> Result<Scene, SweepErro
     Ok(found)
 }
 
-/// What an error blames of that which varies, with its typical value.
-pub(super) fn blamed<'p>(plan: &'p Plan, error: &Error) -> Option<(&'p Axis, Setting)> {
-    let place = error.place()?;
+/// What is wrong with the motions of the first run: with what varies, else with the scene's file or the sweep's.
+pub(super) fn blamed(
+    error: SweepError,
+    plan: &Plan,
+    [of_sweep, of_scene]: [&Path; 2],
+) -> SweepError {
+    let SweepError::Scene(error) = error else {
+        return error.in_file(of_sweep);
+    };
+    let place = error.place().unwrap_or_default();
     let sets = |axis: &Axis| axis.fields.iter().any(|field| field.holds(&place));
     let mut axes = plan.axes().iter().zip(plan.typical());
-    axes.find(|(axis, _)| sets(axis))
+    match axes.find(|(axis, _)| sets(axis)) {
+        Some((axis, setting)) => refused(axis, setting, error.into()),
+        None => SweepError::Scene(error.in_file(of_scene)),
+    }
 }
 
-pub(super) fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
+fn refused(axis: &Axis, setting: Setting, reason: RefusedScene) -> SweepError {
     SweepError::Refused {
         place: axis.place.clone(),
         field: axis.name.clone(),
@@ -169,22 +152,21 @@ impl Sweep {
         let mut scene = self.scene.clone();
         let tried = self.prepared(0, settings, &mut scene);
         let found = match tried {
-            Ok(prepared) => Row::of_floors(prepared.floors()),
+            Ok(prepared) => prepared,
             Err(error) if is_of_values(&error) => return Ok(()),
             Err(reason) => return Err(refused(axis, setting, reason)),
         };
-        let first = row.get_or_insert_with(|| found.clone());
-        if first.floors.len() == found.floors.len() && first.pairs.len() == found.pairs.len() {
+        let floors = found.floors();
+        let first = row.get_or_insert_with(|| Row::of(floors));
+        if first.fits(floors) {
             return Ok(());
         }
         Err(SweepError::OtherRow {
             place: axis.place.clone(),
             field: axis.name.clone(),
             value: axis.value(setting).to_string(),
-            found: found.floors.len(),
-            found_pairs: found.pairs.len(),
-            allowed: first.floors.len(),
-            allowed_pairs: first.pairs.len(),
+            found: Row::of(floors).words(),
+            allowed: first.words(),
         })
     }
 

@@ -1,6 +1,7 @@
 //! `pounding sweep`: a scene again and again, with other values of its fields.
 
 mod joined;
+mod summed;
 mod task;
 
 use std::fs;

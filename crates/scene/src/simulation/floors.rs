@@ -15,7 +15,8 @@ pub(crate) const EQUAL_HEIGHTS: f64 = 1e-3;
 /// the next, and so on. In a row of structures of one storey they are the structures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floors {
-    n_structures: usize,
+    /// Names of the structures.
+    structures: Vec<String>,
     levels: Levels,
     all: Vec<Floor>,
     facing: Vec<FloorPair>,
@@ -128,7 +129,11 @@ impl Floors {
         }
         facing.sort_by_key(|one: &FloorPair| one.left);
         Ok(Self {
-            n_structures: scene.structures.len(),
+            structures: scene
+                .structures
+                .iter()
+                .map(|one| one.name().into())
+                .collect(),
             all: (0..levels.n_nodes())
                 .map(|node| floor(scene, &levels, node))
                 .collect(),
@@ -152,6 +157,11 @@ impl Floors {
         &self.all
     }
 
+    /// Names of the structures, from the left.
+    pub fn structures(&self) -> &[String] {
+        &self.structures
+    }
+
     /// The floors of a structure, from the ground up, by their places in the row.
     pub fn of_structure(&self, structure: usize) -> &[usize] {
         self.levels.of(structure)
@@ -159,7 +169,7 @@ impl Floors {
 
     /// All of them, structure by structure from the left, each from the ground up, by their places in the row.
     pub fn by_structure(&self) -> impl Iterator<Item = usize> {
-        (0..self.n_structures).flat_map(|structure| self.levels.of(structure).iter().copied())
+        (0..self.structures.len()).flat_map(|structure| self.levels.of(structure).iter().copied())
     }
 
     /// Number of the storey below a floor, from 1; of a wall that of the level at which it stands.
@@ -223,7 +233,7 @@ impl Floors {
             let facing = self.levels.facing(left);
             facing.map(move |(one, other)| (left, one, other))
         };
-        let mut all: Vec<_> = (1..self.n_structures)
+        let mut all: Vec<_> = (1..self.structures.len())
             .flat_map(|right| facing(right - 1))
             .collect();
         all.sort_unstable_by_key(|one| one.1);

@@ -11,5 +11,5 @@ mod tally;
 mod tests;
 
 pub(super) use form::Form;
-pub use table::{Exceedance, SummaryTable, SummedColumn};
+pub use table::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub(super) use tally::Tally;

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use super::form::{Form, Listed, Summed};
 use super::tally::Tally;
-use crate::rows::name;
 use crate::summary_file::Summary;
 use crate::{Sweep, SweepError};
 
@@ -54,20 +53,10 @@ impl Sweep {
 
     /// Its columns of numbers, without thresholds.
     fn summed_columns(&self) -> Vec<Summed> {
-        let structures = self.outputs.structures.iter();
-        let structures: Vec<_> = structures.map(|one| (name(one), one.is_peak())).collect();
-        let pairs = self.outputs.pairs.iter();
-        let pairs: Vec<_> = pairs.map(|one| (name(one), false)).collect();
-        let of_floors = self.row.floors.iter().flat_map(|_| &structures);
-        let of_pairs = self.row.pairs.iter().flat_map(|_| &pairs);
-        let columns = self
-            .columns_of_numbers()
-            .into_iter()
-            .zip(of_floors.chain(of_pairs));
-        let summed = columns.map(|(name, (quantity, is_peak))| Summed {
-            name,
-            quantity: quantity.clone(),
-            is_peak: *is_peak,
+        let summed = self.outputs.iter().map(|output| Summed {
+            name: output.name.clone(),
+            quantity: output.word.clone(),
+            is_peak: output.quantity.is_peak(),
             thresholds: Vec::new(),
         });
         summed.collect()

@@ -21,7 +21,16 @@ pub struct SummaryTable {
     tally: Tally,
 }
 
-/// A column of all cells together, for people.
+/// A cell, for people.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummedCell {
+    /// Its values of everything in which cells differ.
+    pub name: String,
+    /// Every column.
+    pub columns: Vec<SummedColumn>,
+}
+
+/// A column of a cell, or of all cells together, for people.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SummedColumn {
     /// Its name, in `abs(…)` where magnitudes are summed up.
@@ -192,6 +201,21 @@ impl SummaryTable {
         self.tally.cells.len()
     }
 
+    /// In what cells differ.
+    pub fn by(&self) -> String {
+        let names: Vec<_> = self.form.by.iter().map(|by| by.name.as_str()).collect();
+        names.join(", ")
+    }
+
+    /// Every cell that has runs.
+    pub fn cells(&self) -> Vec<SummedCell> {
+        let cells = self.tally.cells.iter().map(|(cell, tally)| SummedCell {
+            name: self.form.values_of(*cell).join(", "),
+            columns: self.summed(tally),
+        });
+        cells.collect()
+    }
+
     /// Number and reason of the first runs that failed.
     pub fn first_failed(&self) -> impl Iterator<Item = (u64, &str)> {
         let reasons = self.tally.reasons.iter();
@@ -200,8 +224,11 @@ impl SummaryTable {
 
     /// Every column, of all cells together.
     pub fn whole(&self) -> Vec<SummedColumn> {
-        let whole = self.tally.whole(&self.form);
-        let columns = self.form.columns.iter().zip(&whole.columns);
+        self.summed(&self.tally.whole(&self.form))
+    }
+
+    fn summed(&self, cell: &CellTally) -> Vec<SummedColumn> {
+        let columns = self.form.columns.iter().zip(&cell.columns);
         let summed = |(of, column): (&Summed, &ColumnTally)| {
             let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
             SummedColumn {
@@ -212,7 +239,7 @@ impl SummaryTable {
                 median: numbers.quantile(0.5),
                 p84: numbers.quantile(0.84),
                 largest: numbers.ends().map(|ends| ends.1),
-                exceedances: exceedances(&whole, of, column),
+                exceedances: exceedances(cell, of, column),
             }
         };
         columns.map(summed).collect()

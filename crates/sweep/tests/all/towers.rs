@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::{folder, sweep, table};
+use crate::{folder, read, sweep, table};
 
 /// Two towers of storeys that yield, which touch at three levels, and what is asked of them.
 fn words(outputs: &Value) -> Value {
@@ -77,4 +77,80 @@ fn issue_towers_run_side_by_side() {
         row.remove(checked);
     }
     assert_eq!(beside, alone);
+}
+
+/// Of a whole building, and of two neighbours, the severest of what each floor and each level has; side by side and alone.
+#[test]
+fn reference_whole_buildings_have_the_severest_of_their_floors() {
+    let folder = folder("whole_towers");
+    let outputs = |last: &str| {
+        json!({
+            "structures": ["peak_drift_m", "ductility"], "buildings": ["peak_drift_m", "ductility"],
+            "pairs": ["collisions", "peak_force_n", "least_opening_m", last],
+            "neighbours": ["collisions", "peak_force_n", "least_opening_m", last],
+        })
+    };
+    for (last, beside) in [("total_impulse_n_s", true), ("first_start_s", false)] {
+        let sweep = sweep(&folder, &words(&outputs(last)));
+        let (batch, names) = (sweep.batch(0..150), sweep.columns());
+        assert_eq!(batch.beside > 140, beside, "{last}");
+        // Behind run, record, direction and two fields.
+        let named: Vec<_> = names[5..].iter().zip(&batch.columns).collect();
+        let mut compared = 0;
+        for (whole, found) in named.iter().filter(|(name, _)| name.contains("(any ")) {
+            let (of, quantity) = whole.split_once(": ").expect("a quantity");
+            let of = of.split_once(" (any").expect("what it is of").0;
+            let ends: Vec<_> = of.split(" – ").collect();
+            let is_part = |name: &str| {
+                let parts: Vec<_> = name.split(": ").next().unwrap_or("").split(" – ").collect();
+                name.ends_with(&format!(": {quantity}"))
+                    && !name.contains("(any ")
+                    && parts.len() == ends.len()
+                    && parts
+                        .iter()
+                        .zip(&ends)
+                        .all(|(part, end)| part.starts_with(end))
+            };
+            let parts: Vec<_> = named.iter().filter(|(name, _)| is_part(name)).collect();
+            assert_eq!(parts.len(), if of == "tall" { 4 } else { 3 }, "{whole}");
+            for (run, found) in found.iter().enumerate() {
+                let numbers = parts.iter().map(|(_, column)| column[run]);
+                let numbers: Vec<_> = numbers.filter(|number| !number.is_nan()).collect();
+                let severest = match quantity {
+                    "least_opening_m" | "first_start_s" => numbers.into_iter().reduce(f64::min),
+                    _ => numbers.into_iter().reduce(|one, other| {
+                        if other.abs() > one.abs() { other } else { one }
+                    }),
+                };
+                let severest = severest.unwrap_or(f64::NAN);
+                assert_eq!(found.to_bits(), severest.to_bits(), "{whole}, run {run}");
+                compared += usize::from(!found.is_nan());
+            }
+        }
+        assert!(compared > 900, "{compared} numbers of {last}");
+    }
+}
+
+/// As many floors in all, but not in each building, are another row: their columns would have the names of others.
+#[test]
+fn issue_floors_of_another_building_are_another_row() {
+    let mut words = words(&json!({}));
+    let turned = |storeys: [usize; 2]| {
+        let mut both = words["scene"]["structures"].clone();
+        for (one, number) in storeys.into_iter().enumerate() {
+            both[one]["building"]["storeys"][0]["repeat"] = json!(number);
+        }
+        both
+    };
+    let values = [turned([4, 3]), turned([3, 4])];
+    words["vary"] = json!([{"field": "structures", "values": values}]);
+    words.as_object_mut().expect("words").remove("samples");
+    let refused = read(&folder("other_rows"), &words, None).expect_err("another row");
+    let text = refused.to_string();
+    assert!(
+        text.contains(
+            "the row has 3 + 4 floors and walls and 3 pairs, where the first run has 4 + 3"
+        ),
+        "{text}"
+    );
 }

@@ -1,0 +1,187 @@
+//! What a row of structures is made of, and the numbers that are asked of it: a column each.
+
+use pounding_scene::{FloorPair, Floors, PairQuantity, Quantity};
+use serde::Serialize;
+
+use super::file::Outputs;
+
+/// What a row of structures is made of; every run of a sweep has the same, under the names of the first.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Row {
+    structures: Vec<String>,
+    floors: Vec<Named>,
+    pairs: Vec<FloorPair>,
+}
+
+/// A floor, or a wall.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Named {
+    name: String,
+    /// Index of its structure.
+    structure: usize,
+    is_wall: bool,
+}
+
+impl Row {
+    pub(super) fn of(floors: &Floors) -> Self {
+        let named = floors.all().iter().map(|floor| Named {
+            name: floor.name.clone(),
+            structure: floor.structure,
+            is_wall: floor.is_wall(),
+        });
+        Self {
+            structures: floors.structures().to_vec(),
+            floors: named.collect(),
+            pairs: floors.facing().to_vec(),
+        }
+    }
+
+    pub(super) fn n_floors(&self) -> usize {
+        self.floors.len()
+    }
+
+    /// Whether structures have as many floors each, and neighbours as many pairs.
+    pub(super) fn fits(&self, floors: &Floors) -> bool {
+        let structures = self.floors.iter().map(|floor| floor.structure);
+        let of_pairs = self.pairs.iter().map(|pair| self.neighbours(pair));
+        let other = |floor: usize| floors.all()[floor].structure;
+        let of_others = floors
+            .facing()
+            .iter()
+            .map(|pair| [other(pair.left), other(pair.right)]);
+        structures.eq(floors.all().iter().map(|floor| floor.structure)) && of_pairs.eq(of_others)
+    }
+
+    /// Left and right structure of a pair.
+    fn neighbours(&self, pair: &FloorPair) -> [usize; 2] {
+        [pair.left, pair.right].map(|floor| self.floors[floor].structure)
+    }
+
+    /// How many floors every structure has, and how many pairs there are, in words.
+    pub(super) fn words(&self) -> String {
+        let of_structure = |index: usize| {
+            let own = self.floors.iter().filter(|one| one.structure == index);
+            own.count().to_string()
+        };
+        let floors: Vec<_> = (0..self.structures.len()).map(of_structure).collect();
+        format!(
+            "{} floors and walls and {} pairs",
+            floors.join(" + "),
+            self.pairs.len()
+        )
+    }
+
+    /// The columns of the numbers that are asked for.
+    pub(super) fn outputs(&self, asked: &Outputs) -> Vec<Output> {
+        let floors: Vec<_> = self.floors.iter().map(|one| one.name.clone()).collect();
+        let each = |names: &[String]| {
+            let names = unique(names).into_iter().enumerate();
+            names
+                .map(|(place, name)| (name, vec![place]))
+                .collect::<Vec<_>>()
+        };
+        let between = |[left, right]: [&String; 2]| format!("{left} – {right}");
+        let of_pair =
+            |pair: &FloorPair| between([pair.left, pair.right].map(|floor| &floors[floor]));
+        let pairs: Vec<_> = self.pairs.iter().map(of_pair).collect();
+        let names = unique(&self.structures);
+        let buildings = (0..names.len()).map(|structure| {
+            let own = |place: &usize| {
+                self.floors[*place].structure == structure && !self.floors[*place].is_wall
+            };
+            let own = (0..floors.len()).filter(own).collect();
+            (format!("{} (any floor)", names[structure]), own)
+        });
+        let mut two: Vec<_> = self
+            .pairs
+            .iter()
+            .map(|pair| self.neighbours(pair))
+            .collect();
+        two.sort_unstable();
+        two.dedup();
+        let neighbours = two.into_iter().map(|two| {
+            let own = |place: &usize| self.neighbours(&self.pairs[*place]) == two;
+            let name = between(two.map(|structure| &names[structure]));
+            let own = (0..pairs.len()).filter(own).collect();
+            (format!("{name} (any level)"), own)
+        });
+        [
+            columns(each(&floors), &asked.structures),
+            columns(buildings, &asked.buildings),
+            columns(each(&pairs), &asked.pairs),
+            columns(neighbours, &asked.neighbours),
+        ]
+        .concat()
+    }
+}
+
+/// All quantities of each of these places; of no place there is none.
+fn columns<Q: Into<Quantity> + Copy + Serialize>(
+    of: impl IntoIterator<Item = (String, Vec<usize>)>,
+    quantities: &[Q],
+) -> Vec<Output> {
+    let of = of.into_iter().filter(|(_, places)| !places.is_empty());
+    let columns = of.flat_map(|(name, places)| {
+        quantities.iter().map(move |quantity| {
+            let word = word(quantity);
+            Output {
+                name: format!("{name}: {word}"),
+                word,
+                quantity: (*quantity).into(),
+                places: places.clone(),
+            }
+        })
+    });
+    columns.collect()
+}
+
+/// A number that is asked of every run: a column.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Output {
+    /// Name of its column.
+    pub(super) name: String,
+    /// Its quantity, as files spell it.
+    pub(super) word: String,
+    pub(super) quantity: Quantity,
+    /// Floors or pairs, the severest of which it tells; at least one.
+    places: Vec<usize>,
+}
+
+impl Output {
+    /// The number of the severest place, and what that counts as at least, by those of each; NaN where none has one.
+    pub(super) fn severest(&self, of: impl Fn(usize) -> (f64, f64)) -> (f64, f64) {
+        let severity = |number: f64| match self.quantity {
+            Quantity::Pair(PairQuantity::LeastOpeningM | PairQuantity::FirstStartS) => -number,
+            Quantity::Floor(_) | Quantity::Pair(_) => number.abs(),
+        };
+        let mut places = self.places.iter().map(|place| of(*place));
+        let first = places.next().unwrap_or((f64::NAN, 0.0));
+        places.fold(first, |found, other| {
+            let is_severer = severity(other.0) > severity(found.0);
+            if is_severer || found.0.is_nan() {
+                other
+            } else {
+                found
+            }
+        })
+    }
+}
+
+/// A quantity as files spell it.
+fn word(quantity: &impl Serialize) -> String {
+    let word = serde_json::to_value(quantity).unwrap_or_default();
+    word.as_str().unwrap_or_default().into()
+}
+
+/// Names that are told apart by their number where they are the same.
+fn unique(names: &[String]) -> Vec<String> {
+    let same = |index: usize| names.iter().filter(move |name| **name == names[index]);
+    let own = |index: usize| {
+        let before = names[..index].iter().filter(|name| **name == names[index]);
+        match same(index).count() {
+            1 => names[index].clone(),
+            _ => format!("{} ({})", names[index], before.count() + 1),
+        }
+    };
+    (0..names.len()).map(own).collect()
+}
