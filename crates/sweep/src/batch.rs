@@ -235,15 +235,9 @@ impl Sweep {
         for (scene, (run, prepared)) in ready.iter().enumerate() {
             numbers.clear();
             least.clear();
-            // Scenes of several shapes go each by itself, which is faster than with recorders.
-            let single = match together {
-                None if ready.len() > 1 => self.beside(std::slice::from_ref(&ready[scene])),
-                _ => None,
-            };
-            let tallies = together.as_ref().map(|sums| (sums, scene));
-            let tallies = tallies.or(single.as_ref().map(|sums| (sums, 0)));
-            let beside = tallies
-                .is_some_and(|tallies| self.tell(prepared, tallies, (&mut numbers, &mut least)));
+            let beside = together
+                .as_ref()
+                .is_some_and(|sums| self.tell(prepared, (sums, scene), (&mut numbers, &mut least)));
             // A fault of the program in one run is no reason to lose the others.
             let ran = if !beside {
                 let price = caught(|| self.run_alone(prepared, &mut numbers, &mut least));

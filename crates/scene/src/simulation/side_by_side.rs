@@ -15,7 +15,7 @@ macro_rules! rows {
     ($scenes:expr, $kind:ident) => {
         $scenes
             .iter()
-            .map(|scene| {
+            .map(|(_, scene)| {
                 if let Model::$kind(row) = &scene.model {
                     Some(row)
                 } else {
@@ -26,87 +26,123 @@ macro_rules! rows {
     };
 }
 
-/// Runs scenes side by side, and takes what happened in them, with `closings` also how far neighbours come towards each other; nothing
-/// where they cannot: they have to be rows of one shape, without Bouc–Wen columns or a motion that travels, all run by one method. Each may
-/// have a record of its own.
+/// Runs scenes side by side, those that go together in the same lanes, and takes what happened in them, with `closings` also how far
+/// neighbours come towards each other; nothing where none of them can. Others are not told: those of another number of floors and pairs than
+/// the first, with Bouc–Wen columns or a motion that travels, of other methods. Each may have a record of its own.
 ///
 /// By the central difference method without sub-steps, and two structures of one storey by the velocity Verlet method, every scene has
 /// the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
 /// more; they then have the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
 pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
-    let first = scenes.first()?;
+    let shape = |scene: &Simulation| (scene.floors().all().len(), scene.pairs().len());
+    let of_first = shape(scenes.first()?);
     let mut tallies = SceneSums::default();
-    if let Some(stepping) = Stepping::of(first.integrator)
-        && scenes.iter().all(|scene| goes_with(scene, first))
-    {
-        return stepped((scenes, closings), stepping, &mut tallies)?.then_some(tallies);
+    tallies.begin(scenes.len(), of_first);
+    let of_shape = scenes.iter().enumerate();
+    let of_shape = of_shape.filter(|(_, scene)| shape(scene) == of_first);
+    let mut left: Vec<_> = of_shape.map(|(place, scene)| (place, *scene)).collect();
+    let mut any = false;
+    while let Some(&(first_place, first)) = left.first() {
+        // A scene that cannot go side by side goes with none, itself included.
+        let is_now = |(place, scene): &Placed<'_>| *place == first_place || goes_with(scene, first);
+        let (now, later): (Vec<_>, Vec<_>) = left.into_iter().partition(is_now);
+        any |= match Stepping::of(first.integrator) {
+            Some(stepping) => stepped((&now, closings), stepping, &mut tallies).unwrap_or(false),
+            None => exact((&now, closings), &mut tallies),
+        };
+        left = later;
     }
-    exact(scenes, closings, &mut tallies).then_some(tallies)
+    any.then_some(tallies)
 }
 
-/// Whether scenes have one method and time step.
+/// A scene, and its place among others.
+type Placed<'a> = (usize, &'a Simulation);
+
+/// Whether scenes share lanes: with one method and time step, by stepping methods rows of one kind, by the exact method records
+/// that end at one sample.
 fn goes_with(one: &Simulation, other: &Simulation) -> bool {
-    let steps = [one, other].map(|scene| scene.clock.time_step);
-    one.integrator == other.integrator && steps[0].total_cmp(&steps[1]).is_eq()
+    let equal = |of: fn(&Simulation) -> f64| of(one).total_cmp(&of(other)).is_eq();
+    let with_method = one.integrator == other.integrator && equal(|scene| scene.clock.time_step);
+    let of_kind = || match (&one.model, &other.model) {
+        (Model::Elastic(one), Model::Elastic(other)) => SideBySide::are_alike(one, other),
+        (Model::ElastoPlastic(one), Model::ElastoPlastic(other)) => {
+            SideBySide::are_alike(one, other)
+        }
+        (Model::Bilinear(one), Model::Bilinear(other)) => SideBySide::are_alike(one, other),
+        _ => false,
+    };
+    let at_one_pace =
+        || equal(|scene| scene.record.time_step()) && one.clock.n_steps == other.clock.n_steps;
+    with_method
+        && match Stepping::of(one.integrator) {
+            Some(_) => of_kind(),
+            None => at_one_pace(),
+        }
 }
 
+/// Runs scenes that share lanes by a stepping method; nothing where they cannot.
 fn stepped(
-    (scenes, closings): (&[&Simulation], bool),
+    (scenes, closings): (&[Placed<'_>], bool),
     stepping: Stepping,
     tallies: &mut SceneSums,
 ) -> Option<bool> {
-    let first = scenes.first()?;
-    let n_steps: Vec<_> = scenes.iter().map(|scene| scene.clock.n_steps).collect();
+    let (_, first) = scenes.first()?;
+    let n_steps: Vec<_> = scenes
+        .iter()
+        .map(|(_, scene)| scene.clock.n_steps)
+        .collect();
     let clock = Clock {
         time_step: first.clock.time_step,
         n_steps: n_steps.iter().copied().max()?,
     };
-    let excitations = excitations(scenes.iter().copied());
+    let excitations = excitations(scenes);
     let together = SideBySide::new(stepping, Excitations::of(&excitations), clock).ok()?;
     let together = together.within(first.budget()).with_closings(closings);
-    let mut run = |rows| together.run(rows, &n_steps, tallies);
-    Some(match first.model {
+    let mut found = SceneSums::default();
+    let mut run = |rows| together.run(rows, &n_steps, &mut found);
+    let ran = match first.model {
         Model::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
         Model::ElastoPlastic(_) => run(RowsOf::ElastoPlastic(&rows!(scenes, ElastoPlastic)?)),
         Model::Bilinear(_) => run(RowsOf::Bilinear(&rows!(scenes, Bilinear)?)),
         Model::Mixed(_) => false,
-    })
+    };
+    if ran {
+        for (index, (place, _)) in scenes.iter().enumerate() {
+            tallies.take(*place, (&found, index));
+        }
+    }
+    Some(ran)
 }
 
-/// Runs those scenes that the exact method can, whatever the others are; false where that is none.
-fn exact(scenes: &[&Simulation], closings: bool, tallies: &mut SceneSums) -> bool {
-    let [n_structures, n_pairs] = [scenes[0].floors().all().len(), scenes[0].pairs().len()];
-    tallies.begin(scenes.len(), (n_structures, n_pairs));
-    let flies = |(place, scene): (usize, &&Simulation)| {
+/// Runs those of scenes that share lanes which the exact method can; false where that is none.
+fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> bool {
+    let flies = |(_, scene): &Placed<'_>| {
         let settings = settings(scene)?;
-        ExactSideBySide::takes(elastic(scene)?, settings).then_some((place, settings))
+        ExactSideBySide::takes(elastic(scene)?, settings).then_some(settings)
     };
-    let mut left: Vec<_> = scenes.iter().enumerate().filter_map(flies).collect();
-    let any = !left.is_empty();
-    while let Some(&(first, settings)) = left.first() {
-        let first = scenes[first];
-        let together = |(place, _): &(usize, Exact)| {
-            let scene = scenes[*place];
-            let steps = [scene, first].map(|scene| scene.record.time_step());
-            let one_pace = steps[0].total_cmp(&steps[1]).is_eq();
-            one_pace && goes_with(scene, first) && scene.clock.n_steps == first.clock.n_steps
-        };
-        let (now, later): (Vec<_>, Vec<_>) = left.iter().copied().partition(together);
-        let row = |(place, _): &(usize, Exact)| Some((*place, elastic(scenes[*place])?));
-        let rows: Vec<_> = now.iter().filter_map(row).collect();
-        let excitations = excitations(now.iter().map(|(place, _)| scenes[*place]));
-        let excitations = Excitations::of(&excitations);
-        if let Ok(together) = ExactSideBySide::new(settings, excitations, first.clock) {
-            let together = together.within(first.budget());
-            together.with_closings(closings).run(&rows, tallies);
-        }
-        left = later;
+    let flown = scenes
+        .iter()
+        .copied()
+        .filter(|scene| flies(scene).is_some());
+    let flown: Vec<_> = flown.collect();
+    let Some((first, settings)) = flown.first().and_then(|one| Some((one.1, flies(one)?))) else {
+        return false;
+    };
+    let rows = flown
+        .iter()
+        .filter_map(|(place, scene)| Some((*place, elastic(scene)?)));
+    let rows: Vec<_> = rows.collect();
+    let excitations = excitations(&flown);
+    let together = ExactSideBySide::new(settings, Excitations::of(&excitations), first.clock);
+    if let Ok(together) = together {
+        let together = together.within(first.budget());
+        together.with_closings(closings).run(&rows, tallies);
     }
-    any
+    true
 }
 
 /// The ground motions of scenes; of those that share a record it is looked through once.
-fn excitations<'a>(scenes: impl Iterator<Item = &'a Simulation>) -> Vec<Excitation<'a>> {
+fn excitations<'a>(scenes: &[Placed<'a>]) -> Vec<Excitation<'a>> {
     let mut last: Option<(&Simulation, Excitation<'_>)> = None;
     let one = |scene: &'a Simulation| {
         let shared = last.filter(|(other, _)| Arc::ptr_eq(&scene.record, &other.record));
@@ -114,7 +150,7 @@ fn excitations<'a>(scenes: impl Iterator<Item = &'a Simulation>) -> Vec<Excitati
         last = Some((scene, excitation));
         excitation
     };
-    scenes.map(one).collect()
+    scenes.iter().map(|(_, scene)| *scene).map(one).collect()
 }
 
 /// Settings of the exact method, where that is the scene's.

@@ -152,11 +152,24 @@ impl<'a> SideBySide<'a> {
         Self { closings, ..self }
     }
 
+    /// Whether two rows have the same floors and pairs, with laws of the same kinds, and the ground motion arrives everywhere in the first
+    /// at once.
+    pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
+        let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
+        let mut pairs = row.pairs().iter().zip(other.pairs());
+        let mut nodes = row.nodes().iter().zip(other.nodes());
+        at_once
+            && row.nodes().len() == other.nodes().len()
+            && nodes.all(|(node, other)| node.support.below() == other.support.below())
+            && row.pairs().len() == other.pairs().len()
+            && pairs
+                .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
+    }
+
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
     /// cannot run side by side.
     ///
-    /// Rows of one shape have the same floors and pairs, with laws of the same kinds; the ground motion arrives everywhere at once, and
-    /// no row has more steps than the clock. Where each has a ground motion of its own, there are as many of them as rows. By the velocity
+    /// Rows of one shape [are alike](Self::are_alike); no row has more steps than the clock. Where each has a ground motion of its own, there are as many of them as rows. By the velocity
     /// Verlet method they have two structures of one storey.
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
@@ -259,15 +272,5 @@ impl Stepping {
 
 /// Whether rows are of one shape that can run side by side.
 fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
-    let at_once = |row: &Row<Column>| (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
-    let alike = |row: &Row<Column>, other: &Row<Column>| {
-        let mut pairs = row.pairs().iter().zip(other.pairs());
-        let mut nodes = row.nodes().iter().zip(other.nodes());
-        row.nodes().len() == other.nodes().len()
-            && nodes.all(|(node, other)| node.support.below() == other.support.below())
-            && row.pairs().len() == other.pairs().len()
-            && pairs
-                .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
-    };
-    rows.iter().all(|row| at_once(row) && alike(row, rows[0]))
+    rows.iter().all(|row| SideBySide::are_alike(row, rows[0]))
 }

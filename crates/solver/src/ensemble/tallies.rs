@@ -88,6 +88,21 @@ impl SceneSums {
         (self.steps, self.touching_steps) = (0, 0);
     }
 
+    /// Takes a scene of others, of the same shape, as one of its own.
+    pub fn take(&mut self, scene: usize, (others, place): (&Self, usize)) {
+        let range = |place: usize, n: usize| place * n..(place + 1) * n;
+        let (own, its) = (
+            range(scene, self.n_structures),
+            range(place, self.n_structures),
+        );
+        self.displacements[own.clone()].copy_from_slice(&others.displacements[its.clone()]);
+        self.drifts[own].copy_from_slice(&others.drifts[its]);
+        let (own, its) = (range(scene, self.n_pairs), range(place, self.n_pairs));
+        self.pairs[own].copy_from_slice(&others.pairs[its]);
+        self.told[scene] = others.told[place];
+        self.doubted[scene] = others.doubted[place];
+    }
+
     /// Takes displacement and drift of largest magnitude of a floor of a scene \[m\]; without one of them the scene is not told.
     pub(super) fn take_floor(&mut self, scene: usize, node: usize, peaks: [Option<f64>; 2]) {
         let [displacement, drift] = peaks.map(|peak| peak.unwrap_or(f64::NAN));

@@ -154,3 +154,45 @@ fn issue_floors_of_another_building_are_another_row() {
         "{text}"
     );
 }
+
+/// Runs whose contact laws and time steps alternate share lanes with those of their kind, with the bits of runs alone.
+#[test]
+fn issue_kinds_that_alternate_go_side_by_side() {
+    let folder = folder("alternating");
+    let laws = json!([
+        {"stereomechanical": {"restitution": 0.6}},
+        {"nonlinear_viscoelastic": {"impact_stiffness_n_per_m1_5": 2.75e9, "restitution": 0.65}},
+        {"linear_spring": {"impact_stiffness_n_per_m": 1e8}},
+    ]);
+    let steps = json!([{"time_step_s": 0.001}, {"time_step_s": 0.0005}]);
+    let alternating = |last: &str| {
+        let mut words = words(&json!({
+            "structures": ["peak_displacement_m", "peak_drift_m"],
+            "pairs": ["collisions", "total_impulse_n_s", "least_opening_m", last],
+        }));
+        words["vary"] = json!([
+            {"field": "contacts[0].gap_m", "grid": {"from": 0.001, "to": 0.02, "count": 10}},
+            {"field": "contacts[0].law", "values": laws},
+            {"field": "method.central_difference", "values": steps},
+        ]);
+        words.as_object_mut().expect("words").remove("samples");
+        sweep(&folder, &words)
+    };
+    let [fast, slow] = ["largest_impulse_n_s", "touching_s"].map(alternating);
+    let [beside, alone] = [&fast, &slow].map(|sweep| sweep.batch(0..60));
+    // A floor that goes as far to both sides is told by its run alone.
+    assert!(beside.beside > 56, "{}", beside.beside);
+    assert_eq!(alone.beside, 0);
+    let names = fast.columns();
+    let mut touches = 0;
+    for (column, (one, other)) in beside.columns.iter().zip(&alone.columns).enumerate() {
+        let name = &names[6 + column];
+        if name.ends_with("largest_impulse_n_s") {
+            touches += one.iter().filter(|impulse| **impulse > 0.0).count();
+            continue;
+        }
+        let bits = |numbers: &[f64]| numbers.iter().map(|one| one.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(one), bits(other), "{name}");
+    }
+    assert!(touches > 60, "{touches} pairs touch");
+}
