@@ -5,7 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::Sweep;
 use super::output::Output;
 use pounding_scene::{
-    FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening, side_by_side,
+    FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, alone_because, least_opening,
+    side_by_side,
 };
 use pounding_solver::SceneSums;
 
@@ -23,6 +24,11 @@ impl Sweep {
 
     /// Whether runs side by side know all that is asked for: no more than peaks and sums.
     pub(super) fn asks_for_tallies(&self) -> bool {
+        self.untallied().is_none() && self.limit().is_none()
+    }
+
+    /// The first number that only a run alone knows.
+    fn untallied(&self) -> Option<&Output> {
         let is_tallied = |output: &Output| match output.quantity {
             Quantity::Floor(quantity) => matches!(
                 quantity,
@@ -40,16 +46,33 @@ impl Sweep {
                     | PairQuantity::LeastOpeningM
             ),
         };
-        self.outputs.iter().all(is_tallied) && !self.is_limited()
+        self.outputs.iter().find(|output| !is_tallied(output))
     }
 
-    /// Whether runs are given up above a cost that is named: pieces and seconds are those of a run alone.
-    fn is_limited(&self) -> bool {
+    /// The cost above which runs are given up, if only a run alone knows it.
+    fn limit(&self) -> Option<&'static str> {
         let budget = self.scene.get("budget");
-        let named = |name: &str| budget?.get(name).filter(|cost| !cost.is_null());
-        ["pieces", "seconds"]
-            .into_iter()
-            .any(|name| named(name).is_some())
+        let is_named = |name: &&str| {
+            let cost = budget.and_then(|budget| budget.get(name));
+            cost.is_some_and(|cost| !cost.is_null())
+        };
+        ["pieces", "seconds"].into_iter().find(is_named)
+    }
+
+    /// Why all runs go one at a time, which takes many times as long; nothing where they can go side by side.
+    pub fn alone_because(&self) -> Option<String> {
+        if let Some(output) = self.untallied() {
+            return Some(format!(
+                "`{}` among the `outputs` is not known side by side",
+                output.word
+            ));
+        }
+        if let Some(limit) = self.limit() {
+            return Some(format!("`{limit}` of the `budget` is that of a run alone"));
+        }
+        let typical = self.plan.typical();
+        let typical = self.prepared(self.motions.longest(), &typical, &mut self.scene.clone());
+        alone_because(&typical.ok()?).map(String::from)
     }
 
     /// The numbers of one of these scenes in the order of the columns, and what they count as at least, which stays empty where none of them

@@ -190,6 +190,11 @@ impl Sweep {
         typical.map_or(PRICES[0], |typical| typical.expected_price())
     }
 
+    /// Whether all runs would take some ten seconds and more, one at a time.
+    pub fn is_long(&self) -> bool {
+        self.n_runs() as f64 * self.expected_price() > PRICES[1]
+    }
+
     /// The scene of these settings before it is prepared, and the motion.
     pub(super) fn shaken(
         &self,

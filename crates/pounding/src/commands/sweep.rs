@@ -85,6 +85,9 @@ fn announce(sweep: &Sweep, parts: &Parts) {
     if let Some(accuracy) = sweep.accuracy() {
         say(&chosen(accuracy));
     }
+    if let Some(why) = sweep.alone_because().filter(|_| sweep.is_long()) {
+        say(&format!("runs go one at a time: {why}"));
+    }
     if !parts.is_locked() {
         say("this disk knows no locks: let no other process write the same table");
     }

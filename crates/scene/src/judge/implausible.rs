@@ -9,7 +9,7 @@ use pounding_motion::{Direction, Unusual};
 use serde::{Deserialize, Serialize};
 
 use crate::{Building, Sdof, Simulation, Structure};
-use pounding_text::{digits, percent, short};
+use pounding_text::{digits, short};
 
 /// Factors outside this range are far for a record: its duration and shape belong to another shaking \[–\].
 pub const USUAL_FACTORS: [f64; 2] = [0.25, 4.0];
@@ -205,9 +205,9 @@ impl Simulation {
         let drift = self.record().drift().filter(|_| self.origin().is_some());
         let said = drift.map_or_else(String::new, |drift| {
             format!(
-                "a ground that does not come to rest: its mean velocity over the last tenth is {} m/s, {} of the peak",
+                "a ground that does not come to rest: its mean velocity over the last tenth is {} m/s, {} % of the peak",
                 short(drift.velocity.abs()),
-                percent(drift.share)
+                short(1e2 * drift.share)
             )
         });
         doubts.unless(

@@ -26,7 +26,7 @@ pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::{PairOutcome, least_opening};
 pub use run::{AllRecorders, BETWEEN_LOOKS, Balance, OnRow, RunResult};
 pub use run::{Audited, Extras, Recorders};
-pub use side_by_side::side_by_side;
+pub use side_by_side::{alone_because, side_by_side};
 pub use values::Values;
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.

@@ -8,7 +8,7 @@ use pounding_solver::{
 };
 
 use super::Simulation;
-use super::model::Model;
+use super::model::{Model, with_row};
 
 /// The rows of scenes that all have one kind of columns; nothing where they have not.
 macro_rules! rows {
@@ -53,6 +53,46 @@ pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums>
         left = later;
     }
     any.then_some(tallies)
+}
+
+/// Why a scene runs alone, whatever others there are; nothing where it can go side by side with its like.
+pub fn alone_because(scene: &Simulation) -> Option<&'static str> {
+    let floors = scene.floors().all();
+    let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
+    let of_method = match scene.integrator {
+        Integrator::CentralDifference(settings) => (settings.contact_substeps > 1)
+            .then_some("sub-steps in contact are those of one scene"),
+        Integrator::Verlet(_) => (!two).then_some(
+            "velocity Verlet takes two structures of one storey side by side, central differences take any row",
+        ),
+        Integrator::Exact(settings) => match elastic(scene) {
+            Some(row) if ExactSideBySide::takes(row, settings) => None,
+            Some(_) if two && !scene.pairs().is_empty() => {
+                Some("the exact method goes side by side with a tolerance of 1e-12 or more")
+            }
+            Some(_) | None => Some(
+                "the exact method takes two elastic structures of one storey that can touch side by side, central differences any row",
+            ),
+        },
+        Integrator::Newmark(_)
+        | Integrator::Hht(_)
+        | Integrator::Rk4(_)
+        | Integrator::MoreauJean(_) => Some(
+            "central differences, velocity Verlet and the exact method go side by side, this method does not",
+        ),
+    };
+    let travels = with_row!(&scene.model, row => {
+        (0..row.nodes().len()).any(|node| row.arrival(node) != 0.0)
+    });
+    let smooth = matches!(scene.model, Model::Mixed(_));
+    let of_row = || match (smooth, travels) {
+        (true, _) => Some("Bouc–Wen columns are those of one scene"),
+        (false, true) => {
+            Some("a motion that arrives at one structure after the other is that of one scene")
+        }
+        (false, false) => None,
+    };
+    of_row().or(of_method)
 }
 
 /// A scene, and its place among others.

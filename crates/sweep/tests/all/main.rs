@@ -1,6 +1,7 @@
 //! Sweeps: every row is the run of the scene that one would write by hand, in an order that each number alone tells.
 
 mod accuracy;
+mod alone;
 mod checked;
 mod motions;
 mod parts;

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::{folder, read, sweep, table};
 
 /// Two towers of storeys that yield, which touch at three levels, and what is asked of them.
-fn words(outputs: &Value) -> Value {
+pub(crate) fn words(outputs: &Value) -> Value {
     let tower = |name: &str, period: f64, storeys: usize| {
         let storey = json!({
             "mass_kg": 2e5, "height_m": 3.5, "yield_displacement_m": 0.004, "hardening_ratio": 0.05, "repeat": storeys,

@@ -1,0 +1,96 @@
+//! Why runs go alone, in the words of the program.
+
+use serde_json::{Value, json};
+
+use crate::{folder, scene, sweep, towers};
+
+/// A scene of two elastic structures by a method.
+fn elastic(method: Value) -> Value {
+    let mut scene = scene();
+    let left = scene["structures"][0]["sdof"].as_object_mut();
+    left.expect("a table").remove("yield_displacement_m");
+    scene["method"] = method;
+    scene
+}
+
+/// A scene with a field set.
+fn with(mut scene: Value, place: &str, value: Value) -> Value {
+    let (above, field) = place.rsplit_once('/').expect("a place");
+    scene.pointer_mut(above).expect("a table")[field] = value;
+    scene
+}
+
+fn stepping(name: &str) -> Value {
+    json!({(name): {"time_step_s": 0.001}})
+}
+
+/// Scenes with what is said of them, nothing of those that go side by side.
+fn scenes() -> [(Option<&'static str>, Value); 11] {
+    let (exact, central) = (json!({"exact": {}}), stepping("central_difference"));
+    let towers = towers::words(&json!({}))["scene"].take();
+    let smooth = "/structures/0/sdof/bouc_wen";
+    [
+        (None, scene()),
+        (None, towers.clone()),
+        (None, elastic(central.clone())),
+        (None, elastic(stepping("velocity_verlet"))),
+        (None, elastic(exact.clone())),
+        (Some("this method"), elastic(stepping("rk4"))),
+        (
+            Some("sub-steps"),
+            with(
+                scene(),
+                "/method/central_difference/contact_substeps",
+                json!(4),
+            ),
+        ),
+        (
+            Some("1e-12"),
+            elastic(json!({"exact": {"tolerance": 1e-14}})),
+        ),
+        (
+            Some("one structure after the other"),
+            with(scene(), "/arrivals_s", json!([0.0, 0.1])),
+        ),
+        (
+            Some("Bouc–Wen"),
+            with(scene(), smooth, json!({"exponent": 2})),
+        ),
+        (Some("elastic structures"), with(scene(), "/method", exact)),
+    ]
+}
+
+/// Where nothing is said runs go side by side, and nowhere else.
+#[test]
+fn issue_why_runs_go_alone_is_told() {
+    let folder = folder("alone_because");
+    let words = |scene: Value| {
+        let gaps = json!({"from": 0.005, "to": 0.02, "count": 4});
+        json!({"scene": scene, "vary": [{"field": "contacts[0].gap_m", "grid": gaps}]})
+    };
+    let mut cases: Vec<_> = scenes().map(|(why, scene)| (why, words(scene))).into();
+    let first = json!({"pairs": ["first_start_s"]});
+    cases.push((
+        Some("`first_start_s`"),
+        with(words(scene()), "/outputs", first),
+    ));
+    let most = json!({"pieces": 1_000_000_000});
+    cases.push((Some("`pieces`"), with(words(scene()), "/budget", most)));
+    let verlet = with(
+        scenes()[1].1.clone(),
+        "/method",
+        stepping("velocity_verlet"),
+    );
+    cases.push((Some("velocity Verlet takes two"), words(verlet)));
+    for (why, words) in cases {
+        let sweep = sweep(&folder, &words);
+        let (batch, said) = (sweep.batch(0..4), sweep.alone_because());
+        let failed = batch.failed;
+        assert!(failed.iter().all(Option::is_none), "{why:?}: {failed:?}");
+        assert_eq!(batch.beside > 0, why.is_none(), "{why:?}: {said:?}");
+        let told = said
+            .as_deref()
+            .is_some_and(|said| said.contains(why.unwrap_or("?")));
+        assert_eq!(told, why.is_some(), "{why:?}: {said:?}");
+    }
+}
