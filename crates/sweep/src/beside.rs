@@ -5,8 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::Sweep;
 use super::output::Output;
 use pounding_scene::{
-    FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, alone_because, least_opening,
-    side_by_side,
+    Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, alone_because,
+    least_opening, side_by_side,
 };
 use pounding_solver::SceneSums;
 
@@ -88,8 +88,11 @@ impl Sweep {
         }
         for output in &self.outputs {
             let (number, counts_as) = match output.quantity {
-                Quantity::Floor(asked) => output
-                    .severest(|floor| (of_floor(prepared, (tallies, scene), floor, asked), 0.0)),
+                Quantity::Floor(asked) => output.severest(|place| {
+                    let floor = &prepared.floors().all()[place];
+                    let asked = output.asked_of(floor, asked);
+                    (of_floor(floor, (tallies, scene, place), asked), 0.0)
+                }),
                 Quantity::Pair(asked) => {
                     output.severest(|pair| of_pair(prepared, (tallies, scene), pair, asked))
                 }
@@ -105,12 +108,10 @@ impl Sweep {
 
 /// A number of a floor of one of these scenes; NaN where it has none.
 fn of_floor(
-    prepared: &Simulation,
-    (tallies, scene): (&SceneSums, usize),
-    index: usize,
+    floor: &Floor,
+    (tallies, scene, index): (&SceneSums, usize, usize),
     asked: FloorQuantity,
 ) -> f64 {
-    let floor = &prepared.floors().all()[index];
     let drift = || tallies.drift(scene, index);
     let none = f64::NAN;
     match asked {

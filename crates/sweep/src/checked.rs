@@ -3,7 +3,7 @@
 //! A run alone has a ledger. Scenes side by side have books of their contacts, and what these doubt runs alone. Some of the others, drawn
 //! by their numbers, run alone as well, and have to come to the same: so that a fault of what runs side by side is found, too.
 
-use pounding_scene::{BETWEEN_LOOKS, LEAST_PART, Method, PairQuantity, Quantity, Simulation};
+use pounding_scene::{Method, Simulation};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -95,29 +95,17 @@ impl Sweep {
         ))
     }
 
-    /// How far numbers are from those of a run alone. To which side a peak is may be less than the exact method knows, and a least opening
-    /// is what its run alone sees between looks: peaks count by their magnitudes, and openings by what looks do not explain.
+    /// How far numbers are from those of a run alone. To which side a peak is may be less than the exact method knows: there peaks count by
+    /// their magnitudes.
     fn apart(&self, scene: &Simulation, numbers: &[f64], runs: &TwoRuns<'_>) -> Vec<f64> {
         let is_exact = matches!(scene.method(), Method::Exact { .. });
         let mut apart = Vec::with_capacity(numbers.len());
         for (column, output) in self.outputs.iter().enumerate() {
-            let quantity = output.quantity;
             let (mut one, mut other) = (numbers[column], runs.alone[column]);
-            let least = runs.least[column];
-            if is_exact && quantity.is_peak() {
+            if is_exact && output.quantity.is_peak() {
                 (one, other) = (one.abs(), other.abs());
             }
-            let opening = Quantity::Pair(PairQuantity::LeastOpeningM);
-            let explained = if is_exact && quantity == opening {
-                BETWEEN_LOOKS * least / LEAST_PART
-            } else {
-                0.0
-            };
-            apart.push(if (one - other).abs() <= explained {
-                0.0
-            } else {
-                distance(one, other, least)
-            });
+            apart.push(distance(one, other, runs.least[column]));
         }
         apart
     }

@@ -209,7 +209,7 @@ pub enum SweepError {
         found: &'static str,
     },
     /// Somebody said stop while a method was chosen.
-    #[error("stopped while a method was chosen, before any run; the same command goes on")]
+    #[error("stopped while a method was chosen; the same command begins with that again")]
     Stopped,
     /// An output at which another process is at work.
     #[error(transparent)]

@@ -284,6 +284,9 @@ fn set_tolerance(scene: &mut Value) {
     let method = scene
         .entry("method")
         .or_insert_with(|| serde_json::json!({"exact": {}}));
+    if method.as_str() == Some("exact") {
+        *method = serde_json::json!({"exact": {}});
+    }
     if let Some(exact) = method.get_mut("exact").and_then(Value::as_object_mut) {
         exact.entry("tolerance").or_insert_with(|| TOLERANCE.into());
     }

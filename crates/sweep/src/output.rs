@@ -1,9 +1,19 @@
 //! What a row of structures is made of, and the numbers that are asked of it: a column each.
 
-use pounding_scene::{FloorPair, Floors, PairQuantity, Quantity};
+use pounding_scene::{Floor, FloorPair, FloorQuantity, Floors, PairQuantity, Quantity};
 use serde::Serialize;
 
 use super::file::Outputs;
+
+/// What stands behind the names of a whole building, and of two neighbours.
+const ANY_FLOOR: &str = " (any floor)";
+const ANY_LEVEL: &str = " (any level)";
+
+/// Whether a column is of a whole building, or of two neighbours, by its name.
+pub(super) fn is_of_all(column: &str) -> bool {
+    let of = column.rsplit_once(": ").map_or(column, |(of, _)| of);
+    of.ends_with(ANY_FLOOR) || of.ends_with(ANY_LEVEL)
+}
 
 /// What a row of structures is made of; every run of a sweep has the same, under the names of the first.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -90,7 +100,7 @@ impl Row {
                 self.floors[*place].structure == structure && !self.floors[*place].is_wall
             };
             let own = (0..floors.len()).filter(own).collect();
-            (format!("{} (any floor)", names[structure]), own)
+            (format!("{}{ANY_FLOOR}", names[structure]), own)
         });
         let mut two: Vec<_> = self
             .pairs
@@ -103,13 +113,13 @@ impl Row {
             let own = |place: &usize| self.neighbours(&self.pairs[*place]) == two;
             let name = between(two.map(|structure| &names[structure]));
             let own = (0..pairs.len()).filter(own).collect();
-            (format!("{name} (any level)"), own)
+            (format!("{name}{ANY_LEVEL}"), own)
         });
         [
-            columns(each(&floors), &asked.structures),
-            columns(buildings, &asked.buildings),
-            columns(each(&pairs), &asked.pairs),
-            columns(neighbours, &asked.neighbours),
+            columns(buildings, &asked.buildings, true),
+            columns(neighbours, &asked.neighbours, true),
+            columns(each(&floors), &asked.structures, false),
+            columns(each(&pairs), &asked.pairs, false),
         ]
         .concat()
     }
@@ -119,6 +129,7 @@ impl Row {
 fn columns<Q: Into<Quantity> + Copy + Serialize>(
     of: impl IntoIterator<Item = (String, Vec<usize>)>,
     quantities: &[Q],
+    is_whole: bool,
 ) -> Vec<Output> {
     let of = of.into_iter().filter(|(_, places)| !places.is_empty());
     let columns = of.flat_map(|(name, places)| {
@@ -129,6 +140,7 @@ fn columns<Q: Into<Quantity> + Copy + Serialize>(
                 word,
                 quantity: (*quantity).into(),
                 places: places.clone(),
+                is_whole,
             }
         })
     });
@@ -145,9 +157,23 @@ pub(super) struct Output {
     pub(super) quantity: Quantity,
     /// Floors or pairs, the severest of which it tells; at least one.
     places: Vec<usize>,
+    /// Whether they are all that there are.
+    is_whole: bool,
 }
 
 impl Output {
+    /// What it asks of a floor: of a whole building also the drift of the storey on the ground, which is its displacement.
+    pub(super) fn asked_of(&self, floor: &Floor, quantity: FloorQuantity) -> FloorQuantity {
+        let is_lowest = self.is_whole && !floor.is_upper();
+        if is_lowest && quantity == FloorQuantity::PeakDriftM {
+            FloorQuantity::PeakDisplacementM
+        } else if is_lowest && quantity == FloorQuantity::ResidualDriftAtEndM {
+            FloorQuantity::ResidualDisplacementAtEndM
+        } else {
+            quantity
+        }
+    }
+
     /// The number of the severest place, and what that counts as at least, by those of each; NaN where none has one.
     pub(super) fn severest(&self, of: impl Fn(usize) -> (f64, f64)) -> (f64, f64) {
         let severity = |number: f64| match self.quantity {

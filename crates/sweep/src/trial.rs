@@ -9,14 +9,14 @@ use super::error::RefusedScene;
 use super::manifest::PRICES;
 use super::output::Row;
 use super::plan::{Axis, Plan, Setting};
-use super::spread::Spread;
+use super::spread::{Between, Spread};
 use super::{Sweep, SweepError};
 use pounding_scene::{Error, Floors, Scene, SceneError, SharedMotion, Simulation};
 
 /// Values of a grid or list that are tried: the first ones.
 const MOST_TRIED: u64 = 1000;
-/// Where an interval is tried, as a part of it: in its middle and inside its ends, which may be those of what is allowed.
-const TRIED: [f64; 3] = [0.5, 1e-6, 1.0 - 1e-6];
+/// How far inside its ends an interval is tried, as a part of it: these may be those of what is allowed.
+const NEAR: f64 = 1e-6;
 
 /// The row of a scene that does not run.
 pub(super) fn row_of(scene: &Scene) -> Result<Row, SweepError> {
@@ -109,19 +109,22 @@ fn is_of_values(error: &RefusedScene) -> bool {
     )
 }
 
-/// The values of a spread that are tried. What is distributed without ends reaches beyond what is allowed by its nature, and is tried in
+/// The values of a spread that are tried, each with the one to blame: of an interval the end. What is distributed without ends reaches beyond what is allowed by its nature, and is tried in
 /// the middle alone.
-fn tried(spread: &Spread) -> Vec<Setting> {
-    let sampled = |places: &[f64]| {
-        let values = places.iter().filter_map(|place| spread.sample(*place));
-        values.map(Setting::Number).collect()
-    };
+fn tried(spread: &Spread) -> Vec<(Setting, Setting)> {
+    let itself = |setting: Setting| (setting, setting);
+    let middle = spread.sample(0.5).map(Setting::Number).map(itself);
     match spread {
-        Spread::Uniform(_) | Spread::LogUniform(_) => sampled(&TRIED),
-        Spread::Normal(_) | Spread::LogNormal(_) => sampled(&TRIED[..1]),
+        Spread::Uniform(Between { from, to }) | Spread::LogUniform(Between { from, to }) => {
+            let inside = [(NEAR, *from), (1.0 - NEAR, *to)].into_iter();
+            let inside = inside.filter_map(|(part, end)| Some((spread.sample(part)?, end)));
+            let inside = inside.map(|(value, end)| (Setting::Number(value), Setting::Number(end)));
+            middle.into_iter().chain(inside).collect()
+        }
+        Spread::Normal(_) | Spread::LogNormal(_) => middle.into_iter().collect(),
         Spread::Values(_) | Spread::Grid(_) => {
             let count = spread.count().unwrap_or(0).min(MOST_TRIED);
-            (0..count).map(|value| spread.at(value)).collect()
+            (0..count).map(|value| itself(spread.at(value))).collect()
         }
     }
 }
@@ -133,10 +136,17 @@ impl Sweep {
         let first = self.plan.typical();
         let mut row = None;
         for (index, axis) in self.plan.axes().iter().enumerate() {
-            for setting in tried(&axis.spread) {
+            for (setting, end) in tried(&axis.spread) {
                 let mut settings = first.clone();
-                settings[index] = setting;
-                self.try_one(axis, setting, &settings, &mut row)?;
+                let mut trial = |setting| {
+                    settings[index] = setting;
+                    self.try_one(axis, setting, &settings, &mut row)
+                };
+                if let Err(refused) = trial(setting) {
+                    // The end is the number that stands in the file.
+                    trial(end)?;
+                    return Err(refused);
+                }
             }
         }
         Ok(row)

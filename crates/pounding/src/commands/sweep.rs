@@ -111,7 +111,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
     }
     let words = |error: SweepError| error.to_string();
     stop_when_asked();
-    let waiting = Waiting::new("preparing");
+    let waiting = Waiting::new("reading, choosing a method");
     let sweep = Sweep::read(&args.sweep, Some(&STOPPED)).map_err(words)?;
     drop(waiting);
     new_file::keep(&out, sweep.inputs())?;
@@ -247,7 +247,7 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     let worst = worst.map_or("", |column| column.name.as_str());
     let short = if accuracy.within < SweepAccuracy::SHARE {
         format!(
-            " Those are fewer than the {} of the sample that chose the method: ask for a smaller error, or leave out a number that \
+            " That is less than {} of them, as in the sample that chose the method: ask for a smaller error, or leave out a number that \
              counts whole things.",
             percent(SweepAccuracy::SHARE)
         )
@@ -255,10 +255,10 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
         String::new()
     };
     Ok(format!(
-        "{}. Of {runs} runs measured by the exact method {} are within it in every number; the median of the largest error in a \
+        "{}. Of {runs} runs measured by the exact method {:.0} are within it in every number; the median of the largest error in a \
          row is {}, the largest of these {} ({worst}); other runs may be further off.{short} All columns: {}",
         chosen(accuracy),
-        percent(accuracy.within),
+        accuracy.within * *runs as f64,
         percent(quantiles[0]),
         percent(*largest),
         path.display()

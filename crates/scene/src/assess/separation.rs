@@ -31,7 +31,7 @@ pub struct Separation {
     pub heights: Option<[f64; 2]>,
 }
 
-/// Part of what is required that the looks at a motion between samples may leave out: 3e-9, rounded up.
+/// Part of what is required that is not known: looks at a motion leave out 1e-12 of its terms, fewer looks at long series more.
 const LOOKED: f64 = 1e-8;
 
 impl Separation {

@@ -24,7 +24,7 @@ pub use advice::{Advice, Goal, StepSizes, Trial, holding};
 use model::Model;
 pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::{PairOutcome, least_opening};
-pub use run::{AllRecorders, BETWEEN_LOOKS, Balance, OnRow, RunResult};
+pub use run::{AllRecorders, Balance, OnRow, RunResult};
 pub use run::{Audited, Extras, Recorders};
 pub use side_by_side::{alone_because, side_by_side};
 pub use values::Values;

@@ -12,14 +12,8 @@ use super::Simulation;
 use super::model::{Model, with_row};
 use crate::{Error, Method, SceneError, Structure};
 
-/// Looks at a motion in the shortest natural period; see [`Closings`].
+/// Looks at a motion in the shortest natural period, where its series says no better; see [`Closings`].
 const LOOKS_PER_PERIOD: f64 = 200.0;
-/// How far off a least opening by the exact method is at most, as a part of the displacements of its neighbours: of each what
-/// [`Closings`] leave out between two looks.
-pub const BETWEEN_LOOKS: f64 = {
-    let angle = 2.0 * std::f64::consts::PI / LOOKS_PER_PERIOD;
-    2.0 * angle * angle * angle * angle / 384.0
-};
 
 /// What a run leaves behind.
 #[derive(Debug, Clone)]

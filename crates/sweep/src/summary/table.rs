@@ -8,6 +8,7 @@ use super::form::{Form, Summed};
 use super::octaves::Octaves;
 use super::tally::{CellTally, ColumnTally, Tally};
 use crate::column::SweepColumn;
+use crate::output::is_of_all;
 
 /// Names of the columns behind those that tell cells apart.
 const COLUMNS: [&str; 6] = ["column", "statistic", "at", "value", "low", "high"];
@@ -128,18 +129,41 @@ impl SummaryTable {
 
     /// The lines of all cells, each with its cell.
     fn lines(&self) -> impl Iterator<Item = (u64, Line)> {
-        self.tally.cells.iter().flat_map(|(cell, tally)| {
+        let known = self.known();
+        self.tally.cells.iter().flat_map(move |(cell, tally)| {
             let mut lines = of_runs(tally);
-            for (of, column) in self.form.columns.iter().zip(&tally.columns) {
-                self.of_column(tally, (of, column), &mut lines);
+            let columns = self.form.columns.iter().zip(&tally.columns).zip(&known);
+            for ((of, column), is_known) in columns {
+                self.of_column((tally, *is_known), (of, column), &mut lines);
             }
             lines.into_iter().map(|line| (*cell, line))
         })
     }
 
+    /// Of every column whether some run has the number.
+    fn known(&self) -> Vec<bool> {
+        let has_numbers = |column: usize| {
+            let mut cells = self.tally.cells.values();
+            cells.any(|cell| cell.columns[column].numbers != Octaves::default())
+        };
+        (0..self.form.columns.len()).map(has_numbers).collect()
+    }
+
+    /// Names of the columns of which thresholds are asked for and no run has a number.
+    pub fn without_numbers(&self) -> Vec<String> {
+        let columns = self.form.columns.iter().zip(self.known());
+        let columns = columns.filter(|(of, is_known)| !is_known && !of.thresholds.is_empty());
+        columns.map(|(of, _)| name_of(of)).collect()
+    }
+
+    /// Whether some column is of a whole building or of two neighbours.
+    pub fn has_whole_buildings(&self) -> bool {
+        self.form.columns.iter().any(|of| is_of_all(&of.name))
+    }
+
     fn of_column(
         &self,
-        cell: &CellTally,
+        (cell, is_known): (&CellTally, bool),
         (of, column): (&Summed, &ColumnTally),
         to: &mut Vec<Line>,
     ) {
@@ -167,7 +191,7 @@ impl SummaryTable {
             let bounds = numbers.quantile(*part);
             line("quantile", Some(*part), bounds.map(middle), bounds);
         }
-        for one in exceedances(cell, of, column) {
+        for one in exceedances((cell, is_known), of, column) {
             let Exceedance {
                 threshold,
                 probability,
@@ -228,8 +252,13 @@ impl SummaryTable {
     }
 
     fn summed(&self, cell: &CellTally) -> Vec<SummedColumn> {
-        let columns = self.form.columns.iter().zip(&cell.columns);
-        let summed = |(of, column): (&Summed, &ColumnTally)| {
+        let columns = self
+            .form
+            .columns
+            .iter()
+            .zip(&cell.columns)
+            .zip(self.known());
+        let summed = |((of, column), is_known): ((&Summed, &ColumnTally), bool)| {
             let (numbers, sums) = (&column.numbers, Sums::of(&column.numbers));
             SummedColumn {
                 name: name_of(of),
@@ -239,7 +268,7 @@ impl SummaryTable {
                 median: numbers.quantile(0.5),
                 p84: numbers.quantile(0.84),
                 largest: numbers.ends().map(|ends| ends.1),
-                exceedances: exceedances(cell, of, column),
+                exceedances: exceedances((cell, is_known), of, column),
             }
         };
         columns.map(summed).collect()
@@ -265,12 +294,17 @@ fn of_runs(cell: &CellTally) -> Vec<Line> {
     counts.map(line).into()
 }
 
-/// How often each threshold was exceeded; a run without the number does not. Nothing where no run has one, or all failed.
-fn exceedances(cell: &CellTally, of: &Summed, column: &ColumnTally) -> Vec<Exceedance> {
-    if column.numbers == Octaves::default() {
+/// How often each threshold was exceeded; a run without the number does not. Nothing where no run of the sweep has one, or all of the
+/// cell failed.
+fn exceedances(
+    (cell, is_known): (&CellTally, bool),
+    of: &Summed,
+    column: &ColumnTally,
+) -> Vec<Exceedance> {
+    let runs = cell.runs - cell.failed;
+    if !is_known || runs == 0 {
         return Vec::new();
     }
-    let runs = cell.runs - cell.failed;
     let above = of.thresholds.iter().zip(&column.above);
     let exceedance = |(threshold, above): (&f64, &u64)| Exceedance {
         threshold: *threshold,

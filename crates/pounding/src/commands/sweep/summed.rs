@@ -8,8 +8,8 @@ use crate::text::{NONE, paragraph, short, table};
 /// Most rows of a kind that are printed of all runs together.
 const MOST: usize = 12;
 /// Cells that are printed one by one, and rows of all their blocks.
-const MOST_CELLS: usize = 24;
-const MOST_ROWS: usize = 36;
+const MOST_CELLS: usize = 40;
+const MOST_ROWS: usize = 40;
 
 /// Names of the numbers of a column, and of an exceedance.
 const NUMBERS: [&str; 6] = ["numbers", "mean", "deviation", "median", "84 %", "largest"];
@@ -30,21 +30,31 @@ pub(super) fn told(summary: &SummaryTable) -> String {
         0 | 1 => String::new(),
         2..=MOST_CELLS => paragraph("Cells", &format!("{n_cells}, by {by}")),
         _ => {
-            let text = format!("{n_cells}, by {by}: in the table one by one, here all together");
+            let text = format!(
+                "{n_cells}, by {by}: one by one in the table, with their exceedances; here all together"
+            );
             paragraph("Cells", &text)
         }
     };
     said.push(cells);
+    let without = summary.without_numbers();
+    if !without.is_empty() {
+        let text = format!("no run has {}", without.join(", "));
+        said.push(paragraph("Without", &text));
+    }
     let (blocks, left_out) = if (2..=MOST_CELLS).contains(&n_cells) {
         of_cells(&by, &summary.cells())
     } else {
-        of_columns(&summary.whole())
+        of_columns(&summary.whole(), n_cells < 2)
     };
     said.extend(blocks.iter().map(Block::text));
     if left_out > 0 {
-        let text = format!(
-            "{left_out} more in the table; `buildings` and `neighbours` in `outputs` ask for the severest of all floors and levels"
-        );
+        let hint = if summary.has_whole_buildings() {
+            ""
+        } else {
+            "; `buildings` and `neighbours` in `outputs` ask for the severest of all floors and levels"
+        };
+        let text = format!("{left_out} more in the table{hint}");
         said.extend(["\n".into(), paragraph("More", &text)]);
     }
     said.concat()
@@ -71,10 +81,11 @@ impl Block<'_> {
     }
 }
 
-/// Every column as a row, and every exceedance; how many rows are left out.
-fn of_columns(columns: &[SummedColumn]) -> (Vec<Block<'static>>, usize) {
+/// Every column as a row, and every exceedance of runs that are of one cell; how many rows are left out.
+fn of_columns(columns: &[SummedColumn], is_one_cell: bool) -> (Vec<Block<'static>>, usize) {
     let numbers = columns.iter().map(|one| row(&one.name, numbers(one)));
-    let exceedances = columns.iter().flat_map(|column| {
+    let exceeded = columns.iter().filter(|_| is_one_cell);
+    let exceedances = exceeded.flat_map(|column| {
         let all = column.exceedances.iter();
         all.map(|one| row(&above(column, one), exceedance(Some(one))))
     });

@@ -5,8 +5,8 @@ use crate::Motion;
 use crate::span::{Power, Series, value};
 
 /// Most coefficients of a series that is kept.
-const MOST: usize = 24;
-/// What rounding adds to what a cubic leaves out, as a part of the terms of the series.
+const MOST: usize = 40;
+/// What rounding adds to what a cubic leaves out, as a part of the terms of the series; the cubics between looks leave out no more.
 const ROUNDING: f64 = 1e-12;
 /// What the cubics between looks leave out themselves, as a part of what one cubic does: at most 2⁻⁴.
 const BETWEEN_LOOKS: f64 = 1.1;
@@ -45,8 +45,8 @@ impl From<Cubic> for Piece {
 }
 
 impl Piece {
-    /// A series between two nodes that is to be looked at more than once; `None` where it is no short series in time.
-    pub(super) fn coarse(whole: Cubic, series: &Series<'_>, looks: u32) -> Option<Self> {
+    /// A series between two nodes; `None` where it is no short series in time.
+    pub(super) fn of_series(whole: Cubic, series: &Series<'_>) -> Option<Self> {
         let len = series.displacement.len();
         if len > MOST || series.velocity.len() != len || series.power != Power::One {
             return None;
@@ -54,10 +54,11 @@ impl Piece {
         let [mut displacement, mut velocity] = [[0.0; MOST]; 2];
         displacement[..len].copy_from_slice(series.displacement);
         velocity[..len].copy_from_slice(series.velocity);
+        let bounds = Bounds::of(series.displacement, whole.duration());
         let coarse = Coarse {
             whole,
-            leaves_out: leaves_out(series.displacement, whole.duration()),
-            looks,
+            leaves_out: bounds.leaves_out(),
+            looks: bounds.looks(),
             origin: series.origin,
             end: series.end,
             len,
@@ -130,16 +131,44 @@ impl Coarse {
     }
 }
 
-/// How far a series of a displacement over a time is from the cubic through its ends at most: h⁴/384 times the largest fourth
-/// derivative, which its terms bound.
-fn leaves_out(displacement: &[f64], duration: f64) -> f64 {
-    let (mut power, mut fourth, mut all) = (1.0, 0.0, 0.0);
-    for (n, coefficient) in displacement.iter().enumerate() {
-        let term = coefficient.abs() * power;
-        let n = n as f64;
-        fourth += n * (n - 1.0) * (n - 2.0) * (n - 3.0) * term;
-        all += term;
-        power *= duration;
+/// Bounds of a displacement over a time, by the terms of its series \[m\].
+struct Bounds {
+    /// How far it is from the cubic through its ends: h⁴/384 times the largest fourth derivative.
+    from_cubic: f64,
+    /// Of itself.
+    all: f64,
+}
+
+impl Bounds {
+    fn of(displacement: &[f64], duration: f64) -> Self {
+        let (mut power, mut fourth, mut all) = (1.0, 0.0, 0.0);
+        for (n, coefficient) in displacement.iter().enumerate() {
+            let term = coefficient.abs() * power;
+            let n = n as f64;
+            fourth += n * (n - 1.0) * (n - 2.0) * (n - 3.0) * term;
+            all += term;
+            power *= duration;
+        }
+        Self {
+            from_cubic: fourth / 384.0,
+            all,
+        }
     }
-    BETWEEN_LOOKS * fourth / 384.0 + ROUNDING * all
+
+    /// How far the series is from the cubic through its ends at most \[m\].
+    fn leaves_out(&self) -> f64 {
+        BETWEEN_LOOKS * self.from_cubic + ROUNDING * self.all
+    }
+
+    /// Into how many cubics it is cut, so that they leave out no more than rounding adds: the distance falls with the fourth power of
+    /// their number.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "at least one, and some thousand at most for a short series"
+    )]
+    fn looks(&self) -> u32 {
+        let times = self.from_cubic / (ROUNDING * self.all);
+        times.sqrt().sqrt().ceil().max(1.0) as u32
+    }
 }
