@@ -84,3 +84,29 @@ fn limit_every_number_is_measured() {
     let none = RunErrors::between(&exact, &exact, &prepared);
     assert!(none.largest(QuantityGroup::All).0 == 0.0);
 }
+
+/// Floors that are displaced at the start, touch and come closer: the ledger had not the strain of the one whose span came later.
+#[test]
+fn issue_an_impact_at_the_very_start_is_in_the_ledger() {
+    for [left, right] in [[0.02, 0.01], [0.02, -0.03], [0.0, -0.02], [-0.01, -0.02]] {
+        for method in ["exact = {}", "central_difference.time_step_s = 0.001"] {
+            let scene = format!(
+                r#"name = "begins in touch"
+                record.generated.half_sine = {{ amplitude_m_per_s2 = 0.01, duration_s = 0.5, time_step_s = 0.005 }}
+                method.{method}
+                contacts = [{{ gap_m = {gap}, law.stereomechanical.restitution = 0.5 }}]
+                [[structures]]
+                sdof = {{ name = "left", mass_kg = 4e4, period_s = 1.0, damping.ratio = 0.05, initial_displacement_m = {left}, initial_velocity_m_per_s = 0.1 }}
+                [[structures]]
+                sdof = {{ name = "right", mass_kg = 2e4, period_s = 2.0, damping.ratio = 0.05, initial_displacement_m = {right} }}"#,
+                gap = left - right,
+            );
+            let scene = Scene::parse(scene.as_bytes(), "scene.toml".as_ref()).expect("a scene");
+            let simulation = Simulation::new(&scene, Path::new("")).expect("it can run");
+            let outcome = simulation
+                .run(None)
+                .expect("it keeps the laws of mechanics");
+            assert!(outcome.of_pair(0).collisions > 0, "{left} {right} {method}");
+        }
+    }
+}

@@ -194,7 +194,10 @@ impl Account {
         self.open = true;
         self.first_kinetic = 0.5 * self.mass * (velocity * velocity);
         self.first_momentum = self.mass * velocity;
+        self.momentum = self.first_momentum;
         self.terms.initial = self.first_kinetic + strain;
+        // A neighbour's span may be judged before the first one of this floor.
+        (self.terms.kinetic, self.terms.strain) = (self.first_kinetic, strain);
     }
 
     fn kinetic(&self, state: &State) -> f64 {
