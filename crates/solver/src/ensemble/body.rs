@@ -57,36 +57,23 @@ pub(super) struct InContact<S: Simd> {
     pub(super) jumped: Lanes<S>,
 }
 
-/// A structure at t = 0.
-pub(super) struct AtStart<S: Simd> {
-    /// Displacement \[m\], velocity \[m/s\], and acceleration in equilibrium \[m/s²\].
-    pub(super) displacement: Lanes<S>,
-    pub(super) velocity: Lanes<S>,
-    pub(super) acceleration: Lanes<S>,
-    /// Drift of its storey \[m\].
-    pub(super) drift: Lanes<S>,
-}
-
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
-    /// A structure of some rows of the same shape at the first node to be solved, from what gathers a number of it.
+    /// A structure of some rows of the same shape at t = 0, from what gathers a number of it, and the drift of its storey \[m\]; it does
+    /// not move before it [begins](Self::begin).
     #[inline(always)]
     pub(super) fn new<Single: SideBySideColumn<Beside<Lanes<S>> = Column>>(
         gather: impl Fn(&dyn Fn(&Node<Single>) -> f64) -> Lanes<S>,
-        start: &AtStart<S>,
+        drift: Lanes<S>,
         dt: f64,
     ) -> Self {
         let inverse_mass = gather(&|node| node.inverse_mass);
         let damping = gather(&|node| node.damping);
         let mobile = gather(&|node| node.mobile());
+        let displacement = gather(&|node| node.initial_displacement);
+        let velocity = gather(&|node| node.initial_velocity);
         let column = Single::beside(|number| gather(&|node| number(&node.column)));
-        let AtStart {
-            displacement,
-            velocity,
-            acceleration,
-            drift,
-        } = *start;
+        let loaded = column.loaded(drift);
         let zero = damping.like(0.0);
-        let increment = first_increment([velocity, acceleration], dt);
         let mut coefficients = Coefficients::of(inverse_mass, damping, mobile, dt);
         // A wall stays where it is, whatever the acceleration: one multiplication less in every step.
         coefficients.solve = mobile * coefficients.solve;
@@ -98,21 +85,30 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
             },
             motion: Motion {
                 displacement,
-                increment,
-                earlier: increment,
-                memory: column.loaded(drift).memory,
+                increment: zero,
+                earlier: zero,
+                memory: loaded.memory,
                 extremes: Extremes::of(displacement),
             },
             contact: InContact {
                 is_near: false,
                 force_from_left: zero,
                 force_from_right: zero,
-                displacement: zero,
+                displacement,
                 velocity,
-                restoring_force: zero,
-                jumped: zero,
+                restoring_force: loaded.force,
+                jumped: velocity,
             },
         }
+    }
+
+    /// Begins a run from the acceleration in equilibrium \[m/s²\].
+    #[inline(always)]
+    pub(super) fn begin(&mut self, acceleration: Lanes<S>) {
+        let time_step = self.constants.coefficients.time_step;
+        let increment = first_increment([self.contact.velocity, acceleration], time_step);
+        self.motion.increment = increment;
+        self.motion.earlier = increment;
     }
 
     /// The step from a node at which no lane touches a neighbour.
@@ -153,19 +149,19 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         }
     }
 
-    /// Lets a structure of one storey begin anew from the velocity after a jump, where there was one.
+    /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\].
     #[inline(always)]
-    pub(super) fn restart(&mut self, ground: Lanes<S>) {
+    pub(super) fn acceleration(&self, ground: Lanes<S>) -> Lanes<S> {
         let contact = &self.contact;
         let pounding = contact.pounding() - damping_force(self.dashpot(), None, None);
         let coefficients = &self.constants.coefficients;
-        let acceleration = coefficients.smooth((pounding, contact.restoring_force), ground);
-        self.restart_from(acceleration, contact.jumps());
+        let felt = coefficients.mobile * ground;
+        coefficients.smooth((pounding, contact.restoring_force), felt)
     }
 
     /// Lets the next displacement follow from velocity and acceleration \[m/s²\] after a jump, in these lanes.
     #[inline(always)]
-    pub(super) fn restart_from(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
+    pub(super) fn restart(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
         let (contact, motion) = (&self.contact, &mut self.motion);
         let time_step = self.constants.coefficients.time_step;
         let increment = Coefficients::restarted(time_step, contact.jumped, acceleration);

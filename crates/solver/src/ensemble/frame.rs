@@ -16,6 +16,9 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn> {
     /// Where the structure of a node of the row lies among the structures.
     fn place(&self, node: usize) -> usize;
 
+    /// Begins a run on a ground with this acceleration at t = 0.
+    fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
+
     /// The step from a node at which no lane touches.
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
 
@@ -56,6 +59,13 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     }
 
     #[inline(always)]
+    fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
+        for structure in structures {
+            structure.begin(structure.acceleration(ground));
+        }
+    }
+
+    #[inline(always)]
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
         for structure in structures {
             structure.step(ground);
@@ -93,7 +103,8 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
                 link.left
             };
             for structure in &mut structures[first..=link.right] {
-                structure.restart(ground);
+                let jumps = structure.contact.jumps();
+                structure.restart(structure.acceleration(ground), jumps);
             }
         }
     }

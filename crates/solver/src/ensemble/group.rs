@@ -57,6 +57,12 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         }
     }
 
+    /// Begins a run on a ground with this acceleration at t = 0 \[m/s²\].
+    #[inline(always)]
+    pub(super) fn begin(&mut self, ground: Lanes<S>) {
+        self.frame.begin(self.structures, ground);
+    }
+
     /// Whether structures have nothing to do but to go on, as long as no lane touches.
     #[inline(always)]
     pub(super) fn is_plain(&self) -> bool {

@@ -61,8 +61,10 @@ impl<S: Simd> Jumps<'_, S> {
                     && let Law::Impulsive(law) = pair.law
                     && strike(pair, law, [left, right])
                 {
-                    left.restart(ground);
-                    right.restart(ground);
+                    for structure in [&mut *left, &mut *right] {
+                        let jumps = structure.contact.jumps();
+                        structure.restart(structure.acceleration(ground), jumps);
+                    }
                     if let Some(closings) = closings {
                         closings.jump(0, left.contact.jumped);
                         closings.jump(1, right.contact.jumped);

@@ -155,6 +155,7 @@ impl<'a> SideBySide<'a> {
     /// Whether two rows have the same floors and pairs, with laws of the same kinds, and the ground motion arrives everywhere in the first
     /// at once.
     pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
+        let kind = |pair: &Pair| std::mem::discriminant(&pair.law);
         let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
         let mut pairs = row.pairs().iter().zip(other.pairs());
         let mut nodes = row.nodes().iter().zip(other.nodes());
@@ -162,8 +163,7 @@ impl<'a> SideBySide<'a> {
             && row.nodes().len() == other.nodes().len()
             && nodes.all(|(node, other)| node.support.below() == other.support.below())
             && row.pairs().len() == other.pairs().len()
-            && pairs
-                .all(|(pair, other)| pair.left == other.left && pair.law.name() == other.law.name())
+            && pairs.all(|(pair, other)| pair.left == other.left && kind(pair) == kind(other))
     }
 
     /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they

@@ -2,14 +2,13 @@
 
 use fearless_simd::Simd;
 
-use super::body::{AtStart, Body};
+use super::body::Body;
 use super::column::SideBySideColumn;
 use super::law::Law;
 use super::number::{Lanes, MOST_LANES};
 use super::scenes::{Pair, Structure};
 use super::tally::SceneSum;
-use crate::model::ground::Ground;
-use crate::{Node, Row, State};
+use crate::{Node, Row};
 
 /// Rows of one shape, as many as there are lanes, or fewer; lanes without one repeat the last.
 pub(super) struct Rows<'a, Column> {
@@ -50,37 +49,29 @@ impl<'a, Column> Rows<'a, Column> {
 }
 
 impl<Column: SideBySideColumn> Rows<'_, Column> {
-    /// The states of all rows at t = 0, where the ground has these accelerations \[m/s²\].
-    pub(super) fn states<S: Simd>(self, ground: Lanes<S>) -> Vec<Vec<State>> {
-        let rows = self.rows.iter().enumerate();
-        let of_row =
-            |(lane, row): (usize, &&Row<Column>)| row.initial(Ground::Common(ground.lane(lane))).0;
-        rows.map(of_row).collect()
-    }
-
-    /// A structure of all rows in these states at t = 0, for a time step \[s\].
+    /// A structure of all rows as it is before it feels the ground, for a time step \[s\].
     #[inline(always)]
     pub(super) fn structure<S: Simd>(
         self,
         simd: S,
         node: usize,
-        (states, time_step): (&[Vec<State>], f64),
+        time_step: f64,
     ) -> Structure<S, Column> {
-        let gather = |number: &dyn Fn(&Node<Column>) -> f64| self.gather(simd, node, number);
-        let of_states = |number: &dyn Fn(&Row<Column>, &[State]) -> f64| {
-            let mut values = [0.0; MOST_LANES];
-            for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
-                *value = number(self.lane(lane), &states[lane.min(states.len() - 1)]);
-            }
-            Lanes::new(simd, &values)
+        let displacement = |node| self.gather(simd, node, &|node| node.initial_displacement);
+        let drift = match self.rows[0].nodes()[node].support.below() {
+            None => displacement(node),
+            Some(below) => displacement(node) - displacement(below),
         };
-        let start = AtStart {
-            displacement: of_states(&|_, states| states[node].displacement),
-            velocity: of_states(&|_, states| states[node].velocity),
-            acceleration: of_states(&|_, states| states[node].acceleration),
-            drift: of_states(&|row, states| row.drift(node, states)),
-        };
-        Body::new(gather, &start, time_step)
+        Body::new(|number| self.gather(simd, node, number), drift, time_step)
+    }
+
+    /// Both structures of rows that have two.
+    #[inline(always)]
+    pub(super) fn two<S: Simd>(self, simd: S, time_step: f64) -> [Structure<S, Column>; 2] {
+        [
+            self.structure(simd, 0, time_step),
+            self.structure(simd, 1, time_step),
+        ]
     }
 
     /// A number of a structure of all rows.
@@ -96,19 +87,6 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
             *value = number(&self.lane(lane).nodes()[node]);
         }
         Lanes::new(simd, &values)
-    }
-
-    /// Both structures of rows that have two.
-    #[inline(always)]
-    pub(super) fn two<S: Simd>(
-        self,
-        simd: S,
-        start: (&[Vec<State>], f64),
-    ) -> [Structure<S, Column>; 2] {
-        [
-            self.structure(simd, 0, start),
-            self.structure(simd, 1, start),
-        ]
     }
 
     /// The pair of a structure and its right neighbour, if the rows have one.

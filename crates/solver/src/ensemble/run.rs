@@ -16,7 +16,7 @@ use super::rows::Rows;
 use super::scenes::{Pair, Structure};
 use super::storeys::Storeys;
 use super::{BETWEEN, Grounds, SceneSums, Shaken};
-use crate::{CentralDifference, Row, State};
+use crate::{CentralDifference, Row};
 
 /// Structures of the longest rows that go in step two groups at once, with their motions at hand while nothing touches. Structures of
 /// longer rows do not wait for each other, and a second group doubles the memory in use.
@@ -68,13 +68,9 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
     task: Task<'_, G, Column>,
 ) {
     let parts = task.rows.split::<S>();
-    let at_start = G::at(simd, &task.grounds.nodes::<S, _>(&parts, 0..=0)[0]);
-    let states = [0, 1].map(|group: usize| parts[group].states(at_start[group]));
-    let starts = states
-        .each_ref()
-        .map(|states| (&states[..], method.time_step));
-    if let Some(storeys) = Storeys::of(simd, parts[0], method.time_step) {
-        let (mut structures, mut pairs) = gathered(simd, parts[0], starts[0], storeys.nodes());
+    let dt = method.time_step;
+    if let Some(storeys) = Storeys::of(simd, parts[0], dt) {
+        let (mut structures, mut pairs) = gathered(simd, parts[0], dt, storeys.nodes());
         let mut rounds = rounds::<S, Column>(&storeys, &structures, &pairs);
         let mut closings = closings::<S, Column>((simd, method), &storeys, &pairs);
         let scenes = (&mut structures[..], &mut pairs[..]);
@@ -82,7 +78,7 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
         let mut groups = [Group::new(simd, method, scenes, storeys, lent)];
         steps(method, &mut groups, task);
     } else if parts[0].lane(0).nodes().len() == 2 {
-        let (mut a, mut b) = (parts[0].two(simd, starts[0]), parts[1].two(simd, starts[1]));
+        let (mut a, mut b) = (parts[0].two(simd, dt), parts[1].two(simd, dt));
         let (mut c, mut d) = (
             [parts[0].pair(simd, 0), None],
             [parts[1].pair(simd, 0), None],
@@ -106,9 +102,8 @@ fn run_in_step<S: Simd, Column: SideBySideColumn, G: Grounds>(
         steps(method, &mut groups, task);
     } else {
         let nodes: Vec<_> = (0..parts[0].lane(0).nodes().len()).collect();
-        let scenes = parts[..n_groups].iter().zip(starts);
-        let scenes = scenes.map(|(rows, start)| {
-            let (structures, pairs) = gathered(simd, *rows, start, &nodes);
+        let scenes = parts[..n_groups].iter().map(|rows| {
+            let (structures, pairs) = gathered(simd, *rows, dt, &nodes);
             let rounds = rounds::<S, Column>(&Single, &structures, &pairs);
             let closings = closings::<S, Column>((simd, method), &Single, &pairs);
             (structures, pairs, rounds, closings)
@@ -142,10 +137,10 @@ type Gathered<S, Column> = (Vec<Structure<S, Column>>, Vec<Option<Pair<S>>>);
 fn gathered<S: Simd, Column: SideBySideColumn>(
     simd: S,
     rows: Rows<'_, Column>,
-    start: (&[Vec<State>], f64),
+    time_step: f64,
     in_order: &[usize],
 ) -> Gathered<S, Column> {
-    let structure = |node: &usize| rows.structure(simd, *node, start);
+    let structure = |node: &usize| rows.structure(simd, *node, time_step);
     let pairs = (0..in_order.len()).map(|left| rows.pair(simd, left));
     (in_order.iter().map(structure).collect(), pairs.collect())
 }
@@ -164,6 +159,10 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
 ) {
     let (simd, parts) = (groups[0].simd, rows.split::<S>());
     let between = BETWEEN.div_ceil(rows.lane(0).nodes().len().max(1));
+    let at_start = G::at(simd, &grounds.nodes::<S, _>(&parts, 0..=0)[0]);
+    for (group, ground) in groups.iter_mut().zip(at_start) {
+        group.begin(ground);
+    }
     let mut step = 0;
     while let Some(end) = n_steps.iter().filter(|end| **end >= step).min() {
         if method.budget.is_stopped() {

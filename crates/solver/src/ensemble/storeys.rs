@@ -92,29 +92,18 @@ impl<S: Simd> Storeys<S> {
         }
     }
 
-    /// Acceleration of a floor after the velocity jumps at a node \[m/s²\], and where that or its velocity has jumped.
+    /// Acceleration of a floor in equilibrium after the velocity jumps at a node \[m/s²\].
     #[inline(always)]
-    fn after_jump<Column: SideBySideColumn>(
+    fn acceleration<Column: SideBySideColumn>(
         &self,
         building: &[Structure<S, Column>],
         (first, level): (usize, usize),
         ground: Lanes<S>,
-    ) -> (Lanes<S>, Mask<S>) {
+    ) -> Lanes<S> {
         let floor = &building[level];
         let below = level.checked_sub(1).map(|lower| &building[lower]);
         let above = building.get(level + 1);
         let place = first + level;
-        let constants = &self.coefficients[place];
-        let zero = ground.like(0.0);
-        let (mut around, mut feels) = ([zero; 2], floor.contact.jumps());
-        for (velocity, neighbour) in around.iter_mut().zip([below, above]) {
-            if let Some(neighbour) = neighbour {
-                *velocity = neighbour.contact.velocity;
-                feels = feels | neighbour.contact.jumps();
-            }
-        }
-        let velocities = [around[0], floor.contact.velocity, around[1]];
-        let before = self.accelerations[place] - constants.rates.deceleration(velocities);
         let below = below.map(|below| Below {
             ground_damping: self.ground_damping[place],
             velocity: below.contact.jumped,
@@ -129,8 +118,33 @@ impl<S: Simd> Storeys<S> {
             restoring = restoring - above.contact.restoring_force;
         }
         let pounding = floor.contact.pounding() - damping;
-        let felt = constants.own.mobile * ground;
-        let after = constants.own.smooth((pounding, restoring), felt);
+        let own = &self.coefficients[place].own;
+        own.smooth((pounding, restoring), own.mobile * ground)
+    }
+
+    /// The same, and where that or its velocity has jumped.
+    #[inline(always)]
+    fn after_jump<Column: SideBySideColumn>(
+        &self,
+        building: &[Structure<S, Column>],
+        (first, level): (usize, usize),
+        ground: Lanes<S>,
+    ) -> (Lanes<S>, Mask<S>) {
+        let floor = &building[level];
+        let neighbours = [level.checked_sub(1), Some(level + 1)];
+        let neighbours = neighbours.map(|level| building.get(level?));
+        let zero = ground.like(0.0);
+        let (mut around, mut feels) = ([zero; 2], floor.contact.jumps());
+        for (velocity, neighbour) in around.iter_mut().zip(neighbours) {
+            if let Some(neighbour) = neighbour {
+                *velocity = neighbour.contact.velocity;
+                feels = feels | neighbour.contact.jumps();
+            }
+        }
+        let velocities = [around[0], floor.contact.velocity, around[1]];
+        let rates = &self.coefficients[first + level].rates;
+        let before = self.accelerations[first + level] - rates.deceleration(velocities);
+        let after = self.acceleration::<Column>(building, (first, level), ground);
         let after = Number::select(feels, after, before);
         (
             after,
@@ -202,6 +216,18 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     }
 
     #[inline(always)]
+    fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
+        for range in self.buildings.ranges() {
+            let building = &mut structures[range.clone()];
+            for level in 0..building.len() {
+                let place = (range.start, level);
+                let acceleration = self.acceleration::<Column>(building, place, ground);
+                building[level].begin(acceleration);
+            }
+        }
+    }
+
+    #[inline(always)]
     fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
         self.go_on::<Column, false>(structures, ground);
     }
@@ -231,7 +257,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
             for level in 0..building.len() {
                 let place = (range.start, level);
                 let (acceleration, jumps) = self.after_jump::<Column>(building, place, ground);
-                building[level].restart_from(acceleration, jumps);
+                building[level].restart(acceleration, jumps);
             }
         }
     }
