@@ -49,7 +49,21 @@ pub(super) struct InContact<S: Simd> {
     /// Pounding forces \[N\]; those of compliant pairs are renewed at every such node.
     pub(super) force_from_left: Lanes<S>,
     pub(super) force_from_right: Lanes<S>,
-    /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] where impulsive pairs touch.
+    /// Where impulsive pairs touch.
+    pub(super) node: AtNode<S>,
+}
+
+/// A structure at the node that a step has passed: displacement \[m\] and restoring force \[N\].
+#[derive(Clone, Copy)]
+pub(super) struct Passed<S: Simd> {
+    pub(super) displacement: Lanes<S>,
+    pub(super) restoring_force: Lanes<S>,
+}
+
+/// A structure at a node, after the step from it.
+#[derive(Clone, Copy)]
+pub(super) struct AtNode<S: Simd> {
+    /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\].
     pub(super) displacement: Lanes<S>,
     pub(super) velocity: Lanes<S>,
     pub(super) restoring_force: Lanes<S>,
@@ -94,10 +108,12 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 is_near: false,
                 force_from_left: zero,
                 force_from_right: zero,
-                displacement,
-                velocity,
-                restoring_force: loaded.force,
-                jumped: velocity,
+                node: AtNode {
+                    displacement,
+                    velocity,
+                    restoring_force: loaded.force,
+                    jumped: velocity,
+                },
             },
         }
     }
@@ -106,7 +122,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     #[inline(always)]
     pub(super) fn begin(&mut self, acceleration: Lanes<S>) {
         let time_step = self.constants.coefficients.time_step;
-        let increment = first_increment([self.contact.velocity, acceleration], time_step);
+        let increment = first_increment([self.contact.node.velocity, acceleration], time_step);
         self.motion.increment = increment;
         self.motion.earlier = increment;
     }
@@ -121,23 +137,20 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
     #[inline(always)]
     pub(super) fn step_in_contact(&mut self, ground: Lanes<S>, jumps: bool) {
-        let (displacement, pounding) = (self.motion.displacement, self.contact.pounding());
-        let force = self.constants.step(&mut self.motion, pounding, ground);
+        let pounding = self.contact.pounding();
+        let passed = self.constants.step(&mut self.motion, pounding, ground);
         self.contact.is_near = false;
         if jumps {
-            self.contact.displacement = displacement;
-            self.contact.restoring_force = force;
-            self.contact.velocity = self.velocity_before();
+            self.contact.node.displacement = passed.displacement;
+            self.contact.node.restoring_force = passed.restoring_force;
+            self.contact.node.velocity = self.velocity_before();
         }
     }
 
     /// Velocity at the node before \[m/s\].
     #[inline(always)]
     pub(super) fn velocity_before(&self) -> Lanes<S> {
-        let Motion {
-            earlier, increment, ..
-        } = self.motion;
-        self.constants.coefficients.velocity([earlier, increment])
+        self.constants.velocity_before(&self.motion)
     }
 
     /// Its dashpot after the velocity jumps of a node.
@@ -145,29 +158,24 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     pub(super) fn dashpot(&self) -> Dashpot<Lanes<S>> {
         Dashpot {
             damping: self.constants.damping,
-            velocity: self.contact.jumped,
+            velocity: self.contact.node.jumped,
         }
     }
 
     /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\].
     #[inline(always)]
     pub(super) fn acceleration(&self, ground: Lanes<S>) -> Lanes<S> {
-        let contact = &self.contact;
-        let pounding = contact.pounding() - damping_force(self.dashpot(), None, None);
-        let coefficients = &self.constants.coefficients;
-        let felt = coefficients.mobile * ground;
-        coefficients.smooth((pounding, contact.restoring_force), felt)
+        let pounding = self.contact.pounding();
+        self.constants
+            .acceleration(&self.contact.node, pounding, ground)
     }
 
-    /// Lets the next displacement follow from velocity and acceleration \[m/s²\] after a jump, in these lanes.
+    /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump, in these lanes.
     #[inline(always)]
     pub(super) fn restart(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
-        let (contact, motion) = (&self.contact, &mut self.motion);
-        let time_step = self.constants.coefficients.time_step;
-        let increment = Coefficients::restarted(time_step, contact.jumped, acceleration);
-        let displacement = contact.displacement + increment;
-        motion.increment = Number::select(lanes, increment, motion.increment);
-        motion.displacement = Number::select(lanes, displacement, motion.displacement);
+        let node = &self.contact.node;
+        self.constants
+            .restart(&mut self.motion, node, acceleration, lanes);
     }
 }
 
@@ -177,7 +185,9 @@ impl<S: Simd> InContact<S> {
     pub(super) fn pounding(&self) -> Lanes<S> {
         self.force_from_left + self.force_from_right
     }
+}
 
+impl<S: Simd> AtNode<S> {
     /// Where the velocity has jumped.
     #[inline(always)]
     pub(super) fn jumps(&self) -> Mask<S> {
@@ -198,18 +208,67 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         response.force
     }
 
-    /// The step of a structure of one storey from a node with this net pounding force \[N\]; force of the columns there \[N\].
+    /// Velocity at the node before that of a motion \[m/s\].
+    #[inline(always)]
+    pub(super) fn velocity_before(&self, motion: &Motion<S, Column::Memory>) -> Lanes<S> {
+        let Motion {
+            earlier, increment, ..
+        } = *motion;
+        self.coefficients.velocity([earlier, increment])
+    }
+
+    /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\], with a pounding force \[N\].
+    #[inline(always)]
+    pub(super) fn acceleration(
+        &self,
+        node: &AtNode<S>,
+        pounding: Lanes<S>,
+        ground: Lanes<S>,
+    ) -> Lanes<S> {
+        let dashpot = Dashpot {
+            damping: self.damping,
+            velocity: node.jumped,
+        };
+        let pounding = pounding - damping_force(dashpot, None, None);
+        let felt = self.coefficients.mobile * ground;
+        self.coefficients
+            .smooth((pounding, node.restoring_force), felt)
+    }
+
+    /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump at a node, in these lanes.
+    #[inline(always)]
+    pub(super) fn restart(
+        &self,
+        motion: &mut Motion<S, Column::Memory>,
+        node: &AtNode<S>,
+        acceleration: Lanes<S>,
+        lanes: Mask<S>,
+    ) {
+        let time_step = self.coefficients.time_step;
+        let increment = Coefficients::restarted(time_step, node.jumped, acceleration);
+        let displacement = node.displacement + increment;
+        motion.increment = Number::select(lanes, increment, motion.increment);
+        motion.displacement = Number::select(lanes, displacement, motion.displacement);
+    }
+
+    /// The step of a structure of one storey from a node with this net pounding force \[N\], which it passes.
     #[inline(always)]
     pub(super) fn step(
         &self,
         motion: &mut Motion<S, Column::Memory>,
         pounding: Lanes<S>,
         ground: Lanes<S>,
-    ) -> Lanes<S> {
-        let force = self.respond(motion, motion.displacement);
-        let smooth = self.coefficients.smooth((pounding, force), ground);
+    ) -> Passed<S> {
+        let displacement = motion.displacement;
+        let restoring_force = self.respond(motion, displacement);
+        let smooth = self
+            .coefficients
+            .smooth((pounding, restoring_force), ground);
         motion.go_on(self.coefficients.next(smooth, motion.increment));
-        force
+        Passed {
+            displacement,
+            restoring_force,
+        }
     }
 }
 

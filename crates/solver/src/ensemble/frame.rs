@@ -103,7 +103,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
                 link.left
             };
             for structure in &mut structures[first..=link.right] {
-                let jumps = structure.contact.jumps();
+                let jumps = structure.contact.node.jumps();
                 structure.restart(structure.acceleration(ground), jumps);
             }
         }

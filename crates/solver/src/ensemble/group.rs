@@ -3,15 +3,15 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::body::Body;
+use super::body::{AtNode, Body, Passed};
 use super::books::Push;
 use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
-use super::jump::Jumps;
+use super::jump::{Jumps, struck};
 use super::law::Law;
 use super::number::{Lanes, Mask};
-use super::scenes::{Pair, Scenes, Structure};
+use super::scenes::{Moving, Pair, Scenes, Structure};
 use super::{PairSums, Shaken};
 use crate::impact::rounds::Touching;
 use crate::{CentralDifference, RestoringForce};
@@ -67,6 +67,57 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
     #[inline(always)]
     pub(super) fn is_plain(&self) -> bool {
         !self.busy && self.closings.is_none()
+    }
+
+    /// Whether its first two structures have impacts.
+    #[inline(always)]
+    pub(super) fn has_impacts(&self) -> bool {
+        matches!(&self.pairs[0], Some(pair) if matches!(pair.law, Law::Impulsive(_)))
+    }
+
+    /// Strikes its first two structures where they touch at a node, with their motions after the step from it at hand.
+    #[inline(always)]
+    pub(super) fn strike_at_hand<const N: usize>(
+        &mut self,
+        touches: Mask<S>,
+        left: &[Passed<S>; N],
+        motions: &mut [Moving<S, Column>; N],
+        ground: Lanes<S>,
+    ) {
+        if !Lanes::any(touches) {
+            return;
+        }
+        self.touching_steps += 1;
+        let [Some(pair), ..] = &mut *self.pairs else {
+            return;
+        };
+        let Law::Impulsive(law) = pair.law else {
+            return;
+        };
+        let [one, other] = [&self.structures[0].constants, &self.structures[1].constants];
+        let velocities = [
+            one.velocity_before(&motions[0]),
+            other.velocity_before(&motions[1]),
+        ];
+        let mobilities = [
+            one.coefficients.inverse_mass,
+            other.coefficients.inverse_mass,
+        ];
+        let Some(struck) = struck((touches, law.factor), velocities, mobilities) else {
+            return;
+        };
+        pair.tally.strike(struck.impulse);
+        for index in 0..2 {
+            let constants = &self.structures[index].constants;
+            let node = AtNode {
+                displacement: left[index].displacement,
+                velocity: velocities[index],
+                restoring_force: left[index].restoring_force,
+                jumped: struck.velocities[index],
+            };
+            let acceleration = constants.acceleration(&node, ground.like(0.0), ground);
+            constants.restart(&mut motions[index], &node, acceleration, node.jumps());
+        }
     }
 
     /// A step from a node with this acceleration of the ground \[m/s²\].

@@ -62,12 +62,12 @@ impl<S: Simd> Jumps<'_, S> {
                     && strike(pair, law, [left, right])
                 {
                     for structure in [&mut *left, &mut *right] {
-                        let jumps = structure.contact.jumps();
+                        let jumps = structure.contact.node.jumps();
                         structure.restart(structure.acceleration(ground), jumps);
                     }
                     if let Some(closings) = closings {
-                        closings.jump(0, left.contact.jumped);
-                        closings.jump(1, right.contact.jumped);
+                        closings.jump(0, left.contact.node.jumped);
+                        closings.jump(1, right.contact.node.jumped);
                     }
                 }
             }
@@ -77,7 +77,7 @@ impl<S: Simd> Jumps<'_, S> {
                     if let Some(closings) = closings {
                         for link in rounds.links() {
                             for place in [link.left, link.right].map(|node| frame.place(node)) {
-                                closings.jump(place, structures[place].contact.jumped);
+                                closings.jump(place, structures[place].contact.node.jumped);
                             }
                         }
                     }
@@ -101,14 +101,14 @@ fn strike_all<S: Simd, Column: SideBySideColumn>(
     frame: &impl Frame<S, Column>,
     (structures, pairs): Scenes<'_, S, Column>,
 ) -> bool {
-    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.velocity);
+    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.node.velocity);
     if strikes {
         for (link, impulse) in rounds.struck() {
             if let Some(pair) = &mut pairs[link.left] {
                 pair.tally.strike(impulse);
             }
             for node in [link.left, link.right] {
-                structures[frame.place(node)].contact.jumped = rounds.velocity(node);
+                structures[frame.place(node)].contact.node.jumped = rounds.velocity(node);
             }
         }
     }
@@ -122,14 +122,14 @@ fn strike<S: Simd, Column: RestoringForce<Lanes<S>>>(
     law: Impulsive<S>,
     [left, right]: [&mut Body<S, Column>; 2],
 ) -> bool {
-    let velocities = [left.contact.velocity, right.contact.velocity];
+    let velocities = [left.contact.node.velocity, right.contact.node.velocity];
     let touches = pair.deformation.reaches(velocities[0].like(0.0));
     let mobilities = [mobility(left), mobility(right)];
     let Some(struck) = struck((touches, law.factor), velocities, mobilities) else {
         return false;
     };
     pair.tally.strike(struck.impulse);
-    [left.contact.jumped, right.contact.jumped] = struck.velocities;
+    [left.contact.node.jumped, right.contact.node.jumped] = struck.velocities;
     true
 }
 

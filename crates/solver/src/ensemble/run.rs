@@ -6,6 +6,7 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
+use super::body::Passed;
 use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::{Frame, Single};
@@ -13,7 +14,7 @@ use super::group::Group;
 use super::jump::{Jumps, rounds};
 use super::number::Lanes;
 use super::rows::Rows;
-use super::scenes::{Pair, Structure};
+use super::scenes::{Moving, Pair, Structure};
 use super::storeys::Storeys;
 use super::{BETWEEN, Grounds, SceneSums, Shaken};
 use crate::{CentralDifference, Row};
@@ -216,7 +217,8 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
     }
 }
 
-/// Goes on over nodes while no lane touches, with the motions of so many structures at hand; how many it passed.
+/// Goes on over nodes with the motions of so many structures at hand, while no lane touches; two structures also over their impacts.
+/// How many it passed.
 #[inline(always)]
 #[expect(
     clippy::needless_range_loop,
@@ -233,31 +235,32 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds, 
         std::array::from_fn(|index| motion(one, index)),
         std::array::from_fn(|index| motion(other, index)),
     ];
+    let may_strike = N == 2 && one.has_impacts() && other.has_impacts();
     let mut passed = 0;
     for node in nodes {
-        let mut touching = zero.exceeds(zero);
+        let mut touching = [zero.exceeds(zero); 2];
         for left in 1..N {
-            for (pair, motions) in [
-                (&one.pairs[left - 1], &motions[0]),
-                (&other.pairs[left - 1], &motions[1]),
-            ] {
+            for (group, pair) in [&one.pairs[left - 1], &other.pairs[left - 1]]
+                .into_iter()
+                .enumerate()
+            {
                 if let Some(pair) = pair {
+                    let motions = &motions[group];
                     let ahead = motions[left - 1].displacement - motions[left].displacement;
-                    touching = touching | (ahead - pair.gap).reaches(zero);
+                    touching[group] = touching[group] | (ahead - pair.gap).reaches(zero);
                 }
             }
         }
-        if Lanes::any(touching) {
-            break;
-        }
-        let [ground, its] = G::at(simd, node);
-        for index in 0..N {
-            let constants = [
-                &one.structures[index].constants,
-                &other.structures[index].constants,
-            ];
-            constants[0].step(&mut motions[0][index], zero, ground);
-            constants[1].step(&mut motions[1][index], zero, its);
+        let grounds = G::at(simd, node);
+        if Lanes::any(touching[0] | touching[1]) {
+            if !may_strike {
+                break;
+            }
+            let left = step_at_hand([one, other], &mut motions, grounds);
+            one.strike_at_hand(touching[0], &left[0], &mut motions[0], grounds[0]);
+            other.strike_at_hand(touching[1], &left[1], &mut motions[1], grounds[1]);
+        } else {
+            step_at_hand([one, other], &mut motions, grounds);
         }
         passed += 1;
     }
@@ -266,4 +269,27 @@ fn go_apart<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds, 
         other.structures[index].motion = motions[1][index];
     }
     passed
+}
+
+/// The step of two groups with their motions at hand from a node without pounding forces, and what it leaves behind.
+#[inline(always)]
+fn step_at_hand<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, const N: usize>(
+    [one, other]: [&Group<'_, S, Column, F>; 2],
+    motions: &mut [[Moving<S, Column>; N]; 2],
+    [ground, its]: [Lanes<S>; 2],
+) -> [[Passed<S>; N]; 2] {
+    let zero = ground.like(0.0);
+    let mut left = [[Passed {
+        displacement: zero,
+        restoring_force: zero,
+    }; N]; 2];
+    for index in 0..N {
+        let constants = [
+            &one.structures[index].constants,
+            &other.structures[index].constants,
+        ];
+        left[0][index] = constants[0].step(&mut motions[0][index], zero, ground);
+        left[1][index] = constants[1].step(&mut motions[1][index], zero, its);
+    }
+    left
 }

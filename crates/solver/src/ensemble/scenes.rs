@@ -2,14 +2,17 @@
 
 use fearless_simd::Simd;
 
-use super::body::Body;
-use super::column::SideBySideColumn;
+use super::body::{Body, Motion};
+use super::column::{MemoryOf, SideBySideColumn};
 use super::law::Law;
 use super::number::Lanes;
 use super::tally::SceneSum;
 
 /// A structure of every scene.
 pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
+
+/// What it carries from step to step.
+pub(super) type Moving<S, Column> = Motion<S, MemoryOf<Lanes<S>, Column>>;
 
 /// A structure and its right neighbour, which can touch.
 pub(super) struct Pair<S: Simd> {

@@ -106,16 +106,16 @@ impl<S: Simd> Storeys<S> {
         let place = first + level;
         let below = below.map(|below| Below {
             ground_damping: self.ground_damping[place],
-            velocity: below.contact.jumped,
+            velocity: below.contact.node.jumped,
         });
         let damping = damping_force(
             floor.dashpot(),
             below,
             above.map(Structure::<S, Column>::dashpot),
         );
-        let mut restoring = floor.contact.restoring_force;
+        let mut restoring = floor.contact.node.restoring_force;
         if let Some(above) = above {
-            restoring = restoring - above.contact.restoring_force;
+            restoring = restoring - above.contact.node.restoring_force;
         }
         let pounding = floor.contact.pounding() - damping;
         let own = &self.coefficients[place].own;
@@ -134,21 +134,21 @@ impl<S: Simd> Storeys<S> {
         let neighbours = [level.checked_sub(1), Some(level + 1)];
         let neighbours = neighbours.map(|level| building.get(level?));
         let zero = ground.like(0.0);
-        let (mut around, mut feels) = ([zero; 2], floor.contact.jumps());
+        let (mut around, mut feels) = ([zero; 2], floor.contact.node.jumps());
         for (velocity, neighbour) in around.iter_mut().zip(neighbours) {
             if let Some(neighbour) = neighbour {
-                *velocity = neighbour.contact.velocity;
-                feels = feels | neighbour.contact.jumps();
+                *velocity = neighbour.contact.node.velocity;
+                feels = feels | neighbour.contact.node.jumps();
             }
         }
-        let velocities = [around[0], floor.contact.velocity, around[1]];
+        let velocities = [around[0], floor.contact.node.velocity, around[1]];
         let rates = &self.coefficients[first + level].rates;
         let before = self.accelerations[first + level] - rates.deceleration(velocities);
         let after = self.acceleration::<Column>(building, (first, level), ground);
         let after = Number::select(feels, after, before);
         (
             after,
-            floor.contact.jumps() | (after - before).abs().exceeds(zero),
+            floor.contact.node.jumps() | (after - before).abs().exceeds(zero),
         )
     }
 }
@@ -176,7 +176,7 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
         let structure = &mut self.structures[level];
         let force = structure.constants.respond(&mut structure.motion, drift);
         if IN_CONTACT {
-            structure.contact.restoring_force = force;
+            structure.contact.node.restoring_force = force;
         }
         if level > 0 {
             self.drifts[level] = self.drifts[level].with(drift);
@@ -201,7 +201,7 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
     fn go_on(&mut self, level: usize, increment: Lanes<S>) {
         let structure = &mut self.structures[level];
         if IN_CONTACT {
-            structure.contact.displacement = structure.motion.displacement;
+            structure.contact.node.displacement = structure.motion.displacement;
         }
         structure.motion.go_on(increment);
     }
@@ -243,8 +243,8 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         if jumps {
             for structure in structures {
                 let velocity = structure.velocity_before();
-                structure.contact.velocity = velocity;
-                structure.contact.jumped = velocity;
+                structure.contact.node.velocity = velocity;
+                structure.contact.node.jumped = velocity;
             }
         }
     }
