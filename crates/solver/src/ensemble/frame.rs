@@ -4,17 +4,24 @@ use fearless_simd::Simd;
 
 use super::column::SideBySideColumn;
 use super::number::Lanes;
+use super::rows::Rows;
 use super::scenes::Structure;
 use crate::impact::chain::Link;
 
 /// How the structures of some rows of one shape, or the floors of their buildings, go on from a node with an acceleration of the
 /// ground \[m/s²\].
-pub(super) trait Frame<S: Simd, Column: SideBySideColumn> {
+pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
     /// Whether every structure has an equation of its own.
     const STANDS_ALONE: bool;
 
     /// Where the structure of a node of the row lies among the structures.
     fn place(&self, node: usize) -> usize;
+
+    /// Of some rows, for a time step \[s\].
+    fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self;
+
+    /// The node of the structure at a place.
+    fn node(&self, place: usize) -> usize;
 
     /// Begins a run on a ground with this acceleration at t = 0.
     fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
@@ -54,8 +61,18 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
     const STANDS_ALONE: bool = true;
 
     #[inline(always)]
+    fn of(_: S, _: Rows<'_, Column>, _: f64) -> Self {
+        Self
+    }
+
+    #[inline(always)]
     fn place(&self, node: usize) -> usize {
         node
+    }
+
+    #[inline(always)]
+    fn node(&self, place: usize) -> usize {
+        place
     }
 
     #[inline(always)]

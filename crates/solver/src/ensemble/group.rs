@@ -3,64 +3,90 @@
 use fearless_simd::Simd;
 use pounding_contact::Number;
 
-use super::body::{AtNode, Body, Passed};
+use super::body::Body;
 use super::books::Push;
 use super::closings::Closings;
 use super::column::SideBySideColumn;
 use super::frame::Frame;
-use super::jump::{Jumps, struck};
+use super::jump::jump;
 use super::law::Law;
 use super::number::{Lanes, Mask};
-use super::scenes::{Moving, Pair, Scenes, Structure};
+use super::rows::Rows;
+use super::scenes::{Pair, Structure};
 use super::{PairSums, Shaken};
-use crate::impact::rounds::Touching;
+use crate::impact::rounds::{Rounds, Touching};
 use crate::{CentralDifference, RestoringForce};
 
 /// Scenes of one shape.
-///
-/// Structures and pairs are slices, so that code which knows how many there are gets loops of that length.
-pub(super) struct Group<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
+pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
     pub(super) simd: S,
     time_step: f64,
-    pub(super) structures: &'a mut [Structure<S, Column>],
+    pub(super) structures: Vec<Structure<S, Column>>,
     /// For every structure the pair that it is the left neighbour of.
-    pub(super) pairs: &'a mut [Option<Pair<S>>],
+    pub(super) pairs: Vec<Option<Pair<S>>>,
     frame: F,
-    jumps: Jumps<'a, S>,
+    rounds: Rounds<Lanes<S>>,
     /// Nothing where nobody asks how close neighbours come.
-    closings: Option<&'a mut Closings<S>>,
+    closings: Option<Closings<S>>,
     /// Whether compliant pairs that touched at the node before have their books to close.
     busy: bool,
     /// Steps in which some lane touches.
     pub(super) touching_steps: u64,
 }
 
-impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Column, F> {
+impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F> {
+    /// The scenes of some rows.
     #[inline(always)]
-    pub(super) fn new(
-        simd: S,
-        method: &Shaken<CentralDifference>,
-        (structures, pairs): Scenes<'a, S, Column>,
-        frame: F,
-        (jumps, closings): (Jumps<'a, S>, Option<&'a mut Closings<S>>),
-    ) -> Self {
-        Self {
+    pub(super) fn new(simd: S, method: &Shaken<CentralDifference>, rows: Rows<'_, Column>) -> Self {
+        let mut group = Self {
             simd,
             time_step: method.time_step,
-            jumps,
-            closings,
-            frame,
-            structures,
-            pairs,
+            structures: Vec::new(),
+            pairs: Vec::new(),
+            frame: F::of(simd, rows, method.time_step),
+            rounds: Rounds::new(Vec::new(), rows.lane(0).pairs().len()),
+            closings: None,
             busy: false,
             touching_steps: 0,
+        };
+        group.gather(method, rows);
+        group
+    }
+
+    /// Takes the scenes of other rows of the same shape in place of those it has.
+    #[inline(always)]
+    pub(super) fn renew(&mut self, method: &Shaken<CentralDifference>, rows: Rows<'_, Column>) {
+        self.frame = F::of(self.simd, rows, self.time_step);
+        self.gather(method, rows);
+    }
+
+    #[inline(always)]
+    fn gather(&mut self, method: &Shaken<CentralDifference>, rows: Rows<'_, Column>) {
+        let (frame, structures, pairs) = (&self.frame, &mut self.structures, &mut self.pairs);
+        structures.clear();
+        pairs.clear();
+        let n = rows.lane(0).nodes().len();
+        for place in 0..n {
+            structures.push(rows.structure(self.simd, frame.node(place), self.time_step));
+            pairs.push(rows.pair(self.simd, place));
         }
+        let mobility = |node: usize| {
+            structures[frame.place(node)]
+                .constants
+                .coefficients
+                .inverse_mass
+        };
+        self.rounds.begin((0..n).map(mobility));
+        let clock = (self.simd, self.time_step);
+        let closings = || Closings::new(clock, pairs, |node| frame.place(node));
+        self.closings = method.closings.then(closings);
+        (self.busy, self.touching_steps) = (false, 0);
     }
 
     /// Begins a run on a ground with this acceleration at t = 0 \[m/s²\].
     #[inline(always)]
     pub(super) fn begin(&mut self, ground: Lanes<S>) {
-        self.frame.begin(self.structures, ground);
+        self.frame.begin(&mut self.structures, ground);
     }
 
     /// Whether structures have nothing to do but to go on, as long as no lane touches.
@@ -69,69 +95,18 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         !self.busy && self.closings.is_none()
     }
 
-    /// Whether its first two structures have impacts.
-    #[inline(always)]
-    pub(super) fn has_impacts(&self) -> bool {
-        matches!(&self.pairs[0], Some(pair) if matches!(pair.law, Law::Impulsive(_)))
-    }
-
-    /// Strikes its first two structures where they touch at a node, with their motions after the step from it at hand.
-    #[inline(always)]
-    pub(super) fn strike_at_hand<const N: usize>(
-        &mut self,
-        touches: Mask<S>,
-        left: &[Passed<S>; N],
-        motions: &mut [Moving<S, Column>; N],
-        ground: Lanes<S>,
-    ) {
-        if !Lanes::any(touches) {
-            return;
-        }
-        self.touching_steps += 1;
-        let [Some(pair), ..] = &mut *self.pairs else {
-            return;
-        };
-        let Law::Impulsive(law) = pair.law else {
-            return;
-        };
-        let [one, other] = [&self.structures[0].constants, &self.structures[1].constants];
-        let velocities = [
-            one.velocity_before(&motions[0]),
-            other.velocity_before(&motions[1]),
-        ];
-        let mobilities = [
-            one.coefficients.inverse_mass,
-            other.coefficients.inverse_mass,
-        ];
-        let Some(struck) = struck((touches, law.factor), velocities, mobilities) else {
-            return;
-        };
-        pair.tally.strike(struck.impulse);
-        for index in 0..2 {
-            let constants = &self.structures[index].constants;
-            let node = AtNode {
-                displacement: left[index].displacement,
-                velocity: velocities[index],
-                restoring_force: left[index].restoring_force,
-                jumped: struck.velocities[index],
-            };
-            let acceleration = constants.acceleration(&node, ground.like(0.0), ground);
-            constants.restart(&mut motions[index], &node, acceleration, node.jumps());
-        }
-    }
-
     /// A step from a node with this acceleration of the ground \[m/s²\].
     #[inline(always)]
     pub(super) fn step(&mut self, ground: Lanes<S>) {
         let touches = self.deform();
         if let Some(closings) = &mut self.closings {
-            closings.look(self.structures);
+            closings.look(&self.structures);
         }
         if touches || self.busy {
             self.contact_step(ground);
             self.touching_steps += u64::from(touches);
         } else {
-            self.frame.step(self.structures, ground);
+            self.frame.step(&mut self.structures, ground);
             self.arrive();
         }
     }
@@ -140,7 +115,7 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
     #[inline(always)]
     fn arrive(&mut self) {
         if let Some(closings) = &mut self.closings {
-            closings.arrive(self.structures);
+            closings.arrive(&self.structures);
         }
     }
 
@@ -160,7 +135,7 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
         let place = self.frame.place(node);
         [
             self.structures[place].motion.peak(lane),
-            self.frame.peak_drift(self.structures, place, lane),
+            self.frame.peak_drift(&self.structures, place, lane),
         ]
     }
 
@@ -201,7 +176,7 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
             if let Law::Impulsive(law) = pair.law {
                 jumps = true;
                 let touching = Touching::on_one_ground(touches, law.factor);
-                self.jumps.take((pair.index, left - 1), touching);
+                self.rounds.push((pair.index, left - 1), touching);
             } else {
                 push(pair, neighbours, self.time_step);
                 pair.lingers = pair.tally.lingers();
@@ -209,12 +184,13 @@ impl<'a, S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<'a, S, Co
             }
         }
         self.busy = busy;
-        self.frame.step_in_contact(self.structures, ground, jumps);
+        self.frame
+            .step_in_contact(&mut self.structures, ground, jumps);
         self.arrive();
         if jumps {
-            let scenes = (&mut *self.structures, &mut *self.pairs);
-            let closings = self.closings.as_deref_mut();
-            self.jumps.jump(&mut self.frame, scenes, ground, closings);
+            let scenes = (&mut self.structures[..], &mut self.pairs[..]);
+            let closings = self.closings.as_mut();
+            jump(&mut self.rounds, &mut self.frame, scenes, ground, closings);
         }
     }
 }

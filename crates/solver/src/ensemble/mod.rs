@@ -16,6 +16,7 @@
     reason = "instructions on lanes exist only inside the function that found the machine to have them"
 )]
 
+mod at_hand;
 mod body;
 mod books;
 mod closings;

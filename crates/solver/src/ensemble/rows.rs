@@ -65,15 +65,6 @@ impl<Column: SideBySideColumn> Rows<'_, Column> {
         Body::new(|number| self.gather(simd, node, number), drift, time_step)
     }
 
-    /// Both structures of rows that have two.
-    #[inline(always)]
-    pub(super) fn two<S: Simd>(self, simd: S, time_step: f64) -> [Structure<S, Column>; 2] {
-        [
-            self.structure(simd, 0, time_step),
-            self.structure(simd, 1, time_step),
-        ]
-    }
-
     /// A number of a structure of all rows.
     #[inline(always)]
     pub(super) fn gather<S: Simd>(

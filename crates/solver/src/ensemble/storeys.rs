@@ -37,43 +37,6 @@ struct Building<'a, S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> {
 }
 
 impl<S: Simd> Storeys<S> {
-    /// Of rows in which some floor stands on another one; nothing for others.
-    #[inline(always)]
-    pub(super) fn of<Column: SideBySideColumn>(
-        simd: S,
-        rows: Rows<'_, Column>,
-        time_step: f64,
-    ) -> Option<Self> {
-        let buildings = Buildings::of(rows.lane(0))?;
-        let of_lane = |lane| FloorCoefficients::of(rows.lane(lane), &buildings, time_step);
-        let lanes: [_; MOST_LANES] = std::array::from_fn(of_lane);
-        let zero = Lanes::splat(simd, 0.0);
-        let (mut coefficients, mut ground_damping) = (Vec::new(), Vec::new());
-        let mut places = vec![0; buildings.floors().len()];
-        for (place, node) in buildings.floors().iter().enumerate() {
-            places[*node] = place;
-            let gather = |number: fn(&FloorCoefficients) -> f64| {
-                Lanes::new(simd, &lanes.each_ref().map(|floors| number(&floors[place])))
-            };
-            coefficients.push(FloorCoefficients::beside(gather, time_step));
-            let damping = |lane: usize| rows.lane(lane).nodes()[*node].support.ground_damping();
-            ground_damping.push(Lanes::new(simd, &std::array::from_fn(damping)));
-        }
-        Some(Self {
-            accelerations: vec![zero; coefficients.len()],
-            drifts: vec![Extremes::none(simd); coefficients.len()],
-            coefficients,
-            ground_damping,
-            buildings,
-            places,
-        })
-    }
-
-    /// The nodes of the row in the order of the floors.
-    pub(super) fn nodes(&self) -> &[usize] {
-        self.buildings.floors()
-    }
-
     /// Lets all floors go on from a node.
     #[inline(always)]
     fn go_on<Column: SideBySideColumn, const IN_CONTACT: bool>(
@@ -211,8 +174,40 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
     const STANDS_ALONE: bool = false;
 
     #[inline(always)]
+    fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self {
+        let buildings = Buildings::all(rows.lane(0));
+        let of_lane = |lane| FloorCoefficients::of(rows.lane(lane), &buildings, time_step);
+        let lanes: [_; MOST_LANES] = std::array::from_fn(of_lane);
+        let zero = Lanes::splat(simd, 0.0);
+        let (mut coefficients, mut ground_damping) = (Vec::new(), Vec::new());
+        let mut places = vec![0; buildings.floors().len()];
+        for (place, node) in buildings.floors().iter().enumerate() {
+            places[*node] = place;
+            let gather = |number: fn(&FloorCoefficients) -> f64| {
+                Lanes::new(simd, &lanes.each_ref().map(|floors| number(&floors[place])))
+            };
+            coefficients.push(FloorCoefficients::beside(gather, time_step));
+            let damping = |lane: usize| rows.lane(lane).nodes()[*node].support.ground_damping();
+            ground_damping.push(Lanes::new(simd, &std::array::from_fn(damping)));
+        }
+        Self {
+            accelerations: vec![zero; coefficients.len()],
+            drifts: vec![Extremes::none(simd); coefficients.len()],
+            coefficients,
+            ground_damping,
+            buildings,
+            places,
+        }
+    }
+
+    #[inline(always)]
     fn place(&self, node: usize) -> usize {
         self.places[node]
+    }
+
+    #[inline(always)]
+    fn node(&self, place: usize) -> usize {
+        self.buildings.floors()[place]
     }
 
     #[inline(always)]

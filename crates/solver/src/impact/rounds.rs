@@ -64,6 +64,15 @@ impl<N: Number> Rounds<N> {
         }
     }
 
+    /// Takes structures of such mobilities \[1/kg\] in place of those it has.
+    #[inline(always)]
+    pub(crate) fn begin(&mut self, mobilities: impl Iterator<Item = N>) {
+        self.clear();
+        self.mobilities.clear();
+        self.mobilities.extend(mobilities);
+        self.velocities.clone_from(&self.mobilities);
+    }
+
     /// Forgets the pairs.
     #[inline(always)]
     pub(crate) fn clear(&mut self) {

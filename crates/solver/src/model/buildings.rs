@@ -16,11 +16,16 @@ pub(crate) struct Buildings {
 impl Buildings {
     /// Nothing for a row in which no floor stands on another one.
     pub(crate) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
+        let mut nodes = row.nodes().iter();
+        nodes
+            .any(|node| node.support.below().is_some())
+            .then(|| Self::all(row))
+    }
+
+    /// Of any row; a structure of one storey, or a wall, is a building of one floor.
+    pub(crate) fn all<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let stands = |index: &usize| row.nodes()[*index].support.below().is_some();
         let n = row.nodes().len();
-        if !(0..n).any(|index| stands(&index)) {
-            return None;
-        }
         let (mut floors, mut ranges) = (Vec::with_capacity(n), Vec::new());
         for ground in (0..n).filter(|index| !stands(index)) {
             let first = floors.len();
@@ -31,7 +36,7 @@ impl Buildings {
             }
             ranges.push(first..floors.len());
         }
-        Some(Self { floors, ranges })
+        Self { floors, ranges }
     }
 
     /// Nodes of all floors.
