@@ -5,17 +5,60 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use pounding_solver::Clock;
 use serde_json::{Value, json};
 
 use super::{lanes, setting};
 
 /// Where the ratios are kept, from the top folder.
 const KEPT: &str = "results/bench/sweeps.csv";
-/// Numbers of runs, and how often each sweep runs.
-const RUNS: [(u64, usize); 4] = [(10_000, 5), (100_000, 5), (1_000_000, 3), (10_000_000, 3)];
-const HEADER: &str = "instructions,runs,threads,time_over_loop_by_hand,largest_memory_mb";
+/// What is timed.
+const SWEEPS: [Sweep; 8] = [
+    Sweep::of(10_000, SHORT, Keeps::Rows, 5),
+    Sweep::of(100_000, SHORT, Keeps::Rows, 5),
+    Sweep::of(1_000_000, SHORT, Keeps::Rows, 3),
+    Sweep::of(10_000_000, SHORT, Keeps::Rows, 3),
+    Sweep::of(1_000_000, SHORT, Keeps::Summary, 5),
+    Sweep::of(1_000_000, LONG, Keeps::Summary, 5),
+    Sweep::of(10_000_000, SHORT, Keeps::Summary, 3),
+    Sweep::of(100_000_000, SHORT, Keeps::Summary, 1),
+];
+/// Ten seconds of the record, as in the other benchmarks, and nearly all of it in steps of half the length.
+const SHORT: Clock = setting::CLOCK;
+const LONG: Clock = Clock {
+    time_step: 0.005,
+    n_steps: 6000,
+};
+const HEADER: &str =
+    "instructions,keeps,runs,steps,threads,time_over_loop_by_hand,largest_memory_mb";
 /// How often a sweep that runs is asked for its memory.
 const LOOK: Duration = Duration::from_millis(2);
+
+/// So many runs of so many steps, and how often they are timed.
+struct Sweep {
+    runs: u64,
+    clock: Clock,
+    keeps: Keeps,
+    repeats: usize,
+}
+
+/// What is written: a row for every run, or statistics of all.
+#[derive(Clone, Copy, PartialEq)]
+enum Keeps {
+    Rows,
+    Summary,
+}
+
+impl Sweep {
+    const fn of(runs: u64, clock: Clock, keeps: Keeps, repeats: usize) -> Self {
+        Self {
+            runs,
+            clock,
+            keeps,
+            repeats,
+        }
+    }
+}
 
 /// Times sweeps and keeps the ratios.
 pub(super) fn run(root: &Path) -> Result<(), String> {
@@ -32,18 +75,20 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let (program, home) = (own.with_file_name("pounding"), own.with_file_name("sweeps"));
     fs::create_dir_all(&home).map_err(|error| format!("{}: {error}", home.display()))?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let by_hand = || lanes::seconds_by_hand(root, threads)?.ok_or(lanes::NO_LOOP.to_owned());
-    let (mut before, instructions) = by_hand()?;
+    let by_hand =
+        |clock| lanes::seconds_by_hand(root, threads, clock)?.ok_or(lanes::NO_LOOP.to_owned());
+    let (_, instructions) = by_hand(SHORT)?;
     let mut lines = Vec::new();
-    for (runs, repeats) in RUNS {
-        let sweep = home.join("sweep.json");
-        let text = sweep_of(runs, root).to_string();
-        fs::write(&sweep, text).map_err(|error| format!("{}: {error}", sweep.display()))?;
-        let mut times = Vec::new();
-        let mut memory = 0;
-        for _ in 0..repeats {
+    for sweep in &SWEEPS {
+        let file = home.join("sweep.json");
+        let text = sweep.text(root).to_string();
+        fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
+        let (mut times, mut memory) = (Vec::new(), 0);
+        // The loop by hand before and after: the speed of machines drifts.
+        let (before, _) = by_hand(sweep.clock)?;
+        for _ in 0..sweep.repeats {
             let mut command = Command::new(&program);
-            command.arg("sweep").arg(&sweep);
+            command.arg("sweep").arg(&file);
             command
                 .args(["--overwrite", "--out"])
                 .arg(home.join("runs.csv"));
@@ -52,12 +97,18 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
             memory = memory.max(most);
         }
         times.sort_by(f64::total_cmp);
-        // The loop by hand before and after: the speed of machines drifts.
-        let (after, _) = by_hand()?;
-        let ratio = times[repeats / 2] / runs as f64 / (0.5 * (before + after));
-        before = after;
-        let megabytes = memory.div_ceil(1000);
-        lines.push(format!("{runs},{threads},{ratio:.2},{megabytes}"));
+        let (after, _) = by_hand(sweep.clock)?;
+        let by_hand = 0.5 * (before + after) * sweep.runs as f64;
+        let ratio = times[sweep.repeats / 2] / by_hand;
+        let Sweep { runs, clock, .. } = sweep;
+        let (keeps, steps, megabytes) = (
+            sweep.keeps.name(),
+            clock.n_steps,
+            u64::div_ceil(memory, 1000),
+        );
+        lines.push(format!(
+            "{keeps},{runs},{steps},{threads},{ratio:.2},{megabytes}"
+        ));
     }
     let csv = lanes::keep(&root.join(KEPT), HEADER, instructions, &lines)?;
     println!(
@@ -66,28 +117,43 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The scenes of the other benchmark as a sweep.
-fn sweep_of(runs: u64, root: &Path) -> Value {
-    let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
-    let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});
-    json!({
-        "scene": {
-            "name": "pair",
-            "record": {"file": root.join(setting::RECORD)},
-            "duration_s": 10.0,
-            "structures": [structure("left"), structure("right")],
-            "contacts": [{"gap_m": 0.05, "law": {"stereomechanical": {"restitution": setting::RESTITUTION}}}],
-            "method": {"central_difference": {"time_step_s": 0.01}},
-        },
-        "vary": [
-            {"field": "structures[0].sdof.period_s", "uniform": between(setting::PERIODS)},
-            {"field": "structures[1].sdof.period_s", "uniform": between(setting::PERIODS)},
-            {"field": "contacts[0].gap_m", "uniform": between(setting::GAPS)},
-        ],
-        "samples": {"count": runs, "seed": 1, "method": "random"},
-        "outputs": {"pairs": ["collisions", "total_impulse_n_s"]},
-        "verdict": false,
-    })
+impl Keeps {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Rows => "rows",
+            Self::Summary => "summary",
+        }
+    }
+}
+
+impl Sweep {
+    /// The scenes of the other benchmarks, without a word about speed.
+    fn text(&self, root: &Path) -> Value {
+        let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
+        let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});
+        let Clock { time_step, n_steps } = self.clock;
+        let mut sweep = json!({
+            "scene": {
+                "name": "pair",
+                "record": {"file": root.join(setting::RECORD)},
+                "duration_s": time_step * n_steps as f64,
+                "structures": [structure("left"), structure("right")],
+                "contacts": [{"gap_m": 0.05, "law": {"stereomechanical": {"restitution": setting::RESTITUTION}}}],
+                "method": {"central_difference": {"time_step_s": time_step}},
+            },
+            "vary": [
+                {"field": "structures[0].sdof.period_s", "uniform": between(setting::PERIODS)},
+                {"field": "structures[1].sdof.period_s", "uniform": between(setting::PERIODS)},
+                {"field": "contacts[0].gap_m", "uniform": between(setting::GAPS)},
+            ],
+            "samples": {"count": self.runs, "seed": 1, "method": "random"},
+            "outputs": {"pairs": ["collisions", "total_impulse_n_s"]},
+        });
+        if self.keeps == Keeps::Summary {
+            sweep["summary"] = json!({});
+        }
+        sweep
+    }
 }
 
 /// Wall time \[s\] of a program, and the most memory that it held \[kB\], where the system tells.

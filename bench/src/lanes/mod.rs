@@ -14,7 +14,7 @@ use by_hand::{GROUP, Group};
 pub(super) use by_hand::{Law, STOREYS, instructions};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row, RowsOf,
+    Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row, RowsOf,
     SceneSums, SideBySide,
 };
 
@@ -114,15 +114,16 @@ pub(super) fn keep(
 pub(super) fn seconds_by_hand(
     root: &Path,
     threads: usize,
+    clock: Clock,
 ) -> Result<Option<(f64, &'static str)>, String> {
     let Some(instructions) = instructions() else {
         return Ok(None);
     };
-    let ground = ground(root)?;
+    let ground = setting::ground(root, clock.time_step, clock.n_steps)?;
     let groups = groups(Law::Stereomechanical(RESTITUTION));
     let run = || {
         for group in &groups {
-            black_box(by_hand::run::<false>(group, &ground, CLOCK.time_step));
+            black_box(by_hand::run::<false>(group, &ground, clock.time_step));
         }
     };
     let all = &mut || {
