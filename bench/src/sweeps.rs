@@ -23,8 +23,9 @@ const SWEEPS: [Sweep; 8] = [
     Sweep::of(10_000_000, SHORT, Keeps::Summary, 3),
     Sweep::of(100_000_000, SHORT, Keeps::Summary, 1),
 ];
-/// Ten seconds of the record, as in the other benchmarks, and nearly all of it in steps of half the length.
+/// Ten seconds of the record, as in the other benchmarks.
 const SHORT: Clock = setting::CLOCK;
+/// Nearly all of it, in steps of half the length.
 const LONG: Clock = Clock {
     time_step: 0.005,
     n_steps: 6000,
@@ -49,17 +50,6 @@ enum Keeps {
     Summary,
 }
 
-impl Sweep {
-    const fn of(runs: u64, clock: Clock, keeps: Keeps, repeats: usize) -> Self {
-        Self {
-            runs,
-            clock,
-            keeps,
-            repeats,
-        }
-    }
-}
-
 /// Times sweeps and keeps the ratios.
 pub(super) fn run(root: &Path) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -77,35 +67,17 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let by_hand =
         |clock| lanes::seconds_by_hand(root, threads, clock)?.ok_or(lanes::NO_LOOP.to_owned());
-    let (_, instructions) = by_hand(SHORT)?;
+    let instructions = lanes::instructions().ok_or(lanes::NO_LOOP)?;
     let mut lines = Vec::new();
     for sweep in &SWEEPS {
-        let file = home.join("sweep.json");
-        let text = sweep.text(root).to_string();
-        fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
-        let (mut times, mut memory) = (Vec::new(), 0);
         // The loop by hand before and after: the speed of machines drifts.
-        let (before, _) = by_hand(sweep.clock)?;
-        for _ in 0..sweep.repeats {
-            let mut command = Command::new(&program);
-            command.arg("sweep").arg(&file);
-            command
-                .args(["--overwrite", "--out"])
-                .arg(home.join("runs.csv"));
-            let (seconds, most) = timed(&mut command)?;
-            times.push(seconds);
-            memory = memory.max(most);
-        }
-        times.sort_by(f64::total_cmp);
-        let (after, _) = by_hand(sweep.clock)?;
-        let by_hand = 0.5 * (before + after) * sweep.runs as f64;
-        let ratio = times[sweep.repeats / 2] / by_hand;
-        let Sweep { runs, clock, .. } = sweep;
-        let (keeps, steps, megabytes) = (
-            sweep.keeps.name(),
-            clock.n_steps,
-            u64::div_ceil(memory, 1000),
-        );
+        let before = by_hand(sweep.clock)?;
+        let (seconds, memory) = sweep.time(&program, &home, root)?;
+        let after = by_hand(sweep.clock)?;
+        let ratio = seconds / (0.5 * (before + after) * sweep.runs as f64);
+        let (runs, steps) = (sweep.runs, sweep.clock.n_steps);
+        let keeps = sweep.keeps.name();
+        let megabytes = memory.div_ceil(1000);
         lines.push(format!(
             "{keeps},{runs},{steps},{threads},{ratio:.2},{megabytes}"
         ));
@@ -118,7 +90,7 @@ pub(super) fn run(root: &Path) -> Result<(), String> {
 }
 
 impl Keeps {
-    const fn name(self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
             Self::Rows => "rows",
             Self::Summary => "summary",
@@ -127,7 +99,36 @@ impl Keeps {
 }
 
 impl Sweep {
-    /// The scenes of the other benchmarks, without a word about speed.
+    const fn of(runs: u64, clock: Clock, keeps: Keeps, repeats: usize) -> Self {
+        Self {
+            runs,
+            clock,
+            keeps,
+            repeats,
+        }
+    }
+
+    /// Median time \[s\], and the most memory \[kB\], of a program that runs it from a folder.
+    fn time(&self, program: &Path, home: &Path, root: &Path) -> Result<(f64, u64), String> {
+        let file = home.join("sweep.json");
+        let text = self.text(root).to_string();
+        fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
+        let (mut times, mut memory) = (Vec::new(), 0);
+        for _ in 0..self.repeats {
+            let mut command = Command::new(program);
+            command.arg("sweep").arg(&file);
+            command
+                .args(["--overwrite", "--out"])
+                .arg(home.join("runs.csv"));
+            let (seconds, most) = timed(&mut command)?;
+            times.push(seconds);
+            memory = memory.max(most);
+        }
+        times.sort_by(f64::total_cmp);
+        Ok((times[self.repeats / 2], memory))
+    }
+
+    /// The scenes of the other benchmarks, with what is the default.
     fn text(&self, root: &Path) -> Value {
         let structure = |name: &str| json!({"sdof": {"name": name, "mass_kg": setting::MASS, "period_s": 1.0, "damping": {"ratio": setting::DAMPING}}});
         let between = |[from, to]: [f64; 2]| json!({"from": from, "to": to});

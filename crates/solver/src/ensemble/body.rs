@@ -49,8 +49,8 @@ pub(super) struct InContact<S: Simd> {
     /// Pounding forces \[N\]; those of compliant pairs are renewed at every such node.
     pub(super) force_from_left: Lanes<S>,
     pub(super) force_from_right: Lanes<S>,
-    /// Where impulsive pairs touch.
-    pub(super) node: AtNode<S>,
+    /// At t = 0, and at nodes at which impulsive pairs touch.
+    pub(super) at_node: AtNode<S>,
 }
 
 /// A structure at the node that a step has passed: displacement \[m\] and restoring force \[N\].
@@ -60,7 +60,7 @@ pub(super) struct Passed<S: Simd> {
     pub(super) restoring_force: Lanes<S>,
 }
 
-/// A structure at a node, after the step from it.
+/// A structure at a node, as the step from it finds it.
 #[derive(Clone, Copy)]
 pub(super) struct AtNode<S: Simd> {
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\].
@@ -72,8 +72,9 @@ pub(super) struct AtNode<S: Simd> {
 }
 
 impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
-    /// A structure of some rows of the same shape at t = 0, from what gathers a number of it, and the drift of its storey \[m\]; it does
-    /// not move before it [begins](Self::begin).
+    /// A structure of some rows of the same shape at t = 0, from what gathers a number of it, and the drift of its storey \[m\].
+    ///
+    /// It does not move before it [begins](Self::begin).
     #[inline(always)]
     pub(super) fn new<Single: SideBySideColumn<Beside<Lanes<S>> = Column>>(
         gather: impl Fn(&dyn Fn(&Node<Single>) -> f64) -> Lanes<S>,
@@ -108,7 +109,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
                 is_near: false,
                 force_from_left: zero,
                 force_from_right: zero,
-                node: AtNode {
+                at_node: AtNode {
                     displacement,
                     velocity,
                     restoring_force: loaded.force,
@@ -122,7 +123,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     #[inline(always)]
     pub(super) fn begin(&mut self, acceleration: Lanes<S>) {
         let time_step = self.constants.coefficients.time_step;
-        let increment = first_increment([self.contact.node.velocity, acceleration], time_step);
+        let increment = first_increment([self.contact.at_node.velocity, acceleration], time_step);
         self.motion.increment = increment;
         self.motion.earlier = increment;
     }
@@ -141,9 +142,9 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
         let passed = self.constants.step(&mut self.motion, pounding, ground);
         self.contact.is_near = false;
         if jumps {
-            self.contact.node.displacement = passed.displacement;
-            self.contact.node.restoring_force = passed.restoring_force;
-            self.contact.node.velocity = self.velocity_before();
+            self.contact.at_node.displacement = passed.displacement;
+            self.contact.at_node.restoring_force = passed.restoring_force;
+            self.contact.at_node.velocity = self.velocity_before();
         }
     }
 
@@ -158,7 +159,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     pub(super) fn dashpot(&self) -> Dashpot<Lanes<S>> {
         Dashpot {
             damping: self.constants.damping,
-            velocity: self.contact.node.jumped,
+            velocity: self.contact.at_node.jumped,
         }
     }
 
@@ -167,13 +168,13 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     pub(super) fn acceleration(&self, ground: Lanes<S>) -> Lanes<S> {
         let pounding = self.contact.pounding();
         self.constants
-            .acceleration(&self.contact.node, pounding, ground)
+            .acceleration(&self.contact.at_node, pounding, ground)
     }
 
     /// Lets the next displacement follow from the velocity and the acceleration \[m/s²\] after a jump, in these lanes.
     #[inline(always)]
     pub(super) fn restart(&mut self, acceleration: Lanes<S>, lanes: Mask<S>) {
-        let node = &self.contact.node;
+        let node = &self.contact.at_node;
         self.constants
             .restart(&mut self.motion, node, acceleration, lanes);
     }

@@ -14,16 +14,16 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
     /// Whether every structure has an equation of its own.
     const STANDS_ALONE: bool;
 
-    /// Where the structure of a node of the row lies among the structures.
-    fn place(&self, node: usize) -> usize;
-
     /// Of some rows, for a time step \[s\].
     fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self;
+
+    /// Where the structure of a node of the row lies among the structures.
+    fn place(&self, node: usize) -> usize;
 
     /// The node of the structure at a place.
     fn node(&self, place: usize) -> usize;
 
-    /// Begins a run on a ground with this acceleration at t = 0.
+    /// Begins a run on a ground with this acceleration at t = 0 \[m/s²\].
     fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
 
     /// The step from a node at which no lane touches.
@@ -120,7 +120,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
                 link.left
             };
             for structure in &mut structures[first..=link.right] {
-                let jumps = structure.contact.node.jumps();
+                let jumps = structure.contact.at_node.jumps();
                 structure.restart(structure.acceleration(ground), jumps);
             }
         }

@@ -13,7 +13,7 @@ use super::law::Law;
 use super::number::{Lanes, Mask};
 use super::rows::Rows;
 use super::scenes::{Pair, Structure};
-use super::{PairSums, Shaken};
+use super::{PairSums, SceneSums, Shaken};
 use crate::impact::rounds::{Rounds, Touching};
 use crate::{CentralDifference, RestoringForce};
 
@@ -22,11 +22,11 @@ pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> 
     pub(super) simd: S,
     time_step: f64,
     pub(super) structures: Vec<Structure<S, Column>>,
-    /// For every structure the pair that it is the left neighbour of.
+    /// For every node the pair of which its structure is the left neighbour.
     pub(super) pairs: Vec<Option<Pair<S>>>,
     frame: F,
     rounds: Rounds<Lanes<S>>,
-    /// Nothing where nobody asks how close neighbours come.
+    /// `None` where nobody asks how close neighbours come.
     closings: Option<Closings<S>>,
     /// Whether compliant pairs that touched at the node before have their books to close.
     busy: bool,
@@ -49,37 +49,37 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
             busy: false,
             touching_steps: 0,
         };
-        group.gather(method, rows);
+        group.gather(rows, method.closings);
         group
     }
 
     /// Takes the scenes of other rows of the same shape in place of those it has.
     #[inline(always)]
-    pub(super) fn renew(&mut self, method: &Shaken<CentralDifference>, rows: Rows<'_, Column>) {
+    pub(super) fn renew(&mut self, rows: Rows<'_, Column>) {
         self.frame = F::of(self.simd, rows, self.time_step);
-        self.gather(method, rows);
+        self.gather(rows, self.closings.is_some());
     }
 
     #[inline(always)]
-    fn gather(&mut self, method: &Shaken<CentralDifference>, rows: Rows<'_, Column>) {
+    fn gather(&mut self, rows: Rows<'_, Column>, with_closings: bool) {
         let (frame, structures, pairs) = (&self.frame, &mut self.structures, &mut self.pairs);
         structures.clear();
         pairs.clear();
         let n = rows.lane(0).nodes().len();
         for place in 0..n {
             structures.push(rows.structure(self.simd, frame.node(place), self.time_step));
-            pairs.push(rows.pair(self.simd, place));
+        }
+        for left in 0..n {
+            pairs.push(rows.pair(self.simd, left));
         }
         let mobility = |node: usize| {
-            structures[frame.place(node)]
-                .constants
-                .coefficients
-                .inverse_mass
+            let constants = &structures[frame.place(node)].constants;
+            constants.coefficients.inverse_mass
         };
-        self.rounds.begin((0..n).map(mobility));
+        self.rounds.renew((0..n).map(mobility));
         let clock = (self.simd, self.time_step);
         let closings = || Closings::new(clock, pairs, |node| frame.place(node));
-        self.closings = method.closings.then(closings);
+        self.closings = with_closings.then(closings);
         (self.busy, self.touching_steps) = (false, 0);
     }
 
@@ -89,7 +89,7 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         self.frame.begin(&mut self.structures, ground);
     }
 
-    /// Whether structures have nothing to do but to go on, as long as no lane touches.
+    /// Whether no books are open and nobody asks how close neighbours come.
     #[inline(always)]
     pub(super) fn is_plain(&self) -> bool {
         !self.busy && self.closings.is_none()
@@ -119,24 +119,28 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
         }
     }
 
-    /// What happened to a pair in a lane.
+    /// Tells what happened in a lane as that of a scene.
     #[inline(always)]
-    pub(super) fn sums(&self, pair: &Pair<S>, lane: usize) -> PairSums {
-        let closings = self.closings.as_ref();
-        PairSums {
-            closing: closings.and_then(|closings| closings.of(pair.index, lane)),
-            ..pair.tally.lane(lane)
+    pub(super) fn tell(&self, lane: usize, scene: usize, tallies: &mut SceneSums) {
+        for node in 0..self.structures.len() {
+            let place = self.frame.place(node);
+            let peaks = [
+                self.structures[place].motion.peak(lane),
+                self.frame.peak_drift(&self.structures, place, lane),
+            ];
+            tallies.take_floor(scene, node, peaks);
         }
-    }
-
-    /// Displacement and drift of largest magnitude of a floor in a lane \[m\], where lanes know them.
-    #[inline(always)]
-    pub(super) fn peaks(&self, node: usize, lane: usize) -> [Option<f64>; 2] {
-        let place = self.frame.place(node);
-        [
-            self.structures[place].motion.peak(lane),
-            self.frame.peak_drift(&self.structures, place, lane),
-        ]
+        for pair in self.pairs.iter().flatten() {
+            let closings = self.closings.as_ref();
+            let sums = PairSums {
+                closing: closings.and_then(|closings| closings.of(pair.index, lane)),
+                ..pair.tally.lane(lane)
+            };
+            tallies.take_pair(scene, pair.index, sums);
+            if pair.tally.books.is_doubtful(lane) {
+                tallies.doubt(scene);
+            }
+        }
     }
 
     /// Deformations at a node; true where some lane touches.

@@ -25,7 +25,7 @@ pub(super) fn jump<S: Simd, Column: SideBySideColumn>(
         if let Some(closings) = closings {
             for link in rounds.links() {
                 for place in [link.left, link.right].map(|node| frame.place(node)) {
-                    closings.jump(place, structures[place].contact.node.jumped);
+                    closings.jump(place, structures[place].contact.at_node.jumped);
                 }
             }
         }
@@ -40,14 +40,14 @@ fn strike_all<S: Simd, Column: SideBySideColumn>(
     frame: &impl Frame<S, Column>,
     (structures, pairs): Scenes<'_, S, Column>,
 ) -> bool {
-    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.node.velocity);
+    let strikes = rounds.strike_all(|node| structures[frame.place(node)].contact.at_node.velocity);
     if strikes {
         for (link, impulse) in rounds.struck() {
             if let Some(pair) = &mut pairs[link.left] {
                 pair.tally.strike(impulse);
             }
             for node in [link.left, link.right] {
-                structures[frame.place(node)].contact.node.jumped = rounds.velocity(node);
+                structures[frame.place(node)].contact.at_node.jumped = rounds.velocity(node);
             }
         }
     }
@@ -62,8 +62,8 @@ pub(super) struct Struck<S: Simd> {
 
 /// Strikes pairs that touch in these lanes, each the only one of its scene, with 1 + e; nothing where none approaches.
 ///
-/// A scene that rounding would let approach once more, which takes further rounds, is given up: its velocities are no numbers from
-/// then on, and it runs alone.
+/// A scene that rounding would let approach once more is given up: its velocities are no numbers from then on, and it runs alone.
+/// [`Rounds`] would strike it again.
 #[inline(always)]
 pub(super) fn struck<S: Simd>(
     (touches, factor): (Mask<S>, Lanes<S>),

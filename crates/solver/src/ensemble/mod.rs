@@ -266,7 +266,7 @@ impl Stepping {
     fn takes<Column: RestoringForce>(self, row: &Row<Column>) -> bool {
         match self {
             Self::CentralDifference(_) => true,
-            Self::Verlet(_) => row.nodes().len() == 2 && Buildings::of(row).is_none(),
+            Self::Verlet(_) => row.nodes().len() == 2 && Buildings::of_storeys(row).is_none(),
         }
     }
 }

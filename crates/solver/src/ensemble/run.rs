@@ -27,14 +27,14 @@ struct Task<'a, G, Column> {
 pub(super) fn run<S: Simd, Column: SideBySideColumn>(
     (simd, method): (S, &Shaken<CentralDifference>),
     grounds: impl Grounds,
-    task: (&[&Row<Column>], &[usize]),
+    (rows, n_steps): (&[&Row<Column>], &[usize]),
     tallies: &mut SceneSums,
 ) {
-    let rows = task.0;
+    let method = (simd, method);
     if (0..rows[0].nodes().len()).all(|node| rows[0].stands_alone(node)) {
-        run_in::<S, Column, Single>((simd, method), grounds, task, tallies);
+        run_in::<S, Column, Single>(method, grounds, (rows, n_steps), tallies);
     } else {
-        run_in::<S, Column, Storeys<S>>((simd, method), grounds, task, tallies);
+        run_in::<S, Column, Storeys<S>>(method, grounds, (rows, n_steps), tallies);
     }
 }
 
@@ -50,14 +50,14 @@ fn run_in<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>>(
     let n_groups = if is_short { 2 } else { 1 };
     let in_step = n_groups * Lanes::<S>::N;
     let mut groups = Vec::with_capacity(n_groups);
-    for (index, n_steps) in n_steps.chunks(in_step).enumerate() {
-        let first = index * in_step;
-        let rows = &rows[first..first + n_steps.len()];
+    let chunks = rows.chunks(in_step).zip(n_steps.chunks(in_step));
+    for (chunk, (rows, n_steps)) in chunks.enumerate() {
+        let first = chunk * in_step;
         let rows = Rows { rows, first };
-        for (index, rows) in rows.split::<S>().iter().take(n_groups).enumerate() {
+        for (index, part) in rows.split::<S>().iter().take(n_groups).enumerate() {
             match groups.get_mut(index) {
-                None => groups.push(Group::<S, Column, F>::new(simd, method, *rows)),
-                Some(group) => group.renew(method, *rows),
+                None => groups.push(Group::<S, Column, F>::new(simd, method, *part)),
+                Some(group) => group.renew(*part),
             }
         }
         let task = Task {
@@ -113,16 +113,7 @@ fn steps<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>, G: Grounds>(
             .filter(|of| *of.1 < step && of.1 == end)
         {
             let group = &groups[lane / Lanes::<S>::N];
-            let (lane, scene) = (lane % Lanes::<S>::N, rows.first + lane);
-            for node in 0..group.structures.len() {
-                tallies.take_floor(scene, node, group.peaks(node, lane));
-            }
-            for pair in group.pairs.iter().flatten() {
-                tallies.take_pair(scene, pair.index, group.sums(pair, lane));
-                if pair.tally.books.is_doubtful(lane) {
-                    tallies.doubt(scene);
-                }
-            }
+            group.tell(lane % Lanes::<S>::N, rows.first + lane, tallies);
         }
     }
     let with_scenes = n_steps.len().div_ceil(Lanes::<S>::N);

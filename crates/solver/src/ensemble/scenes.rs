@@ -12,7 +12,7 @@ use super::tally::SceneSum;
 pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
 
 /// What it carries from step to step.
-pub(super) type Moving<S, Column> = Motion<S, MemoryOf<Lanes<S>, Column>>;
+pub(super) type MotionOf<S, Column> = Motion<S, MemoryOf<Lanes<S>, Column>>;
 
 /// A structure and its right neighbour, which can touch.
 pub(super) struct Pair<S: Simd> {
@@ -22,7 +22,7 @@ pub(super) struct Pair<S: Simd> {
     pub(super) lingers: bool,
     pub(super) gap: Lanes<S>,
     pub(super) law: Law<S>,
-    /// Deformation at the node under way \[m\].
+    /// Deformation at the node under way \[m\]; not kept while motions are at hand.
     pub(super) deformation: Lanes<S>,
     pub(super) tally: SceneSum<S>,
 }

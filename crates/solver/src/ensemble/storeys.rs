@@ -69,16 +69,16 @@ impl<S: Simd> Storeys<S> {
         let place = first + level;
         let below = below.map(|below| Below {
             ground_damping: self.ground_damping[place],
-            velocity: below.contact.node.jumped,
+            velocity: below.contact.at_node.jumped,
         });
         let damping = damping_force(
             floor.dashpot(),
             below,
             above.map(Structure::<S, Column>::dashpot),
         );
-        let mut restoring = floor.contact.node.restoring_force;
+        let mut restoring = floor.contact.at_node.restoring_force;
         if let Some(above) = above {
-            restoring = restoring - above.contact.node.restoring_force;
+            restoring = restoring - above.contact.at_node.restoring_force;
         }
         let pounding = floor.contact.pounding() - damping;
         let own = &self.coefficients[place].own;
@@ -97,21 +97,21 @@ impl<S: Simd> Storeys<S> {
         let neighbours = [level.checked_sub(1), Some(level + 1)];
         let neighbours = neighbours.map(|level| building.get(level?));
         let zero = ground.like(0.0);
-        let (mut around, mut feels) = ([zero; 2], floor.contact.node.jumps());
+        let (mut around, mut feels) = ([zero; 2], floor.contact.at_node.jumps());
         for (velocity, neighbour) in around.iter_mut().zip(neighbours) {
             if let Some(neighbour) = neighbour {
-                *velocity = neighbour.contact.node.velocity;
-                feels = feels | neighbour.contact.node.jumps();
+                *velocity = neighbour.contact.at_node.velocity;
+                feels = feels | neighbour.contact.at_node.jumps();
             }
         }
-        let velocities = [around[0], floor.contact.node.velocity, around[1]];
+        let velocities = [around[0], floor.contact.at_node.velocity, around[1]];
         let rates = &self.coefficients[first + level].rates;
         let before = self.accelerations[first + level] - rates.deceleration(velocities);
         let after = self.acceleration::<Column>(building, (first, level), ground);
         let after = Number::select(feels, after, before);
         (
             after,
-            floor.contact.node.jumps() | (after - before).abs().exceeds(zero),
+            floor.contact.at_node.jumps() | (after - before).abs().exceeds(zero),
         )
     }
 }
@@ -139,7 +139,7 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
         let structure = &mut self.structures[level];
         let force = structure.constants.respond(&mut structure.motion, drift);
         if IN_CONTACT {
-            structure.contact.node.restoring_force = force;
+            structure.contact.at_node.restoring_force = force;
         }
         if level > 0 {
             self.drifts[level] = self.drifts[level].with(drift);
@@ -164,7 +164,7 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
     fn go_on(&mut self, level: usize, increment: Lanes<S>) {
         let structure = &mut self.structures[level];
         if IN_CONTACT {
-            structure.contact.node.displacement = structure.motion.displacement;
+            structure.contact.at_node.displacement = structure.motion.displacement;
         }
         structure.motion.go_on(increment);
     }
@@ -175,7 +175,7 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
 
     #[inline(always)]
     fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self {
-        let buildings = Buildings::all(rows.lane(0));
+        let buildings = Buildings::of(rows.lane(0));
         let of_lane = |lane| FloorCoefficients::of(rows.lane(lane), &buildings, time_step);
         let lanes: [_; MOST_LANES] = std::array::from_fn(of_lane);
         let zero = Lanes::splat(simd, 0.0);
@@ -238,8 +238,8 @@ impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
         if jumps {
             for structure in structures {
                 let velocity = structure.velocity_before();
-                structure.contact.node.velocity = velocity;
-                structure.contact.node.jumped = velocity;
+                structure.contact.at_node.velocity = velocity;
+                structure.contact.at_node.jumped = velocity;
             }
         }
     }

@@ -64,9 +64,9 @@ impl<N: Number> Rounds<N> {
         }
     }
 
-    /// Takes structures of such mobilities \[1/kg\] in place of those it has.
+    /// Takes structures of such mobilities \[1/kg\] in place of those it has, and forgets the pairs.
     #[inline(always)]
-    pub(crate) fn begin(&mut self, mobilities: impl Iterator<Item = N>) {
+    pub(crate) fn renew(&mut self, mobilities: impl Iterator<Item = N>) {
         self.clear();
         self.mobilities.clear();
         self.mobilities.extend(mobilities);

@@ -15,15 +15,15 @@ pub(crate) struct Buildings {
 
 impl Buildings {
     /// Nothing for a row in which no floor stands on another one.
-    pub(crate) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
+    pub(crate) fn of_storeys<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
         let mut nodes = row.nodes().iter();
         nodes
             .any(|node| node.support.below().is_some())
-            .then(|| Self::all(row))
+            .then(|| Self::of(row))
     }
 
     /// Of any row; a structure of one storey, or a wall, is a building of one floor.
-    pub(crate) fn all<Column: RestoringForce>(row: &Row<Column>) -> Self {
+    pub(crate) fn of<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let stands = |index: &usize| row.nodes()[*index].support.below().is_some();
         let n = row.nodes().len();
         let (mut floors, mut ranges) = (Vec::with_capacity(n), Vec::new());

@@ -184,7 +184,7 @@ mod tests {
             levels.floor(node, storey)
         });
         let row = Row::new(nodes.collect(), vec![]).expect("a valid row");
-        let buildings = Buildings::of(&row).expect("floors stand on floors");
+        let buildings = Buildings::of_storeys(&row).expect("floors stand on floors");
         assert_eq!(buildings.floors(), [0, 3, 5, 6, 1, 2, 4]);
         assert_eq!(buildings.ranges(), [0..4, 4..5, 5..7]);
         let mut dashpots = Dashpots::new(&row, &buildings);

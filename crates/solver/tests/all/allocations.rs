@@ -86,7 +86,13 @@ fn limit_a_step_side_by_side_allocates_nothing() {
     };
     let central = Stepping::from(CentralDifference::default());
     // Storeys of every structure, and structures.
-    let methods = [(central, 1, 5), (central, 3, 2), (verlet.into(), 1, 2)];
+    let methods = [
+        (central, 1, 5),
+        (central, 1, 2),
+        (central, 1, 3),
+        (central, 3, 2),
+        (verlet.into(), 1, 2),
+    ];
     let laws = [STEREOMECHANICAL, VISCOELASTIC];
     for ((method, storeys, n), law) in methods
         .into_iter()

@@ -36,7 +36,7 @@ struct Solution {
 impl Storeys {
     /// Nothing for a row of structures of one storey.
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>, steps: [f64; 2]) -> Option<Self> {
-        let buildings = Buildings::of(row)?;
+        let buildings = Buildings::of_storeys(row)?;
         Some(Self {
             coefficients: steps.map(|dt| FloorCoefficients::of(row, &buildings, dt)),
             solutions: vec![Solution::default(); row.nodes().len()],

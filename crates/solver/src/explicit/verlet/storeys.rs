@@ -18,7 +18,7 @@ pub(super) struct Storeys {
 impl Storeys {
     /// Nothing for a row of structures of one storey.
     pub(super) fn of<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
-        let buildings = Buildings::of(row)?;
+        let buildings = Buildings::of_storeys(row)?;
         Some(Self {
             dashpots: Dashpots::new(row, &buildings),
             buildings,

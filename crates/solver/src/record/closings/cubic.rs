@@ -128,7 +128,7 @@ impl Cubic {
     }
 
     /// Its largest value and where it is first.
-    #[inline(always)]
+    #[inline(always)] // Called instead, openings side by side take 1.12 times as long.
     pub(crate) fn highest(&self) -> Closing {
         let [u, a, b, c] = self.coefficients();
         // Slope a + 2bs + 3cs²; without a root where it does not change its sign. A root that is no number, of b = 0 and
