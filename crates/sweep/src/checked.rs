@@ -77,8 +77,16 @@ impl Sweep {
         let Some(furthest) = furthest.filter(|place| apart[*place] > 0.0) else {
             return Ok(());
         };
-        let allowed = if let Method::Exact { tolerance, .. } = scene.method() {
-            self.allowed(scene, runs, tolerance)
+        let allowed = if let Method::Exact {
+            tolerance,
+            simultaneous_impacts,
+        } = scene.method()
+        {
+            let looser = Method::Exact {
+                tolerance: 10.0 * tolerance,
+                simultaneous_impacts,
+            };
+            self.allowed(scene, runs, tolerance, looser)
         } else {
             0.0
         };
@@ -110,14 +118,21 @@ impl Sweep {
         apart
     }
 
-    /// How far numbers of the exact method may be apart: as a change of the record's size or pace as small as its tolerance moves the
-    /// furthest of them.
-    fn allowed(&self, scene: &Simulation, runs: &TwoRuns<'_>, tolerance: f64) -> f64 {
+    /// How far numbers of the exact method may be apart: as the furthest of them is moved by a change of the record's size or pace that is as
+    /// small as the tolerance, or by a tolerance ten times as large. The last one speaks where the start moves more than the ground does.
+    fn allowed(
+        &self,
+        scene: &Simulation,
+        runs: &TwoRuns<'_>,
+        tolerance: f64,
+        looser: Method,
+    ) -> f64 {
         let change = tolerance.max(CHANGE);
         let by = 1.0 + change;
         let changed = [
             scene.under(|record| record.scaled(by)),
             scene.under(|record| record.stretched(by)),
+            scene.with_method(looser),
         ];
         let mut furthest = 0.0;
         let (mut moved, mut least) = (Vec::new(), Vec::new());

@@ -95,3 +95,28 @@ fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
     );
     assert_eq!(alone, together);
 }
+
+/// The start moves a heavy structure a thousand times as far as the ground does: what the tolerance leaves of its momentum is much of a small impulse,
+/// and no fault.
+#[test]
+fn issue_what_the_tolerance_leaves_of_a_small_impulse_is_no_fault() {
+    let harmonic = json!({"amplitude_m_per_s2": 9.6, "frequency_hz": 1.0, "duration_s": 12.0, "time_step_s": 0.0025});
+    let structure = json!({"sdof": {
+        "name": "pile", "mass_kg": 5.7e5, "period_s": 0.071, "damping": {"ratio": 0.3},
+        "initial_velocity_m_per_s": -0.3, "initial_displacement_m": -0.07,
+    }});
+    let law = json!({"hertz_damp": {"impact_stiffness_n_per_m1_5": 2e7, "restitution": 0.9}});
+    let words = json!({
+        "scene": {
+            "name": "pile beside a wall",
+            "record": {"generated": {"harmonic": harmonic}},
+            "structures": [structure, {"wall": {}}],
+            "contacts": [{"gap_m": 0.01, "law": law}],
+            "method": {"exact": {"tolerance": 1e-12}},
+        },
+        "vary": [{"field": "contacts[0].gap_m", "values": [0.019]}],
+    });
+    let batch = sweep(&folder("checked_tolerance"), &words).batch(0..1);
+    assert_eq!(batch.failed, [None]);
+    assert_eq!(batch.checked, [Checked::Both]);
+}
