@@ -77,19 +77,22 @@ impl Sweep {
         let Some(furthest) = furthest.filter(|place| apart[*place] > 0.0) else {
             return Ok(());
         };
-        let allowed = if let Method::Exact {
+        let mut allowed = 0.0;
+        if let Method::Exact {
             tolerance,
             simultaneous_impacts,
         } = scene.method()
         {
-            let looser = Method::Exact {
-                tolerance: 10.0 * tolerance,
-                simultaneous_impacts,
-            };
-            self.allowed(scene, runs, tolerance, looser)
-        } else {
-            0.0
-        };
+            let change = tolerance.max(CHANGE);
+            allowed = TIMES * change;
+            if apart[furthest] > allowed {
+                let looser = Method::Exact {
+                    tolerance: 10.0 * tolerance,
+                    simultaneous_impacts,
+                };
+                allowed += TIMES * self.moved(scene, runs, change, looser);
+            }
+        }
         if apart[furthest] <= allowed {
             return Ok(());
         }
@@ -118,16 +121,9 @@ impl Sweep {
         apart
     }
 
-    /// How far numbers of the exact method may be apart: as the furthest of them is moved by a change of the record's size or pace that is as
-    /// small as the tolerance, or by a tolerance ten times as large. The last one speaks where the start moves more than the ground does.
-    fn allowed(
-        &self,
-        scene: &Simulation,
-        runs: &TwoRuns<'_>,
-        tolerance: f64,
-        looser: Method,
-    ) -> f64 {
-        let change = tolerance.max(CHANGE);
+    /// How far the furthest number of the exact method moves with a change of the record's size or pace as small as this, or by a looser method.
+    /// The last one speaks where the start moves more than the ground does.
+    fn moved(&self, scene: &Simulation, runs: &TwoRuns<'_>, change: f64, looser: Method) -> f64 {
         let by = 1.0 + change;
         let changed = [
             scene.under(|record| record.scaled(by)),
@@ -143,7 +139,7 @@ impl Sweep {
             let moved = self.apart(scene, &moved, runs);
             furthest = moved.into_iter().fold(furthest, f64::max);
         }
-        TIMES * (change + furthest)
+        furthest
     }
 }
 

@@ -13,7 +13,9 @@ struct Rows(Vec<u8>);
 impl Rows {
     /// A text; its line breaks become blanks, so that a row is a line.
     fn field(&mut self, field: &str) {
-        if !field.is_empty() {
+        if is_plain(field) {
+            self.0.extend_from_slice(field.as_bytes());
+        } else if !field.is_empty() {
             let line = field.replace(['\n', '\r'], " ");
             self.0.extend(quoted(&pounding_text::no_formula(&line)));
         }
@@ -43,9 +45,20 @@ impl Rows {
     }
 }
 
+/// Whether a text is a word that neither CSV nor a spreadsheet reads as anything else: nearly all fields of a long table.
+fn is_plain(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_ascii_alphabetic())
+        && text
+            .bytes()
+            .all(|byte| byte.is_ascii_alphanumeric() || b" _.-".contains(&byte))
+}
+
 /// A text as a field of CSV, in quotes where it needs them.
 fn quoted(text: &str) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    // A buffer of the usual size would be cleared for every field.
+    let mut writer = csv::WriterBuilder::new()
+        .buffer_capacity(2 * text.len() + 4)
+        .from_writer(Vec::new());
     writer.write_record([text]).expect("memory takes all");
     let mut bytes = writer.into_inner().expect("memory takes all");
     bytes.pop();
