@@ -10,7 +10,7 @@ use rand_pcg::rand_core::Rng;
 use super::Sweep;
 use super::column_errors::distance;
 
-/// Of so many scenes side by side one runs alone, too: they then take a tenth longer at most.
+/// Of so many scenes side by side one runs alone, too: they then take an eighth longer at most.
 const ONE_IN: u64 = 2048;
 /// Relative change of a record that tells what rounding moves.
 const CHANGE: f64 = 1e-12;
