@@ -157,10 +157,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Body<S, Column> {
     /// Its dashpot after the velocity jumps of a node.
     #[inline(always)]
     pub(super) fn dashpot(&self) -> Dashpot<Lanes<S>> {
-        Dashpot {
-            damping: self.constants.damping,
-            velocity: self.contact.at_node.jumped,
-        }
+        self.constants.dashpot(&self.contact.at_node)
     }
 
     /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\].
@@ -218,6 +215,15 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         self.coefficients.velocity([earlier, increment])
     }
 
+    /// The dashpot after the velocity jumps of a node.
+    #[inline(always)]
+    fn dashpot(&self, node: &AtNode<S>) -> Dashpot<Lanes<S>> {
+        Dashpot {
+            damping: self.damping,
+            velocity: node.jumped,
+        }
+    }
+
     /// Acceleration of a structure of one storey in equilibrium after the velocity jumps of a node \[m/s²\], with a pounding force \[N\].
     #[inline(always)]
     pub(super) fn acceleration(
@@ -226,11 +232,7 @@ impl<S: Simd, Column: RestoringForce<Lanes<S>>> Constants<S, Column> {
         pounding: Lanes<S>,
         ground: Lanes<S>,
     ) -> Lanes<S> {
-        let dashpot = Dashpot {
-            damping: self.damping,
-            velocity: node.jumped,
-        };
-        let pounding = pounding - damping_force(dashpot, None, None);
+        let pounding = pounding - damping_force(self.dashpot(node), None, None);
         let felt = self.coefficients.mobile * ground;
         self.coefficients
             .smooth((pounding, node.restoring_force), felt)

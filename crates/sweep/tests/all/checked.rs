@@ -96,7 +96,7 @@ fn issue_a_row_that_breaks_a_law_is_refused_side_by_side() {
     assert_eq!(alone, together);
 }
 
-/// The start moves a heavy structure a thousand times as far as the ground does: what the tolerance leaves of its momentum is much of a small impulse,
+/// The start moves a heavy structure more than the ground does: what the tolerance leaves of its momentum is much of a small impulse,
 /// and no fault.
 #[test]
 fn issue_what_the_tolerance_leaves_of_a_small_impulse_is_no_fault() {
