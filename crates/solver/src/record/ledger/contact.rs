@@ -139,6 +139,7 @@ impl Contact {
     }
 
     /// Books the span of a side, 0 for the left structure and 1 for the right one.
+    #[inline]
     pub(super) fn push(
         &mut self,
         pair: usize,
