@@ -2,7 +2,7 @@
 //!
 //! Counts of work, which are the same on every machine, with weights that were measured: processor time of sweeps of nearly the
 //! same scene, with and without a ledger, of two to ten structures and of buildings of six and three storeys, elastic and hardening,
-//! with impacts and with compliant laws. These times are within a fifth of the weight; long contacts of compliant laws take more.
+//! with impacts and with compliant laws. Times of runs are within a fifth of what they count for; long contacts of compliant laws take more.
 
 use pounding_solver::Work;
 
@@ -10,10 +10,10 @@ use crate::accuracy::methods::is_compliant;
 use crate::simulation::Simulation;
 use crate::{EVALUATIONS_PER_PIECE, Method, Structure};
 
-/// Where scenes go side by side by a stepping method, how many of them cost as much as one alone: 29 to 43, and 21 of buildings
+/// Where scenes go side by side by a stepping method, how many of them cost as much as one alone: 27 to 48, and 22 of buildings
 /// (docs/performance.md).
 const BESIDE: [f64; 2] = [40.0, 20.0];
-/// What a ledger adds to an evaluation in a step: 0.6 to 0.8, and 0.3 in buildings.
+/// What a ledger adds to an evaluation in a step: 0.5 to 0.8, and 0.3 in buildings.
 const LEDGER_OF_STEP: f64 = 0.6;
 
 /// How many times as much a piece of motion of the exact method costs with a ledger: 1.6 to 1.8.

@@ -173,7 +173,7 @@ impl Simulation {
         })
     }
 
-    /// The same without the ledger, which for the exact method takes two fifths of the time: of timings, and of what is judged
+    /// The same without the ledger, which for the exact method takes nearly half of the time: of timings, and of what is judged
     /// elsewhere.
     ///
     /// # Errors

@@ -1,11 +1,12 @@
 //! The ledger finds what a method reports wrongly: each fault is put into a good run, and each must show.
 
+use std::cell::Cell;
 use std::fmt::Write;
 
 use insta::assert_snapshot;
 use pounding_solver::{
-    BoucWen, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path, Recorder, Row,
-    SimultaneousImpacts, Smoothness, Span,
+    BoucWen, ElastoPlastic, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path,
+    Recorder, Row, SimultaneousImpacts, Smoothness, Span,
 };
 
 use crate::common::{
@@ -39,19 +40,30 @@ impl<S: Fn(&mut Span<'_>), I: Fn(&mut Impact) -> bool> Recorder for Faulty<'_, S
 }
 
 /// What the ledger says of a run with a fault: own balances and physical one, and its verdict.
+type Found = ([f64; 3], Result<(), LedgerError>);
+
+/// That of two structures.
 fn found(
     method: Integrator,
     span: impl Fn(&mut Span<'_>),
     impact: impl Fn(&mut Impact) -> bool,
-) -> ([f64; 3], Result<(), LedgerError>) {
+) -> Found {
+    found_between([yielding(WEAK), yielding(STIFF)], method, span, impact)
+}
+
+fn found_between(
+    nodes: [Node<ElastoPlastic>; 2],
+    method: Integrator,
+    span: impl Fn(&mut Span<'_>),
+    impact: impl Fn(&mut Impact) -> bool,
+) -> Found {
     let samples = ground();
     let law = if method == AVERAGE {
         STEREOMECHANICAL
     } else {
         VISCOELASTIC
     };
-    let row = Row::new(vec![yielding(WEAK), yielding(STIFF)], pairs(2, 0.02, law))
-        .expect("the row is valid");
+    let row = Row::new(nodes.to_vec(), pairs(2, 0.02, law)).expect("the row is valid");
     let excitation = Excitation::new(0.01, &samples).expect("the ground motion is finite");
     let mut faulty = Faulty {
         ledger: Ledger::new(&row, excitation).held_to(method.laws()),
@@ -174,7 +186,7 @@ fn limit_a_looser_tolerance_leaves_no_more_than_its_bound() {
 
 #[test]
 fn limit_a_wrong_impulse_shows_in_the_methods_own_balance() {
-    let shows = |what: &str, ([identity, momentum, _], _): ([f64; 3], Result<(), LedgerError>)| {
+    let shows = |what: &str, ([identity, momentum, _], _): Found| {
         assert!(identity > 1e-7, "{what}: energy {identity:e}");
         assert!(momentum > 1e-7, "{what}: momentum {momentum:e}");
     };
@@ -204,10 +216,37 @@ fn limit_a_wrong_energy_shows_in_the_physical_balance() {
     assert!(residual > 1e-4, "the energies are not: {residual:e}");
 }
 
+/// A look at every second piece would miss every second one of these.
+#[test]
+fn issue_an_end_that_is_wrong_once_is_found() {
+    let wall = Node::wall(yielding(WEAK).column);
+    for nodes in [
+        [yielding(WEAK), yielding(STIFF)],
+        [yielding(WEAK), wall],
+        [wall, yielding(WEAK)],
+    ] {
+        for (method, wrong) in (0..8).flat_map(|wrong| [(CENTRAL, wrong), (EXACT, wrong)]) {
+            let seen = Cell::new(0);
+            let once = |span: &mut Span<'_>| {
+                if span.start_time > 1.0 && span.end.velocity != 0.0 {
+                    if seen.get() == wrong {
+                        span.end.velocity *= 1.001;
+                    }
+                    seen.set(seen.get() + 1);
+                }
+            };
+            let ([identity, ..], verdict) = found_between(nodes, method, once, keep);
+            assert!(seen.get() > wrong, "{method:?}");
+            assert!(identity > 1e-9, "{method:?}, {wrong}: {identity:e}");
+            assert_eq!(verdict.is_err(), method == EXACT, "{wrong}: {verdict:?}");
+        }
+    }
+}
+
 #[test]
 fn limit_broken_laws_of_contact_are_named() {
     let mut messages = String::new();
-    let mut tell = |(_, verdict): ([f64; 3], Result<(), LedgerError>)| {
+    let mut tell = |(_, verdict): Found| {
         let outcome = verdict.map_or_else(|error| error.to_string(), |()| "nothing found".into());
         writeln!(messages, "{outcome}").expect("a string takes all");
     };

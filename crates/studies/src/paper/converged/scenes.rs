@@ -180,7 +180,7 @@ impl Part {
             if let Some(program) = self.file.study.program_of(scene.scene()) {
                 return program.run(scene, interval);
             }
-            // Of thousands of noisy runs the ledger would take two fifths of the time: its verdict is asked on the record.
+            // Of thousands of noisy runs the ledger would take nearly half of the time: its verdict is asked on the record.
             if noise.is_none() {
                 return scene.run(interval);
             }
