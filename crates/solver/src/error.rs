@@ -331,7 +331,7 @@ impl RunError {
 }
 
 /// Refuses a setting whose `found` value is not `valid`.
-pub(crate) fn require(
+pub fn require(
     valid: bool,
     setting: &'static str,
     found: f64,

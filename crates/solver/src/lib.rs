@@ -37,7 +37,6 @@
 
 mod budget;
 mod clock;
-mod ensemble;
 mod error;
 mod exact;
 mod explicit;
@@ -54,11 +53,30 @@ mod sum;
 mod turning;
 mod work;
 
+/// What steps and events are made of, for crates that compute with other numbers, such as those of many scenes at once.
+///
+/// Each item is generic over [`Number`](pounding_contact::Number), or finds what all its users share.
+pub mod formulas {
+    pub use crate::error::require;
+    pub use crate::exact::{
+        BURST, CHATTER, LONGEST_LEAP, ROUNDING_OF_COEFFICIENTS, bounces_are_over, in_flight,
+    };
+    pub use crate::explicit::central_difference::building::{FloorCoefficients, Floors, solve};
+    pub use crate::explicit::central_difference::coefficients::Coefficients;
+    pub use crate::explicit::central_difference::first_increment;
+    pub use crate::impact::chain::Link;
+    pub use crate::impact::rounds::{ROUNDING, Rounds, Touching};
+    pub use crate::model::balance::{Below, Dashpot, damping_force};
+    pub use crate::model::buildings::Buildings;
+    pub use crate::model::column::returned;
+    pub use crate::record::closings::cubic::{Cubic, Node as CubicNode, controls};
+    pub use crate::record::is_plastic;
+    pub use crate::roots::{CAPACITY, quick_first_root, shift, value_and_slope};
+    pub use crate::span::{Expansion, value};
+}
+
 pub use budget::{Budget, Course};
 pub use clock::Clock;
-pub use ensemble::{
-    ExactSideBySide, Excitations, PairSums, RowsOf, SceneSums, SideBySide, Stepping,
-};
 pub use error::{ModelError, RunError};
 pub use exact::{Exact, SimultaneousImpacts};
 pub use explicit::central_difference::CentralDifference;

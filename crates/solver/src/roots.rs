@@ -6,12 +6,12 @@
 use crate::span::value;
 
 /// Capacity of every series.
-pub(crate) const CAPACITY: usize = 64;
+pub const CAPACITY: usize = 64;
 
 /// Part of a series that its last quarter may be where nothing shorter can be told apart.
-pub(crate) const LOST: f64 = 1e-3;
+pub const LOST: f64 = 1e-3;
 /// The shortest piece that time can tell apart \[s\].
-pub(crate) const SHORTEST_WAY: f64 = 1e-18;
+pub const SHORTEST_WAY: f64 = 1e-18;
 
 /// Part of the whole below which a stretch is as short as rounding.
 const SHORTEST: f64 = 1e-15;
@@ -24,12 +24,12 @@ const FAST: f64 = 1e-2;
 ///
 /// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
 /// is positive from the start rises at 0; one beyond the range of numbers nowhere.
-pub(crate) fn first_root(coefficients: &[f64], length: f64) -> Option<f64> {
+pub fn first_root(coefficients: &[f64], length: f64) -> Option<f64> {
     first_root_by(root_of_monotone, coefficients, length)
 }
 
 /// The same for scenes side by side, which are free of the bits of results that were made one by one.
-pub(crate) fn quick_first_root(coefficients: &[f64], length: f64) -> Option<f64> {
+pub fn quick_first_root(coefficients: &[f64], length: f64) -> Option<f64> {
     first_root_by(quick_root_of_monotone, coefficients, length)
 }
 
@@ -185,7 +185,7 @@ fn rise_of_parabola(coefficients: &[f64], width: f64) -> f64 {
 }
 
 /// Value and first derivative.
-pub(crate) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
+pub fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
     let (mut y, mut slope) = (0.0, 0.0);
     for coefficient in coefficients.iter().rev() {
         slope = slope * x + y;
@@ -198,7 +198,7 @@ pub(crate) fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
 const AT_ONCE: usize = 4;
 
 /// Expands a polynomial about `origin` instead of 0.
-pub(crate) fn shift(coefficients: &mut [f64], origin: f64) {
+pub fn shift(coefficients: &mut [f64], origin: f64) {
     let Some((last, others)) = coefficients.split_last_mut() else {
         return;
     };

@@ -2,10 +2,11 @@ mod flight;
 mod series;
 
 use crate::quadrature::{self, EIGHT, SIXTEEN};
-pub(crate) use flight::Expansion;
+pub use flight::Expansion;
 pub use flight::Flight;
 pub use series::Series;
-pub(crate) use series::{Power, rise, value};
+pub(crate) use series::{Power, rise};
+pub use series::value;
 
 /// State of a structure at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

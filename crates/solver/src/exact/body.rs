@@ -335,7 +335,7 @@ impl<R: Recorder> Run<'_, R> {
 }
 
 /// Number of coefficients in free flight over this part of the series' reach.
-pub(crate) fn in_flight(part: f64) -> usize {
+pub fn in_flight(part: f64) -> usize {
     let enough = IN_FLIGHT.iter().find(|(most, _)| part <= *most);
     enough.map_or(IN_FLIGHT[3].1, |(_, len)| *len)
 }

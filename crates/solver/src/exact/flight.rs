@@ -14,7 +14,7 @@ use crate::exact::member::Member;
 use crate::{Flight, Path, Recorder, Span, State};
 
 /// Longest time between two samples, as a part of the reach of the series: a piece goes all the way.
-pub(crate) const LONGEST: f64 = 0.999;
+pub const LONGEST: f64 = 0.999;
 
 /// What the structures of a row do between two samples.
 #[derive(Debug)]

@@ -42,16 +42,16 @@ use crate::{Course, Excitation, Hysteretic, Motion, Recorder, Row, RunError, Tou
 
 use crate::roots::SHORTEST_WAY;
 use body::Body;
-pub(crate) use body::in_flight;
+pub use body::in_flight;
 use clock::LocalClock;
 use contact::{Contact, Grounds};
 use flight::Flights;
-pub(crate) use flight::LONGEST as LONGEST_LEAP;
+pub use flight::LONGEST as LONGEST_LEAP;
 use groups::Groups;
 use impacts::Chain;
 pub use impacts::SimultaneousImpacts;
 use member::Member;
-pub(crate) use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
+pub use rounding::OF_COEFFICIENTS as ROUNDING_OF_COEFFICIENTS;
 
 /// Settings of the exact method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +66,7 @@ pub struct Exact {
 }
 
 impl Exact {
-    pub(crate) fn check(&self) -> Result<(), RunError> {
+    pub fn check(&self) -> Result<(), RunError> {
         let valid = (1e-16..=1e-3).contains(&self.tolerance);
         require(valid, "tolerance", self.tolerance, "1e-16 to 1e-3")
     }
@@ -82,15 +82,15 @@ impl Default for Exact {
 }
 
 /// Remaining duration of bounces below which they are summed \[s\].
-pub(crate) const CHATTER: f64 = 1e-12;
+pub const CHATTER: f64 = 1e-12;
 /// Impacts of a pair within the shortest remainder after which the next one is plastic, whatever its neighbours do.
-pub(crate) const BURST: u32 = 50;
+pub const BURST: u32 = 50;
 /// Events at one instant after which a run gives up, and those that each structure adds to them.
 const MOST_AT_ONCE: usize = 1000;
 const MOST_AT_ONCE_EACH: usize = 10;
 /// Whether bounces from this rate \[m/s\] on, < 0 while the pair parts, will be over at once under this acceleration towards each other
 /// \[m/s²\].
-pub(crate) fn bounces_are_over(rate: f64, closing: f64, restitution: f64) -> bool {
+pub fn bounces_are_over(rate: f64, closing: f64, restitution: f64) -> bool {
     let parts = rate < 0.0 && closing > 0.0 && restitution < 1.0;
     parts && -2.0 * rate < CHATTER * closing * (1.0 - restitution)
 }

@@ -3,7 +3,7 @@
 use crate::exact::member::Member;
 
 /// Rounding of a coefficient as a part of the sum of its terms' magnitudes.
-pub(crate) const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
+pub const OF_COEFFICIENTS: f64 = 64.0 * f64::EPSILON;
 /// Rounding of a sum of a few numbers, a deformation or an instant, as a part of the largest.
 pub(super) const OF_SUMS: f64 = 8.0 * f64::EPSILON;
 

@@ -60,7 +60,7 @@ impl Default for CentralDifference {
 }
 
 impl CentralDifference {
-    pub(crate) fn check(self) -> Result<(), RunError> {
+    pub fn check(self) -> Result<(), RunError> {
         let valid = (1..=MOST_SUBSTEPS).contains(&self.contact_substeps);
         let found = self.contact_substeps.into();
         require(valid, "contact_substeps", found, "1 to 1000")
@@ -183,7 +183,7 @@ pub(crate) fn run<Column: RestoringForce, R: Recorder>(
 
 /// By how much the displacement at t = 0 is more than that one step before \[m\], from velocity and acceleration there.
 #[inline(always)]
-pub(crate) fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> N {
+pub fn first_increment<N: Number>([velocity, acceleration]: [N; 2], dt: f64) -> N {
     let (step, half) = (velocity.like(dt), velocity.like(0.5 * dt));
     step * (velocity - half * acceleration)
 }

@@ -35,14 +35,14 @@ pub(crate) struct Together<N: Number> {
 
 /// A pair that takes part.
 #[derive(Clone, Copy)]
-pub(crate) struct Link {
+pub struct Link {
     /// Index among the pairs of the row.
-    pub(crate) pair: usize,
+    pub pair: usize,
     /// Neighbours.
-    pub(crate) left: usize,
-    pub(crate) right: usize,
+    pub left: usize,
+    pub right: usize,
     /// Whether it shares its left neighbour with the link before it.
-    pub(crate) is_joined: bool,
+    pub is_joined: bool,
 }
 
 impl<N: Number> Together<N> {

@@ -12,24 +12,24 @@ use crate::impact::chain::{Link, Together};
 /// Rounds after which the rest is plastic: what still touches and approaches then stays together.
 const MAX_ROUNDS: u32 = 50;
 /// An approach left by rounding, relative to the velocities.
-pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// An impulsive pair that touches.
-pub(crate) struct Touching<N: Number> {
+pub struct Touching<N: Number> {
     /// The scenes in which it does.
-    pub(crate) scenes: N::Mask,
+    pub scenes: N::Mask,
     /// 1 + e.
-    pub(crate) factor: N,
+    pub factor: N,
     /// Rate at which the grounds under it move towards each other \[m/s\].
-    pub(crate) opening_rate: N,
+    pub opening_rate: N,
     /// The magnitude of which that is rounded \[m/s\]; its velocities are added when it is struck.
-    pub(crate) speeds: N,
+    pub speeds: N,
 }
 
 impl<N: Number> Touching<N> {
     /// A pair under which no ground moves towards the other.
     #[inline(always)]
-    pub(crate) fn on_one_ground(scenes: N::Mask, factor: N) -> Self {
+    pub fn on_one_ground(scenes: N::Mask, factor: N) -> Self {
         let zero = factor.like(0.0);
         Self {
             scenes,
@@ -41,7 +41,7 @@ impl<N: Number> Touching<N> {
 }
 
 /// The pairs that touch at an instant, and scratch.
-pub(crate) struct Rounds<N: Number> {
+pub struct Rounds<N: Number> {
     touching: Vec<Touching<N>>,
     /// Impulse of each \[N·s\], all rounds.
     impulses: Vec<N>,
@@ -53,7 +53,7 @@ pub(crate) struct Rounds<N: Number> {
 }
 
 impl<N: Number> Rounds<N> {
-    pub(crate) fn new(mobilities: Vec<N>, n_pairs: usize) -> Self {
+    pub fn new(mobilities: Vec<N>, n_pairs: usize) -> Self {
         Self {
             touching: Vec::with_capacity(n_pairs),
             impulses: Vec::with_capacity(n_pairs),
@@ -66,7 +66,7 @@ impl<N: Number> Rounds<N> {
 
     /// Takes structures of such mobilities \[1/kg\] in place of those it has, and forgets the pairs.
     #[inline(always)]
-    pub(crate) fn renew(&mut self, mobilities: impl Iterator<Item = N>) {
+    pub fn renew(&mut self, mobilities: impl Iterator<Item = N>) {
         self.clear();
         self.mobilities.clear();
         self.mobilities.extend(mobilities);
@@ -75,7 +75,7 @@ impl<N: Number> Rounds<N> {
 
     /// Forgets the pairs.
     #[inline(always)]
-    pub(crate) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         self.touching.clear();
         self.impulses.clear();
         self.together.clear();
@@ -83,7 +83,7 @@ impl<N: Number> Rounds<N> {
 
     /// Takes a pair, farther to the right than those before, and its left neighbour.
     #[inline(always)]
-    pub(crate) fn push(&mut self, of: (usize, usize), touching: Touching<N>) {
+    pub fn push(&mut self, of: (usize, usize), touching: Touching<N>) {
         let zero = touching.factor.like(0.0);
         self.together.push(of, zero);
         self.impulses.push(zero);
@@ -92,26 +92,26 @@ impl<N: Number> Rounds<N> {
 
     /// Velocity of a structure after \[m/s\], of one that touches.
     #[inline(always)]
-    pub(crate) fn velocity(&self, node: usize) -> N {
+    pub fn velocity(&self, node: usize) -> N {
         self.velocities[node]
     }
 
     /// The pairs taken.
     #[inline(always)]
-    pub(crate) fn links(&self) -> &[Link] {
+    pub fn links(&self) -> &[Link] {
         &self.together.links
     }
 
     /// The same, each with its impulse \[N·s\].
     #[inline(always)]
-    pub(crate) fn struck(&self) -> impl Iterator<Item = (Link, N)> {
+    pub fn struck(&self) -> impl Iterator<Item = (Link, N)> {
         let links = self.together.links.iter();
         links.copied().zip(self.impulses.iter().copied())
     }
 
     /// Lets the velocities before \[m/s\] jump until no pair approaches that touches; false when none does.
     #[inline(always)]
-    pub(crate) fn strike_all(&mut self, velocity: impl Fn(usize) -> N) -> bool {
+    pub fn strike_all(&mut self, velocity: impl Fn(usize) -> N) -> bool {
         for (pair, link) in self.touching.iter_mut().zip(&self.together.links) {
             let [left, right] = [link.left, link.right].map(&velocity);
             self.velocities[link.left] = left;

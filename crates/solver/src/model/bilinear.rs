@@ -19,12 +19,12 @@ pub struct Bilinear {
 
 impl Bilinear {
     /// Stiffness after yielding \[N/m\].
-    pub(crate) fn elastic(&self) -> f64 {
+    pub fn elastic(&self) -> f64 {
         self.hardening * self.stiffness
     }
 
     /// Stiffness \[N/m\] and yield force \[N\] of the part that is perfectly plastic.
-    pub(crate) fn plastic(&self) -> [f64; 2] {
+    pub fn plastic(&self) -> [f64; 2] {
         let part = 1.0 - self.hardening;
         [part * self.stiffness, part * self.yield_force]
     }

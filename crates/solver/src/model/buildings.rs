@@ -6,7 +6,7 @@ use crate::{RestoringForce, Row};
 
 /// The floors of a row building by building, from left to right, each from the ground up.
 #[derive(Debug)]
-pub(crate) struct Buildings {
+pub struct Buildings {
     /// Their nodes.
     floors: Vec<usize>,
     /// Where each building lies in them.
@@ -15,7 +15,7 @@ pub(crate) struct Buildings {
 
 impl Buildings {
     /// Nothing for a row in which no floor stands on another one.
-    pub(crate) fn of_storeys<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
+    pub fn of_storeys<Column: RestoringForce>(row: &Row<Column>) -> Option<Self> {
         let mut nodes = row.nodes().iter();
         nodes
             .any(|node| node.support.below().is_some())
@@ -23,7 +23,7 @@ impl Buildings {
     }
 
     /// Of any row; a structure of one storey, or a wall, is a building of one floor.
-    pub(crate) fn of<Column: RestoringForce>(row: &Row<Column>) -> Self {
+    pub fn of<Column: RestoringForce>(row: &Row<Column>) -> Self {
         let stands = |index: &usize| row.nodes()[*index].support.below().is_some();
         let n = row.nodes().len();
         let (mut floors, mut ranges) = (Vec::with_capacity(n), Vec::new());
@@ -40,17 +40,17 @@ impl Buildings {
     }
 
     /// Nodes of all floors.
-    pub(crate) fn floors(&self) -> &[usize] {
+    pub fn floors(&self) -> &[usize] {
         &self.floors
     }
 
     /// Where among the floors each building lies.
-    pub(crate) fn ranges(&self) -> &[Range<usize>] {
+    pub fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
     }
 
     /// The floors of each building.
-    pub(crate) fn each(&self) -> impl Iterator<Item = &[usize]> {
+    pub fn each(&self) -> impl Iterator<Item = &[usize]> {
         self.ranges.iter().map(|range| &self.floors[range.clone()])
     }
 }

@@ -167,7 +167,7 @@ impl RestoringForce for ElastoPlastic {
 /// The return map of columns that yield at one point and are perfectly plastic then: of stiffness \[N/m\] and yield force \[N\], which
 /// first yield at a drift \[m\]; `tangents` \[N/m\] are told on the elastic branch and beyond it.
 #[inline(always)]
-pub(crate) fn returned<N: Number>(
+pub fn returned<N: Number>(
     (displacement, plastic_displacement): (N, N),
     [stiffness, yield_force]: [N; 2],
     at_yield: N,

@@ -19,17 +19,17 @@ use crate::{RestoringForce, Row};
 
 /// Damping coefficients of a floor over its mass \[1/s\].
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct DampingRates<N = f64> {
+pub struct DampingRates<N = f64> {
     /// Of its own storey.
-    pub(crate) storey: N,
+    pub storey: N,
     /// Against the ground, besides that of a storey which stands there.
-    pub(crate) ground: N,
+    pub ground: N,
     /// Of the storey above; 0 where there is none.
-    pub(crate) above: N,
+    pub above: N,
 }
 
 impl DampingRates {
-    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, index: usize) -> Self {
+    pub fn new<Column: RestoringForce>(row: &Row<Column>, index: usize) -> Self {
         let node = &row.nodes()[index];
         let above = |above: usize| node.inverse_mass * row.nodes()[above].damping;
         Self {
@@ -44,28 +44,28 @@ impl<N: Number> DampingRates<N> {
     /// What velocities \[m/s\] of the floor below, of this one and of the floor above take from its acceleration
     /// \[m/s²\]; the ground has none, and that of a floor which is not there means nothing.
     #[inline(always)]
-    pub(crate) fn deceleration(&self, [below, own, above]: [N; 3]) -> N {
+    pub fn deceleration(&self, [below, own, above]: [N; 3]) -> N {
         self.storey * (own - below) + self.ground * own - self.above * (above - own)
     }
 }
 
 /// Equation of a floor when the unknowns of all floors above it are eliminated.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Eliminated {
+pub struct Eliminated {
     /// Coefficient of its own unknown, > 0.
-    pub(crate) pivot: f64,
+    pub pivot: f64,
     /// The same without the dashpot to the floor below.
     free: f64,
     /// Coefficient of the unknown of the floor below, which enters with a minus sign; 0 on the ground.
-    pub(crate) below: f64,
+    pub below: f64,
     /// The same of the floor above; 0 on the top floor.
-    pub(crate) above: f64,
+    pub above: f64,
 }
 
 impl Eliminated {
     /// For a matrix with the diagonal `unit` and damping rates that count as `weigh` says; the equation of the floor above
     /// has been eliminated.
-    pub(crate) fn new(
+    pub fn new(
         (rates, on_ground): (&DampingRates, bool),
         above: Option<&Self>,
         unit: f64,
@@ -92,10 +92,10 @@ impl Eliminated {
 
 /// Solves (1 + h/2 M⁻¹C) x = known, for steps h that may change and differ between buildings.
 #[derive(Debug)]
-pub(crate) struct Dashpots {
+pub struct Dashpots {
     floors: Vec<FloorEquation>,
     /// What is known, for every floor in the order of [`Buildings`]; then x.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 /// A floor, and its equation for the step that its building took last.
@@ -112,7 +112,7 @@ struct FloorEquation {
 }
 
 impl Dashpots {
-    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
+    pub fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
         let floor = |index: &usize| FloorEquation {
             rates: DampingRates::new(row, *index),
             step: 0.0,
@@ -128,7 +128,7 @@ impl Dashpots {
     }
 
     /// Replaces what is known by x on the floors of a building, for a step h \[s\].
-    pub(crate) fn solve(&mut self, building: &Range<usize>, step: f64) -> &[f64] {
+    pub fn solve(&mut self, building: &Range<usize>, step: f64) -> &[f64] {
         let floors = &mut self.floors[building.clone()];
         let values = &mut self.values[building.clone()];
         if (step - floors[0].step).abs() > 0.0 {

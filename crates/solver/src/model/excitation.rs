@@ -116,13 +116,13 @@ impl<'a> Excitation<'a> {
     }
 
     /// Ground acceleration at every node of a clock, 0..=n \[m/s²\].
-    pub(crate) fn sampled(&self, clock: Clock) -> impl Iterator<Item = f64> + use<'a> {
+    pub fn sampled(&self, clock: Clock) -> impl Iterator<Item = f64> + use<'a> {
         (0..=clock.n_steps).map(self.at_steps(clock.time_step))
     }
 
     /// The same at a node, by the number of steps of this length \[s\] before it.
     #[inline]
-    pub(crate) fn at_steps(&self, time_step: f64) -> impl Fn(usize) -> f64 + use<'a> {
+    pub fn at_steps(&self, time_step: f64) -> impl Fn(usize) -> f64 + use<'a> {
         let (excitation, ratio) = (*self, time_step / self.time_step);
         move |step| excitation.at_position(step as f64 * ratio)
     }

@@ -67,7 +67,7 @@ impl<Column> Node<Column> {
 
 impl<Column> Node<Column> {
     /// 1 for a structure, 0 for a wall: walls do not feel inertia.
-    pub(crate) fn mobile(&self) -> f64 {
+    pub fn mobile(&self) -> f64 {
         if self.is_wall() { 0.0 } else { 1.0 }
     }
 }

@@ -185,7 +185,7 @@ impl<Column: RestoringForce> Row<Column> {
     }
 
     /// Reduced mass of a pair \[kg\].
-    pub(crate) fn reduced_mass(&self, pair: &Pair) -> f64 {
+    pub fn reduced_mass(&self, pair: &Pair) -> f64 {
         reduced_mass(
             self.nodes[pair.left].inverse_mass,
             self.nodes[pair.right].inverse_mass,

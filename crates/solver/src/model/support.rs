@@ -23,7 +23,7 @@ pub struct Floor {
 impl Support {
     /// The floor below; nothing on the ground.
     #[inline]
-    pub(crate) fn below(&self) -> Option<usize> {
+    pub fn below(&self) -> Option<usize> {
         match self {
             Self::Ground => None,
             Self::Floor(floor) => Some(floor.below),
@@ -31,7 +31,7 @@ impl Support {
     }
 
     /// Damping coefficient against the ground \[N·s/m\] besides that of the storey: none on the ground.
-    pub(crate) fn ground_damping(&self) -> f64 {
+    pub fn ground_damping(&self) -> f64 {
         match self {
             Self::Ground => 0.0,
             Self::Floor(floor) => floor.ground_damping,

@@ -243,7 +243,7 @@ impl Recorder for Collisions {
 }
 
 /// Whether neighbours stay together after an impact: e = 0.
-pub(crate) fn is_plastic(pair: &Pair) -> bool {
+pub fn is_plastic(pair: &Pair) -> bool {
     let law = pair.law.impulsive();
     law.is_some_and(|law| law.restitution == 0.0)
 }

@@ -11,7 +11,7 @@ pub(crate) mod recorder;
 mod transferred_momentum;
 
 pub use closings::{Closing, Closings};
-pub(crate) use collisions::is_plastic;
+pub use collisions::is_plastic;
 pub use collisions::{Collision, Collisions};
 pub use floor_accelerations::FloorAccelerations;
 pub use histories::{Histories, History};

@@ -11,24 +11,24 @@ const MOST: usize = 24;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
     /// Instant of the start \[s\].
-    pub(crate) origin: f64,
+    pub origin: f64,
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] at the start.
-    pub(crate) displacement: f64,
-    pub(crate) velocity: f64,
-    pub(crate) restoring_force: f64,
+    pub displacement: f64,
+    pub velocity: f64,
+    pub restoring_force: f64,
     /// k \[N/m\], c \[N·s/m\] and 1/m \[1/kg\].
-    pub(crate) stiffness: f64,
-    pub(crate) damping: f64,
-    pub(crate) inverse_mass: f64,
+    pub stiffness: f64,
+    pub damping: f64,
+    pub inverse_mass: f64,
     /// Ground acceleration at the start \[m/s²\] and its slope \[m/s³\].
-    pub(crate) ground: [f64; 2],
+    pub ground: [f64; 2],
     /// Coefficients that reach rounding.
-    pub(crate) len: usize,
+    pub len: usize,
 }
 
 /// Room for the power series of a [`Flight`].
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Expansion {
+pub struct Expansion {
     displacement: [f64; MOST],
     velocity: [f64; MOST],
     acceleration: [f64; MOST],
@@ -36,24 +36,24 @@ pub(crate) struct Expansion {
 
 impl Expansion {
     /// Coefficients of the displacement.
-    pub(crate) fn displacement(&self, len: usize) -> &[f64] {
+    pub fn displacement(&self, len: usize) -> &[f64] {
         &self.displacement[..len]
     }
 
     /// Coefficients of the velocity.
-    pub(crate) fn velocity(&self, len: usize) -> &[f64] {
+    pub fn velocity(&self, len: usize) -> &[f64] {
         &self.velocity[..len]
     }
 
     /// Coefficients of the acceleration.
-    pub(crate) fn acceleration(&self, len: usize) -> &[f64] {
+    pub fn acceleration(&self, len: usize) -> &[f64] {
         &self.acceleration[..len]
     }
 }
 
 impl Flight {
     /// Expands the motion: the same operations as those of a structure alone in the exact method.
-    pub(crate) fn expand(&self, room: &mut Expansion) {
+    pub fn expand(&self, room: &mut Expansion) {
         let (mut u, mut v) = (self.displacement, self.velocity);
         let mut force = self.restoring_force;
         for n in 0..self.len {
@@ -67,7 +67,7 @@ impl Flight {
     }
 
     /// Displacement \[m\] and velocity \[m/s\] after a time.
-    pub(crate) fn ends(&self, time: f64) -> [f64; 2] {
+    pub fn ends(&self, time: f64) -> [f64; 2] {
         let mut room = Expansion::default();
         self.expand(&mut room);
         let ends = [room.displacement(self.len), room.velocity(self.len)];
@@ -76,7 +76,7 @@ impl Flight {
 
     /// Acceleration over the ground at this velocity and restoring force, under this ground acceleration.
     #[inline]
-    pub(crate) fn acceleration(&self, velocity: f64, force: f64, ground: f64) -> f64 {
+    pub fn acceleration(&self, velocity: f64, force: f64, ground: f64) -> f64 {
         self.inverse_mass * (0.0 - (self.damping * velocity + force)) - ground
     }
 
@@ -101,7 +101,7 @@ impl Flight {
 impl<'a> Span<'a> {
     /// The span with the series of its free flight expanded; any other as it is.
     #[inline]
-    pub(crate) fn expanded(&self, room: &'a mut Expansion) -> Self {
+    pub fn expanded(&self, room: &'a mut Expansion) -> Self {
         match self.path {
             Path::Flight(flight) => {
                 flight.expand(room);

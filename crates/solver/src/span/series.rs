@@ -72,7 +72,7 @@ impl Power {
 
 /// Value of a polynomial with these coefficients, the lowest power first.
 #[inline]
-pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
+pub fn value(coefficients: &[f64], x: f64) -> f64 {
     let sum = |sum, coefficient: &f64| sum * x + coefficient;
     coefficients.iter().rev().fold(0.0, sum)
 }

@@ -16,10 +16,10 @@ use crate::model::dashpots::{DampingRates, Eliminated};
 use crate::{RestoringForce, Row};
 
 /// Constants of the equation of a floor that is joined to the floors below and above.
-pub(crate) struct FloorCoefficients<N = f64> {
+pub struct FloorCoefficients<N = f64> {
     /// With c of all its dashpots; what it solves is less by what the elimination of the floors above took.
-    pub(crate) own: Coefficients<N>,
-    pub(crate) rates: DampingRates<N>,
+    pub own: Coefficients<N>,
+    pub rates: DampingRates<N>,
     /// c/(2mΔt) of the dashpot to the floor below, m the mass of this floor.
     below: N,
     /// What of the last and the next increment of the floor above is added to the next one of this floor.
@@ -30,7 +30,7 @@ pub(crate) struct FloorCoefficients<N = f64> {
 
 impl FloorCoefficients {
     /// Of all floors, building by building, for steps of this length \[s\].
-    pub(crate) fn of<Column: RestoringForce>(
+    pub fn of<Column: RestoringForce>(
         row: &Row<Column>,
         buildings: &Buildings,
         dt: f64,
@@ -67,7 +67,7 @@ impl FloorCoefficients {
 impl<N: Number> FloorCoefficients<N> {
     /// Of the same floor of several scenes, from what gathers a number of each; `time_step` \[s\] is that of all.
     #[inline(always)]
-    pub(crate) fn beside(
+    pub fn beside(
         gather: impl Fn(fn(&FloorCoefficients) -> f64) -> N,
         time_step: f64,
     ) -> Self {
@@ -93,7 +93,7 @@ impl<N: Number> FloorCoefficients<N> {
 }
 
 /// The floors of a building at a node, counted from the ground up: what their equations ask of them, and tell them.
-pub(crate) trait Floors<N: Number> {
+pub trait Floors<N: Number> {
     /// Displacement of a floor \[m\], and by how much it is more than at the node before.
     fn motion(&self, level: usize) -> [N; 2];
 
@@ -116,7 +116,7 @@ pub(crate) trait Floors<N: Number> {
 
 /// Solves the equations of a building at a node with this acceleration of the ground \[m/s²\].
 #[inline(always)]
-pub(crate) fn solve<N: Number>(
+pub fn solve<N: Number>(
     floors: &mut impl Floors<N>,
     coefficients: &[FloorCoefficients<N>],
     ground: N,

@@ -10,42 +10,42 @@ use pounding_contact::Number;
 use crate::Node;
 
 /// Constants of one structure's equation (3), divided by its mass.
-pub(crate) struct Coefficients<N = f64> {
-    pub(crate) time_step: f64,
-    pub(crate) inverse_mass: N,
+pub struct Coefficients<N = f64> {
+    pub time_step: f64,
+    pub inverse_mass: N,
     /// c/m.
-    pub(crate) damping: N,
+    pub damping: N,
     /// 1/(1/Δt² + c/(2mΔt)).
-    pub(crate) solve: N,
+    pub solve: N,
     /// 1/Δt² − c/(2mΔt).
-    pub(crate) carry: N,
+    pub carry: N,
     /// 1 for a structure, 0 for a wall: walls do not feel inertia.
-    pub(crate) mobile: N,
+    pub mobile: N,
 }
 
 impl<N: Number> Coefficients<N> {
     /// Acceleration but for damping \[m/s²\]; forces are the net pounding force and the restoring force \[N\], and the
     /// acceleration of the ground is one that the structure feels.
     #[inline(always)]
-    pub(crate) fn smooth(&self, (pounding, restoring): (N, N), ground: N) -> N {
+    pub fn smooth(&self, (pounding, restoring): (N, N), ground: N) -> N {
         self.inverse_mass * (pounding - restoring) - ground
     }
 
     /// The next increment of the displacement \[m\] under an acceleration but for damping \[m/s²\], after this one.
     #[inline(always)]
-    pub(crate) fn next(&self, load: N, increment: N) -> N {
+    pub fn next(&self, load: N, increment: N) -> N {
         self.solve * (load + self.carry * increment)
     }
 
     /// Velocity at the node between two increments \[m/s\].
     #[inline(always)]
-    pub(crate) fn velocity(&self, [before, after]: [N; 2]) -> N {
+    pub fn velocity(&self, [before, after]: [N; 2]) -> N {
         (after + before) / after.like(2.0 * self.time_step)
     }
 
     /// Increment that follows from displacement's rate \[m/s\] and acceleration \[m/s²\] at a node, as a textbook begins a run.
     #[inline(always)]
-    pub(crate) fn restarted(time_step: f64, velocity: N, acceleration: N) -> N {
+    pub fn restarted(time_step: f64, velocity: N, acceleration: N) -> N {
         let (step, half) = (velocity.like(time_step), velocity.like(0.5 * time_step));
         step * (velocity + half * acceleration)
     }
@@ -54,7 +54,7 @@ impl<N: Number> Coefficients<N> {
 impl<N: Number> Coefficients<N> {
     /// Of an inverse mass \[1/kg\] (0 of a wall), damping coefficient c \[N·s/m\] and whether it moves (1, or 0).
     #[inline(always)]
-    pub(crate) fn of(inverse_mass: N, damping: N, mobile: N, dt: f64) -> Self {
+    pub fn of(inverse_mass: N, damping: N, mobile: N, dt: f64) -> Self {
         let damping = inverse_mass * damping;
         let like = |value: f64| damping.like(value);
         let (inertia, half) = (like(1.0 / (dt * dt)), like(0.5) * damping / like(dt));
@@ -70,7 +70,7 @@ impl<N: Number> Coefficients<N> {
 }
 
 impl Coefficients {
-    pub(crate) fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
+    pub fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
         Self::of(node.inverse_mass, node.damping, node.mobile(), dt)
     }
 }

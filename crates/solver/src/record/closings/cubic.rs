@@ -12,17 +12,17 @@ use crate::{Motion, Travel};
 
 /// Instant \[s\], displacement \[m\] and velocity \[m/s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Node {
-    pub(crate) time: f64,
-    pub(crate) displacement: f64,
-    pub(crate) velocity: f64,
+pub struct Node {
+    pub time: f64,
+    pub displacement: f64,
+    pub velocity: f64,
 }
 
 /// The cubic through two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cubic {
-    pub(crate) start: Node,
-    pub(crate) end: Node,
+pub struct Cubic {
+    pub start: Node,
+    pub end: Node,
 }
 
 impl Node {
@@ -129,7 +129,7 @@ impl Cubic {
 
     /// Its largest value and where it is first.
     #[inline(always)] // Called instead, openings side by side take 1.12 times as long.
-    pub(crate) fn highest(&self) -> Closing {
+    pub fn highest(&self) -> Closing {
         let [u, a, b, c] = self.coefficients();
         // Slope a + 2bs + 3cs²; without a root where it does not change its sign. A root that is no number, of b = 0 and
         // c = 0 or a = 0, is not between 0 and 1.
@@ -165,7 +165,7 @@ impl Cubic {
 /// Heights between which a cubic of this duration \[s\] stays, with displacements and velocities at both ends; of one scene or of several
 /// side by side.
 #[inline(always)]
-pub(crate) fn controls<N: Number>(duration: N, [start, end]: [[N; 2]; 2]) -> [N; 4] {
+pub fn controls<N: Number>(duration: N, [start, end]: [[N; 2]; 2]) -> [N; 4] {
     let third = duration / duration.like(3.0);
     [
         start[0],

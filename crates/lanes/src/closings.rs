@@ -1,0 +1,174 @@
+//! How far neighbours of several scenes side by side come towards each other: what [`Closings`](pounding_solver::Closings) follows in one scene.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::body::Body;
+use super::number::{Lanes, Mask};
+use super::scenes::Pair;
+use pounding_solver::RestoringForce;
+use pounding_solver::formulas::{Cubic, CubicNode as Node, controls};
+
+/// How far two neighbours have come towards each other \[m\].
+#[derive(Clone, Copy)]
+pub(super) struct Nearest<S: Simd>(Lanes<S>);
+
+/// Displacement \[m\] and velocity \[m/s\] of the left neighbour less those of the right one, at an instant \[s\].
+#[derive(Clone, Copy)]
+pub(super) struct Apart<S: Simd> {
+    pub(super) time: Lanes<S>,
+    pub(super) displacement: Lanes<S>,
+    pub(super) velocity: Lanes<S>,
+}
+
+impl<S: Simd> Nearest<S> {
+    /// Before they move.
+    #[inline(always)]
+    pub(super) fn new(simd: S) -> Self {
+        Self(Lanes::splat(simd, f64::NEG_INFINITY))
+    }
+
+    /// That of a lane \[m\].
+    #[inline(always)]
+    pub(super) fn lane(&self, lane: usize) -> f64 {
+        self.0.lane(lane)
+    }
+
+    /// Follows the cubics between two instants, in these lanes. They do not go above their control points, so that most are left at once.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, start: &Apart<S>, end: &Apart<S>, lanes: Mask<S>) {
+        let ends = [start, end].map(|apart| [apart.displacement, apart.velocity]);
+        let higher = controls(end.time - start.time, ends).map(|height| height.exceeds(self.0));
+        let [one, two, three, four] = higher;
+        let mut higher = ((one | two | three | four) & lanes).bits();
+        while higher != 0 {
+            let lane = higher.trailing_zeros() as usize;
+            higher &= higher - 1;
+            let node = |apart: &Apart<S>| Node {
+                time: apart.time.lane(lane),
+                displacement: apart.displacement.lane(lane),
+                velocity: apart.velocity.lane(lane),
+            };
+            let cubic = Cubic {
+                start: node(start),
+                end: node(end),
+            };
+            let distance = cubic.highest().distance;
+            if distance > self.0.lane(lane) {
+                self.0.set(lane, distance);
+            }
+        }
+    }
+}
+
+/// Those of the pairs of some scenes, from node to node of the central difference method.
+pub(super) struct Closings<S: Simd> {
+    time_step: f64,
+    /// Number of the node under way.
+    node: usize,
+    /// Velocities of all structures at the last node, in their order \[m/s\].
+    velocities: Vec<Lanes<S>>,
+    gaps: Vec<Gap<S>>,
+}
+
+/// What is between two neighbours.
+struct Gap<S: Simd> {
+    /// Index of the pair in the row, and places of the neighbours among the structures.
+    pair: usize,
+    places: [usize; 2],
+    /// At the node before, after its jumps, and at the one under way.
+    last: Apart<S>,
+    displacement: Lanes<S>,
+    nearest: Nearest<S>,
+}
+
+impl<S: Simd> Closings<S> {
+    /// Of these pairs, each at the node of its left neighbour, for steps of this length \[s\]; `place` says where the structure of a node lies.
+    #[inline(always)]
+    pub(super) fn new(
+        (simd, time_step): (S, f64),
+        pairs: &[Option<Pair<S>>],
+        place: impl Fn(usize) -> usize,
+    ) -> Self {
+        let zero = Lanes::splat(simd, 0.0);
+        let gap = |(left, pair): (usize, &Option<Pair<S>>)| {
+            Some(Gap {
+                pair: pair.as_ref()?.index,
+                places: [left, left + 1].map(&place),
+                last: Apart {
+                    time: zero,
+                    displacement: zero,
+                    velocity: zero,
+                },
+                displacement: zero,
+                nearest: Nearest::new(simd),
+            })
+        };
+        Self {
+            time_step,
+            node: 0,
+            velocities: vec![zero; pairs.len()],
+            gaps: pairs.iter().enumerate().filter_map(gap).collect(),
+        }
+    }
+
+    /// How far the neighbours of a pair have come towards each other in a lane \[m\].
+    #[inline(always)]
+    pub(super) fn of(&self, pair: usize, lane: usize) -> Option<f64> {
+        let gap = self.gaps.iter().find(|gap| gap.pair == pair)?;
+        Some(gap.nearest.lane(lane))
+    }
+
+    /// Looks where structures are before the step from a node.
+    #[inline(always)]
+    pub(super) fn look<Column: RestoringForce<Lanes<S>>>(
+        &mut self,
+        structures: &[Body<S, Column>],
+    ) {
+        for gap in &mut self.gaps {
+            let [left, right] = gap
+                .places
+                .map(|place| structures[place].motion.displacement);
+            gap.displacement = left - right;
+        }
+    }
+
+    /// Takes the velocities that structures have there, known after that step, before they jump.
+    #[inline(always)]
+    pub(super) fn arrive<Column: RestoringForce<Lanes<S>>>(
+        &mut self,
+        structures: &[Body<S, Column>],
+    ) {
+        for (velocity, structure) in self.velocities.iter_mut().zip(structures) {
+            *velocity = structure.velocity_before();
+        }
+        for gap in &mut self.gaps {
+            let [left, right] = gap.places.map(|place| self.velocities[place]);
+            let end = Apart {
+                time: left.like(self.node as f64 * self.time_step),
+                displacement: gap.displacement,
+                velocity: left - right,
+            };
+            if self.node > 0 {
+                let all = Mask::splat(left.token(), true);
+                gap.nearest.follow(&gap.last, &end, all);
+            }
+            gap.last = end;
+        }
+        self.node += 1;
+    }
+
+    /// Takes the velocity of a structure after an impact \[m/s\].
+    #[inline(always)]
+    pub(super) fn jump(&mut self, place: usize, velocity: Lanes<S>) {
+        self.velocities[place] = velocity;
+        for gap in self
+            .gaps
+            .iter_mut()
+            .filter(|gap| gap.places.contains(&place))
+        {
+            let [left, right] = gap.places.map(|place| self.velocities[place]);
+            gap.last.velocity = left - right;
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Free flight in lanes: where a structure of every scene would be at the next sample, and whether it could turn on the way.
+
+use fearless_simd::Simd;
+use pounding_contact::Number;
+
+use super::pair::Side;
+use pounding_solver::Flight;
+use crate::number::{Lanes, MOST_LANES, Mask};
+
+/// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
+const NEWTON: usize = 3;
+const TERMS: usize = 22;
+/// Part of the time to a turn within which its jerk tells the rest.
+const NEAR: f64 = 1e-3;
+
+/// A structure of every scene, or its wall.
+pub(super) struct Flyer<S: Simd> {
+    /// Change of the displacement, and velocity at the next sample, by a unit of velocity, of load over mass that stays, and of load
+    /// over mass that grows by one in a second.
+    change: [Lanes<S>; 3],
+    end: [Lanes<S>; 3],
+    /// c/m \[1/s\], k/m \[1/s²\], and 1 or 0 of walls.
+    damping: Lanes<S>,
+    stiffness: Lanes<S>,
+    mobile: Lanes<S>,
+    /// By how much more than at its ends, and by its load, a structure can accelerate on the way.
+    growth: Lanes<S>,
+    pub(super) displacement: Lanes<S>,
+    velocity: Lanes<S>,
+    /// Least and largest displacement so far \[m\].
+    pub(super) extremes: [Lanes<S>; 2],
+}
+
+/// How long it is to the next sample \[s\]; acceleration of the ground \[m/s²\], and its slope \[m/s³\].
+pub(super) type Ahead<S> = (f64, [Lanes<S>; 2]);
+
+/// Where a structure would be at the next sample.
+#[derive(Clone, Copy)]
+pub(super) struct Landing<S: Simd> {
+    pub(super) displacement: Lanes<S>,
+    velocity: Lanes<S>,
+    /// How far it could be on the way from the line between the ends \[m\].
+    pub(super) bow: Lanes<S>,
+    /// Where it turns on the way, if that is farther than it has reached \[m\].
+    turned: Lanes<S>,
+}
+
+impl<S: Simd> Flyer<S> {
+    #[inline(always)]
+    pub(super) fn new(simd: S, sides: &[Side; MOST_LANES], step: f64) -> Self {
+        let gather = |number: &dyn Fn(&Side) -> f64| {
+            let mut values = [0.0; MOST_LANES];
+            for (value, side) in values.iter_mut().zip(sides) {
+                *value = number(side);
+            }
+            Lanes::new(simd, &values)
+        };
+        let weights = sides.map(|side| weights(&side, step));
+        let weight = |place: usize, part: usize| {
+            Lanes::new(simd, &weights.map(|weights| weights[place][part]))
+        };
+        let over_mass = |side: &Side| {
+            let [damping, stiffness] = [side.damping, side.stiffness];
+            [damping * side.inverse_mass, stiffness * side.inverse_mass]
+        };
+        let growth = |side: &Side| {
+            let [damping, stiffness] = over_mass(side);
+            // No instant is farther than half a step from one of the ends.
+            1.0 / (1.0 - 0.5 * step * (damping + 0.5 * step * stiffness))
+        };
+        Self {
+            change: std::array::from_fn(|part| weight(0, part)),
+            end: std::array::from_fn(|part| weight(1, part)),
+            damping: gather(&|side| over_mass(side)[0]),
+            stiffness: gather(&|side| over_mass(side)[1]),
+            mobile: gather(&|side| side.mobile),
+            growth: gather(&growth),
+            displacement: gather(&|side| side.displacement),
+            velocity: gather(&|side| side.velocity),
+            extremes: [
+                gather(&|side| side.extremes[0]),
+                gather(&|side| side.extremes[1]),
+            ],
+        }
+    }
+
+    /// Where the structure would be at the next sample, and where it could turn on the way beyond what it has reached, unless
+    /// [`Self::turn`] has found how far it goes.
+    #[inline(always)]
+    pub(super) fn ahead(&self, (length, ground): Ahead<S>) -> (Landing<S>, Mask<S>) {
+        let (u, v) = (self.displacement, self.velocity);
+        let zero = u.like(0.0);
+        let [ground, slope] = ground.map(|number| self.mobile * number);
+        let last = ground + slope * u.like(length);
+        let load = ground + self.stiffness * u;
+        let by = |[velocity, constant, growing]: [Lanes<S>; 3]| {
+            velocity * v + constant * load + growing * slope
+        };
+        let (displacement, velocity) = (u + by(self.change), by(self.end));
+        let before = zero - (self.damping * v + load);
+        let after = zero - (self.damping * velocity + self.stiffness * displacement + last);
+        let half = u.like(0.5 * length);
+        let arc = half * half * u.like(0.5);
+        let fastest = v.abs().max(velocity.abs());
+        let push = self.stiffness * fastest + slope.abs();
+        let most = self.growth * (before.abs().max(after.abs()) + half * push);
+        let bow = arc * most;
+        let mut landing = Landing {
+            displacement,
+            velocity,
+            bow,
+            turned: u,
+        };
+        let farther = (u.max(displacement) + bow).exceeds(self.extremes[1]);
+        let farther = farther | self.extremes[0].exceeds(u.min(displacement) - bow);
+        if !Lanes::any(farther) {
+            return (landing, farther);
+        }
+        let jerk = self.damping * most + self.stiffness * (fastest + half * most) + slope.abs();
+        let slowest = v.abs().min(velocity.abs());
+        let on = v * velocity;
+        let straight = on.exceeds(zero) & slowest.exceeds(arc * jerk);
+        let turns = farther & !straight;
+        if !Lanes::any(turns) {
+            return (landing, turns);
+        }
+        let least = before.abs().min(after.abs());
+        let bent = arc * (self.damping * jerk + self.stiffness * most);
+        let one_way = (before * after).exceeds(zero) & least.exceeds(bent);
+        let once = turns & zero.exceeds(on) & one_way;
+        if Lanes::any(once) {
+            let ends = [v, before, velocity, after];
+            let (turned, found) = self.turn(slope, length, ends);
+            let known = once & found;
+            landing.turned = Number::select(known, turned, u);
+            return (landing, turns & !known);
+        }
+        (landing, turns)
+    }
+
+    /// Displacement where the velocity, which has these values and slopes at the ends of an interval, goes through zero once, and
+    /// where it has been found to rounding.
+    #[inline(always)]
+    fn turn(
+        &self,
+        slope: Lanes<S>,
+        length: f64,
+        [v, a, velocity, acceleration]: [Lanes<S>; 4],
+    ) -> (Lanes<S>, Mask<S>) {
+        let like = |number: f64| v.like(number);
+        // The cubic through the ends; its zero from the secant by Newton's method.
+        let (rise, first, last) = (velocity - v, like(length) * a, like(length) * acceleration);
+        let cubic = first + last - rise - rise;
+        let square = rise - first - cubic;
+        let mut x = (like(0.0) - v) / rise;
+        for _ in 0..NEWTON {
+            let at = v + x * (first + x * (square + x * cubic));
+            let change = first + x * (square + square + x * (cubic + cubic + cubic));
+            x = x - at / change;
+        }
+        let time = x * like(length);
+        // The series of the motion there, term by term.
+        let (damping, stiffness) = (self.damping * time, self.stiffness * time * time);
+        let mut terms = [self.displacement, v * time, a * time * time];
+        let mut sums = terms;
+        let mut growing = slope * time * time * time;
+        for n in 1..TERMS {
+            let part = like(1.0 / n as f64);
+            let (u, v) = (terms[1] * part, terms[2] * part);
+            let force = damping * v + stiffness * u + growing;
+            growing = like(0.0);
+            terms = [u, v, like(0.0) - force];
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                *sum = *sum + term;
+            }
+        }
+        let [u, v, a] = sums;
+        // What is left to the zero, in parts of this time: with the jerk nothing is left but rounding.
+        let [half, sixth, zero] = [0.5, 1.0 / 6.0, 0.0].map(like);
+        let jerk = zero - (stiffness * v + damping * a + slope * time * time * time);
+        let straight = (zero - v) / a;
+        let way = straight - half * (jerk / a) * straight * straight;
+        let turned = u + way * (v + way * (half * a + way * sixth * jerk));
+        (turned, like(NEAR).exceeds(way.abs()))
+    }
+
+    #[inline(always)]
+    pub(super) fn land(&mut self, landing: Landing<S>) {
+        self.displacement = landing.displacement;
+        self.velocity = landing.velocity;
+        let [least, largest] = self.extremes;
+        self.extremes = [
+            least.min(landing.displacement).min(landing.turned),
+            largest.max(landing.displacement).max(landing.turned),
+        ];
+    }
+
+    /// Gives a scene the motion of its lane.
+    #[inline(always)]
+    pub(super) fn put(&self, lane: usize, side: &mut Side) {
+        side.displacement = self.displacement.lane(lane);
+        side.velocity = self.velocity.lane(lane);
+        side.extremes = [self.extremes[0].lane(lane), self.extremes[1].lane(lane)];
+    }
+
+    /// Takes the motion of a scene into its lane.
+    #[inline(always)]
+    pub(super) fn take(&mut self, lane: usize, side: &Side) {
+        self.displacement.set(lane, side.displacement);
+        self.velocity.set(lane, side.velocity);
+        self.extremes[0].set(lane, side.extremes[0]);
+        self.extremes[1].set(lane, side.extremes[1]);
+    }
+}
+
+impl<S: Simd> Flyer<S> {
+    /// Whether it has not moved.
+    #[inline(always)]
+    pub(super) fn rests(&self, lane: usize) -> bool {
+        let [least, largest] = self.extremes.map(|extreme| extreme.lane(lane));
+        least.total_cmp(&largest).is_eq()
+    }
+}
+
+/// What a unit of velocity, of load over mass and of its slope make of the displacement and the velocity over an interval.
+fn weights(side: &Side, step: f64) -> [[f64; 3]; 2] {
+    let by = |velocity: f64, ground: [f64; 2]| {
+        let flight = Flight {
+            origin: 0.0,
+            displacement: 0.0,
+            velocity,
+            restoring_force: 0.0,
+            stiffness: side.stiffness,
+            damping: side.damping,
+            inverse_mass: side.inverse_mass,
+            ground,
+            len: side.len,
+        };
+        flight.ends(step)
+    };
+    let columns = [by(1.0, [0.0; 2]), by(0.0, [1.0, 0.0]), by(0.0, [0.0, 1.0])];
+    [0, 1].map(|place| columns.map(|column| side.mobile * column[place]))
+}

@@ -1,0 +1,138 @@
+//! How the structures of a row go on from a node: decided once per run.
+
+use fearless_simd::Simd;
+
+use super::column::SideBySideColumn;
+use super::number::Lanes;
+use super::rows::Rows;
+use super::scenes::Structure;
+use pounding_solver::formulas::Link;
+
+/// How the structures of some rows of one shape, or the floors of their buildings, go on from a node with an acceleration of the
+/// ground \[m/s²\].
+pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
+    /// Whether every structure has an equation of its own.
+    const STANDS_ALONE: bool;
+
+    /// Of some rows, for a time step \[s\].
+    fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self;
+
+    /// Where the structure of a node of the row lies among the structures.
+    fn place(&self, node: usize) -> usize;
+
+    /// The node of the structure at a place.
+    fn node(&self, place: usize) -> usize;
+
+    /// Begins a run on a ground with this acceleration at t = 0 \[m/s²\].
+    fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
+
+    /// The step from a node at which no lane touches.
+    fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>);
+
+    /// The step from a node at which some lane touches; `jumps` keeps what velocity jumps begin from.
+    fn step_in_contact(
+        &mut self,
+        structures: &mut [Structure<S, Column>],
+        ground: Lanes<S>,
+        jumps: bool,
+    );
+
+    /// Lets what these impacts have hit begin anew from the velocities after them.
+    fn restart(
+        &mut self,
+        structures: &mut [Structure<S, Column>],
+        struck: &[Link],
+        ground: Lanes<S>,
+    );
+
+    /// Drift of largest magnitude of the storey below the floor at a place in a lane \[m\], where lanes know it.
+    fn peak_drift(
+        &self,
+        structures: &[Structure<S, Column>],
+        place: usize,
+        lane: usize,
+    ) -> Option<f64>;
+}
+
+/// Structures of one storey, each for itself.
+pub(super) struct Single;
+
+impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
+    const STANDS_ALONE: bool = true;
+
+    #[inline(always)]
+    fn of(_: S, _: Rows<'_, Column>, _: f64) -> Self {
+        Self
+    }
+
+    #[inline(always)]
+    fn place(&self, node: usize) -> usize {
+        node
+    }
+
+    #[inline(always)]
+    fn node(&self, place: usize) -> usize {
+        place
+    }
+
+    #[inline(always)]
+    fn begin(&self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
+        for structure in structures {
+            structure.begin(structure.acceleration(ground));
+        }
+    }
+
+    #[inline(always)]
+    fn step(&mut self, structures: &mut [Structure<S, Column>], ground: Lanes<S>) {
+        for structure in structures {
+            structure.step(ground);
+        }
+    }
+
+    #[inline(always)]
+    fn step_in_contact(
+        &mut self,
+        structures: &mut [Structure<S, Column>],
+        ground: Lanes<S>,
+        jumps: bool,
+    ) {
+        for structure in structures {
+            if structure.contact.is_near {
+                structure.step_in_contact(ground, jumps);
+            } else {
+                structure.step(ground);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn restart(
+        &mut self,
+        structures: &mut [Structure<S, Column>],
+        struck: &[Link],
+        ground: Lanes<S>,
+    ) {
+        for link in struck {
+            // One that two pairs share has begun anew with the first of them.
+            let first = if link.is_joined {
+                link.right
+            } else {
+                link.left
+            };
+            for structure in &mut structures[first..=link.right] {
+                let jumps = structure.contact.at_node.jumps();
+                structure.restart(structure.acceleration(ground), jumps);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn peak_drift(
+        &self,
+        structures: &[Structure<S, Column>],
+        place: usize,
+        lane: usize,
+    ) -> Option<f64> {
+        structures[place].motion.peak(lane)
+    }
+}

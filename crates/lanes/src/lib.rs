@@ -1,0 +1,204 @@
+//! Many scenes at once, side by side in the lanes of the machine's vectors.
+//!
+//! Rows of one shape, which differ in numbers, run together by central differences ([`SideBySide`]) or by the exact method
+//! ([`ExactSideBySide`]): what a step does to one number it does to those of up to eight scenes at the same time. The formulas are those of
+//! the solver, generic over [`Number`](pounding_contact::Number). By central differences every lane gives the bits of its scene alone. A
+//! step looks at contact laws only where some lane touches. What a run leaves is little: peaks and sums ([`SceneSums`]); who wants
+//! histories runs a scene alone.
+//!
+//! Buildings of several storeys go side by side, too: one loop solves their equations in one scene and in many.
+//! [`Frame`](frame::Frame) decides once per run whether structures go on each for itself or by buildings.
+//!
+//! Left out: other methods; motions that travel, sub-steps in contact, columns that yield smoothly.
+//!
+//! Where to start: [`SideBySide`], then `group.rs`, as many scenes as there are lanes; for the exact method `exact/mod.rs`.
+
+#![expect(
+    clippy::inline_always,
+    reason = "instructions on lanes exist only inside the function that found the machine to have them"
+)]
+
+mod at_hand;
+mod body;
+mod books;
+mod closings;
+mod column;
+mod exact;
+mod excitations;
+mod frame;
+mod group;
+mod jump;
+mod law;
+mod number;
+mod rows;
+mod run;
+mod scenes;
+mod storeys;
+mod tallies;
+mod tally;
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests;
+
+use fearless_simd::{Level, dispatch};
+
+pub use column::RowsOf;
+use column::SideBySideColumn;
+pub use exact::ExactSideBySide;
+pub use excitations::Excitations;
+use excitations::{Common, Grounds, Own};
+pub use tallies::{PairSums, SceneSums};
+
+use pounding_solver::formulas::{is_plastic, require};
+use pounding_solver::{
+    Budget, CentralDifference, Clock, Pair, RestoringForce, Row, RunError,
+};
+
+/// Ground motions and the clock of the central difference method, under which many rows run.
+#[derive(Debug, Clone)]
+pub struct SideBySide<'a> {
+    clock: Clock,
+    excitations: Excitations<'a>,
+    /// Acceleration of a common one at every node \[m/s²\]; others are sampled when their scenes run.
+    common: Vec<f64>,
+    level: Level,
+    budget: Budget,
+    closings: bool,
+}
+
+/// What groups need of it.
+struct Shaken {
+    time_step: f64,
+    budget: Budget,
+    /// Whether neighbours are followed where they come close.
+    closings: bool,
+}
+
+/// Steps of structures between two looks at whether to stop: a fraction of a second.
+const BETWEEN: usize = 1 << 16;
+
+impl<'a> SideBySide<'a> {
+    /// Samples the ground motions for a clock, that of the longest run.
+    ///
+    /// # Errors
+    /// [`RunError::Setting`] for settings out of range, and for sub-steps in contact.
+    pub fn new(
+        settings: CentralDifference,
+        excitations: impl Into<Excitations<'a>>,
+        clock: Clock,
+    ) -> Result<Self, RunError> {
+        settings.check()?;
+        let substeps = settings.contact_substeps;
+        let allowed = "1 side by side; scenes with more run alone";
+        require(substeps == 1, "contact_substeps", substeps.into(), allowed)?;
+        let excitations = excitations.into();
+        let common = match excitations {
+            Excitations::Common(excitation) => excitation.sampled(clock).collect(),
+            Excitations::Each(_) => Vec::new(),
+        };
+        Ok(Self {
+            clock,
+            excitations,
+            common,
+            level: Level::new(),
+            budget: Budget::default(),
+            closings: false,
+        })
+    }
+
+    /// The same, but runs end when somebody sets the budget's `stop`: then scenes are not told. Nothing else of it counts here.
+    #[must_use]
+    pub fn within(self, budget: Budget) -> Self {
+        Self { budget, ..self }
+    }
+
+    /// The same, and tells how far neighbours come towards each other ([`PairSums::closing`]); steps without contact take longer then.
+    #[must_use]
+    pub fn with_closings(self, closings: bool) -> Self {
+        Self { closings, ..self }
+    }
+
+    /// Whether two rows have the same floors and pairs, with laws of the same kinds, and the ground motion arrives everywhere in the first
+    /// at once.
+    pub fn are_alike<Column: RestoringForce>(row: &Row<Column>, other: &Row<Column>) -> bool {
+        let kind = |pair: &Pair| std::mem::discriminant(&pair.law);
+        let at_once = (0..row.nodes().len()).all(|node| row.arrival(node) == 0.0);
+        let mut pairs = row.pairs().iter().zip(other.pairs());
+        let mut nodes = row.nodes().iter().zip(other.nodes());
+        at_once
+            && row.nodes().len() == other.nodes().len()
+            && nodes.all(|(node, other)| node.support.below() == other.support.below())
+            && row.pairs().len() == other.pairs().len()
+            && pairs.all(|(pair, other)| pair.left == other.left && kind(pair) == kind(other))
+    }
+
+    /// Runs rows of one shape, each for its own number of steps, and takes what happened in them; false, and nothing, where they
+    /// cannot run side by side.
+    ///
+    /// Rows of one shape [are alike](Self::are_alike); no row has more steps than the clock. If each has a ground motion of its own, there
+    /// are as many of them as rows.
+    pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
+        match rows {
+            RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
+            RowsOf::ElastoPlastic(rows) => self.run_alike(rows, n_steps, tallies),
+            RowsOf::Bilinear(rows) => self.run_alike(rows, n_steps, tallies),
+        }
+    }
+
+    fn run_alike<Column: SideBySideColumn>(
+        &self,
+        rows: &[&Row<Column>],
+        n_steps: &[usize],
+        tallies: &mut SceneSums,
+    ) -> bool {
+        let reach = 1..=self.clock.n_steps;
+        let in_reach = rows.len() == n_steps.len() && n_steps.iter().all(|n| reach.contains(n));
+        let in_reach = in_reach && self.excitations.are_for(rows.len());
+        let Some(first) = rows.first().filter(|_| in_reach && are_alike(rows)) else {
+            tallies.begin(0, (0, 0));
+            return false;
+        };
+        tallies.begin(rows.len(), (first.nodes().len(), first.pairs().len()));
+        let task = (rows, n_steps);
+        match self.excitations {
+            Excitations::Common(_) => self.run_under(Common(&self.common), task, tallies),
+            Excitations::Each(each) => {
+                self.run_under(Own::new(each, self.clock.time_step), task, tallies);
+            }
+        }
+        let is_compliant = |pair: &Pair| pair.law.is_compliant();
+        let both =
+            first.pairs().iter().any(is_compliant) && !first.pairs().iter().all(is_compliant);
+        // Impacts of a rest are one collision, which only a run of the scene alone can tell.
+        for (scene, row) in rows.iter().enumerate() {
+            if both {
+                // Velocities that jump in a compliant contact are not in its books.
+                tallies.doubt(scene);
+            }
+            let several = |pair: usize| tallies.pair(scene, pair).collisions > 1.0;
+            let mut pairs = row.pairs().iter().enumerate();
+            if pairs.any(|(pair, of)| is_plastic(of) && several(pair)) {
+                tallies.told[scene] = false;
+            }
+        }
+        true
+    }
+
+    fn run_under<Column: SideBySideColumn>(
+        &self,
+        grounds: impl Grounds,
+        task: (&[&Row<Column>], &[usize]),
+        tallies: &mut SceneSums,
+    ) {
+        let method = Shaken {
+            time_step: self.clock.time_step,
+            budget: self.budget,
+            closings: self.closings,
+        };
+        dispatch!(self.level, simd => run::run((simd, &method), grounds, task, tallies));
+    }
+}
+
+/// Whether rows are of one shape that can run side by side.
+fn are_alike<Column: RestoringForce>(rows: &[&Row<Column>]) -> bool {
+    rows.iter().all(|row| SideBySide::are_alike(row, rows[0]))
+}

@@ -1,0 +1,99 @@
+//! Rows of one shape, as many as there are lanes.
+
+use fearless_simd::Simd;
+
+use super::body::Body;
+use super::column::SideBySideColumn;
+use super::law::Law;
+use super::number::{Lanes, MOST_LANES};
+use super::scenes::{Pair, Structure};
+use super::tally::SceneSum;
+use pounding_solver::{Node, Row};
+
+/// Rows of one shape, as many as there are lanes, or fewer; lanes without one repeat the last.
+pub(super) struct Rows<'a, Column> {
+    pub(super) rows: &'a [&'a Row<Column>],
+    /// Index of the first among all scenes.
+    pub(super) first: usize,
+}
+
+impl<Column> Clone for Rows<'_, Column> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Column> Copy for Rows<'_, Column> {}
+
+impl<'a, Column> Rows<'a, Column> {
+    /// As many rows as there are lanes, or fewer, and those behind them; rows without others behind them are repeated.
+    pub(super) fn split<S: Simd>(self) -> [Self; 2] {
+        let (one, other) = self.rows.split_at(self.rows.len().min(Lanes::<S>::N));
+        let one = Self { rows: one, ..self };
+        if other.is_empty() {
+            return [one; 2];
+        }
+        let first = self.first + one.rows.len();
+        [one, Self { rows: other, first }]
+    }
+
+    /// The row of a lane.
+    pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
+        self.rows[lane.min(self.rows.len() - 1)]
+    }
+
+    /// The scene of a lane.
+    pub(super) fn scene(self, lane: usize) -> usize {
+        self.first + lane.min(self.rows.len() - 1)
+    }
+}
+
+impl<Column: SideBySideColumn> Rows<'_, Column> {
+    /// A structure of all rows as it is before it feels the ground, for a time step \[s\].
+    #[inline(always)]
+    pub(super) fn structure<S: Simd>(
+        self,
+        simd: S,
+        node: usize,
+        time_step: f64,
+    ) -> Structure<S, Column> {
+        let displacement = |node| self.gather(simd, node, &|node| node.initial_displacement);
+        let drift = match self.rows[0].nodes()[node].support.below() {
+            None => displacement(node),
+            Some(below) => displacement(node) - displacement(below),
+        };
+        Body::new(|number| self.gather(simd, node, number), drift, time_step)
+    }
+
+    /// A number of a structure of all rows.
+    #[inline(always)]
+    pub(super) fn gather<S: Simd>(
+        self,
+        simd: S,
+        node: usize,
+        number: &dyn Fn(&Node<Column>) -> f64,
+    ) -> Lanes<S> {
+        let mut values = [0.0; MOST_LANES];
+        for (lane, value) in values.iter_mut().enumerate().take(Lanes::<S>::N) {
+            *value = number(&self.lane(lane).nodes()[node]);
+        }
+        Lanes::new(simd, &values)
+    }
+
+    /// The pair of a structure and its right neighbour, if the rows have one.
+    #[inline(always)]
+    pub(super) fn pair<S: Simd>(self, simd: S, left: usize) -> Option<Pair<S>> {
+        let mut pairs = self.rows[0].pairs().iter();
+        let index = pairs.position(|pair| pair.left == left)?;
+        let pairs: [_; MOST_LANES] = std::array::from_fn(|lane| &self.lane(lane).pairs()[index]);
+        let mass = |lane: usize| self.lane(lane).reduced_mass(pairs[lane]);
+        Some(Pair {
+            index,
+            lingers: false,
+            gap: Lanes::new(simd, &pairs.map(|pair| pair.gap)),
+            law: Law::new(simd, pairs.map(|pair| pair.law), std::array::from_fn(mass)),
+            deformation: Lanes::splat(simd, 0.0),
+            tally: SceneSum::new(simd),
+        })
+    }
+}
