@@ -97,9 +97,8 @@ pub use judge::warning::{Place, Warning};
 pub use quantity::{FloorQuantity, PairQuantity, Quantity, QuantityGroup};
 pub use simulation::floors::{Floor, FloorPair, Floors, StoreyProperties};
 pub use simulation::{
-    Advice, AllRecorders, Audited, Balance, Extras, Goal, OnRow, PairOutcome, Recorders, RunResult,
-    Simulation, StepSizes, Trial, Values, alone_because, holding, in_scene, least_opening,
-    side_by_side,
+    Advice, AllRecorders, Audited, Balance, Extras, Goal, PairOutcome, Recorders, RunResult,
+    Simulation, StepSizes, Trial, Values, holding, in_scene, least_opening,
 };
 pub use spectrum::{
     SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,

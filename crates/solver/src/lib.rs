@@ -86,6 +86,7 @@ pub use implicit::hht::Hht;
 pub use implicit::moreau_jean::MoreauJean;
 pub use implicit::newmark::Newmark;
 pub use integrator::Integrator;
+pub use model::any_row::{AnyRow, OnRow};
 pub use model::bilinear::Bilinear;
 pub use model::bouc_wen::{Bent, BoucWen};
 pub use model::column::{
@@ -94,6 +95,7 @@ pub use model::column::{
 pub use model::damping::Damping;
 pub use model::excitation::Excitation;
 pub use model::levels::{Levels, Storey};
+pub use model::mixed::Mixed;
 pub use model::modes::{Mode, modes};
 pub use model::node::{Node, Pair};
 pub use model::oscillation::Oscillation;

@@ -1,7 +1,8 @@
 //! Runs of a scene by the second route.
 
 use pounding_reference::{Fineness, Response, SecondRouteError};
-use pounding_scene::{OnRow, Simulation};
+use pounding_scene::Simulation;
+use pounding_solver::OnRow;
 use pounding_solver::{Excitation, Hysteretic, Row};
 
 /// A run of a row by the second route.

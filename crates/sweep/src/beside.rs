@@ -4,11 +4,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Sweep;
 use super::output::Output;
+use crate::side_by_side::{alone_because, side_by_side};
+use pounding_lanes::SceneSums;
 use pounding_scene::{
-    Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, alone_because,
-    least_opening, side_by_side,
+    Floor, FloorQuantity, LEAST_PART, PairQuantity, Quantity, Simulation, least_opening,
 };
-use pounding_solver::SceneSums;
 
 impl Sweep {
     /// What happened in scenes that are ready, where they could run side by side.

@@ -56,6 +56,7 @@ mod renumbered;
 mod rows;
 mod sampling;
 mod shard;
+mod side_by_side;
 mod spread;
 mod summary;
 mod summary_file;

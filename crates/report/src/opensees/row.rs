@@ -1,6 +1,7 @@
 //! The row of a scene as OpenSees has it: floors with what holds them, and the pairs that can touch.
 
-use pounding_scene::{Columns, Floors, OnRow, Simulation, StoreyProperties};
+use pounding_scene::{Columns, Floors, Simulation, StoreyProperties};
+use pounding_solver::OnRow;
 use pounding_solver::{Hysteretic, Node, Row, Support};
 
 /// A uniaxial material of columns, as Python writes it: its name, and its parameters after the tag.

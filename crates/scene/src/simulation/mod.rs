@@ -1,13 +1,11 @@
 //! From a checked scene to the leanest model, and its run.
 
 mod advice;
-mod columns;
 pub(crate) mod floors;
 mod model;
 mod pair_outcome;
 mod refused;
 mod run;
-mod side_by_side;
 mod values;
 
 use std::sync::Arc;
@@ -18,15 +16,13 @@ use crate::ground_motion::SharedMotion;
 use crate::simulation::floors::{Floor, Floors};
 use crate::{Error, Method, Origin, Scene, SceneError};
 use pounding_motion::{Record, RecordError};
-use pounding_solver::{Budget, Clock, Integrator};
+use pounding_solver::{AnyRow, Budget, Clock, Integrator};
 
 pub use advice::{Advice, Goal, StepSizes, Trial, holding};
-use model::Model;
 pub(crate) use pair_outcome::LEANS;
 pub use pair_outcome::{PairOutcome, least_opening};
-pub use run::{AllRecorders, Balance, OnRow, RunResult};
+pub use run::{AllRecorders, Balance, RunResult};
 pub use run::{Audited, Extras, Recorders};
-pub use side_by_side::{alone_because, side_by_side};
 pub use values::Values;
 
 /// A checked scene, ready to run: the leanest row that models it, its record, clock and integrator.
@@ -41,7 +37,7 @@ pub struct Simulation {
     /// Why its time step is refused.
     unstable: Option<SceneError>,
     floors: Floors,
-    model: Model,
+    row: AnyRow,
     record: Arc<Record>,
     /// What the source of the record was multiplied by.
     scale: f64,
@@ -71,7 +67,7 @@ impl Simulation {
         scene.check_method().ok()?;
         check::free_limit(scene).ok()?;
         self.floors.renumber(scene);
-        self.model.renumber(scene, &self.floors).ok()?;
+        model::renumber(&mut self.row, scene, &self.floors).ok()?;
         self.clock = scene.method.clock(duration);
         Some(())
     }
@@ -89,14 +85,14 @@ impl Simulation {
             ..scene.clone()
         };
         scene.check_method().map_err(in_scene)?;
-        let (floors, model) = modelled(scene).map_err(in_scene)?;
+        let (floors, row) = modelled(scene).map_err(in_scene)?;
         let prepared = Self {
             scene: scene.clone(),
             advice: None,
             forced: true,
             unstable: check::free_limit(scene).err(),
             floors,
-            model,
+            row,
             record: motion.record,
             scale: motion.scale,
             origin: motion.origin,
@@ -129,9 +125,9 @@ impl Simulation {
     /// Those of the lean model, which were found before.
     pub fn full(self) -> Result<Self, Error> {
         let (scene, floors) = (&self.scene, &self.floors);
-        let model = Model::full(scene, floors)
+        let row = model::full(scene, floors)
             .map_err(|error| in_scene(scene, SceneError::of_model(error, scene, floors)))?;
-        Ok(Self { model, ..self })
+        Ok(Self { row, ..self })
     }
 
     /// The same structures under the same record, with another method.
@@ -150,11 +146,11 @@ impl Simulation {
     pub fn variant(&self, scene: &Scene, record: Record) -> Result<Self, Error> {
         let in_scene = |source| in_scene(scene, source);
         scene.check().map_err(in_scene)?;
-        let (floors, model) = modelled(scene).map_err(in_scene)?;
+        let (floors, row) = modelled(scene).map_err(in_scene)?;
         let varied = Self {
             scene: scene.clone(),
             floors,
-            model,
+            row,
             record: Arc::new(record),
             ..self.clone()
         };
@@ -172,12 +168,12 @@ impl Simulation {
             ..self.scene.clone()
         };
         let floors = self.floors.apart();
-        let model = Model::new(&scene, &floors)
+        let row = model::lean(&scene, &floors)
             .map_err(|error| in_scene(&scene, SceneError::of_model(error, &scene, &floors)))?;
         Ok(Self {
             scene,
             floors,
-            model,
+            row,
             ..self.clone()
         })
     }
@@ -210,7 +206,7 @@ impl Simulation {
             scene,
             advice: None,
             floors: self.floors.clone(),
-            model: self.model.clone(),
+            row: self.row.clone(),
             record: self.record.clone(),
             scale: self.scale,
             origin: self.origin.clone(),
@@ -258,7 +254,7 @@ impl Simulation {
     }
 
     /// What a run may cost.
-    pub(crate) fn budget(&self) -> Budget {
+    pub fn budget(&self) -> Budget {
         self.scene.budget.of_run(self.stop)
     }
 
@@ -270,6 +266,16 @@ impl Simulation {
     /// The time steps of its run; one for the exact method.
     pub fn clock(&self) -> Clock {
         self.clock
+    }
+
+    /// Returns the row that models it.
+    pub fn row(&self) -> &AnyRow {
+        &self.row
+    }
+
+    /// Returns the method that runs, as the solver knows it.
+    pub fn integrator(&self) -> Integrator {
+        self.integrator
     }
 
     /// The method that runs.
@@ -289,7 +295,7 @@ impl Simulation {
 
     /// Whether some columns yield smoothly.
     pub(crate) fn yields_smoothly(&self) -> bool {
-        matches!(self.model, Model::Mixed(_))
+        matches!(self.row, AnyRow::Mixed(_))
     }
 
     /// The record as the scene uses it: in m/s², scaled, reversed.
@@ -324,11 +330,11 @@ impl Simulation {
 }
 
 /// The floors of a checked scene, and the leanest row of them.
-fn modelled(scene: &Scene) -> Result<(Floors, Model), SceneError> {
+fn modelled(scene: &Scene) -> Result<(Floors, AnyRow), SceneError> {
     let floors = Floors::of(scene)?;
-    let model =
-        Model::new(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
-    Ok((floors, model))
+    let row =
+        model::lean(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
+    Ok((floors, row))
 }
 
 /// An error of a scene by its name.

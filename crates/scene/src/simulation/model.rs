@@ -1,38 +1,12 @@
 //! What the solver needs of a scene: the leanest row that models it, integrator and clock.
 
-use super::columns::Mixed;
 use crate::simulation::floors::{Floor, FloorPair, Floors};
 use crate::{Columns, Method, Scene, Structure};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic,
-    Integrator, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
+    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic,
+    Integrator, Mixed, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
 };
-
-/// The row with the columns it needs: decided once per run.
-#[derive(Debug, Clone)]
-pub(super) enum Model {
-    Elastic(Row<Elastic>),
-    /// Elastic storeys among yielding ones get an infinite yield force.
-    ElastoPlastic(Row<ElastoPlastic>),
-    /// Some harden; others among them have a hardening of 0.
-    Bilinear(Row<Bilinear>),
-    /// Some yield smoothly.
-    Mixed(Row<Mixed>),
-}
-
-/// Does the same with the row of any model.
-macro_rules! with_row {
-    ($model:expr, $row:ident => $done:expr) => {
-        match $model {
-            Model::Elastic($row) => $done,
-            Model::ElastoPlastic($row) => $done,
-            Model::Bilinear($row) => $done,
-            Model::Mixed($row) => $done,
-        }
-    };
-}
-pub(super) use with_row;
 
 /// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
 const OUT_OF_REACH: f64 = 1e9;
@@ -61,50 +35,46 @@ impl Asked {
     }
 }
 
-impl Model {
-    /// The leanest row of a checked scene.
-    pub(super) fn new(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
-        let made = floors.all().iter().filter_map(|floor| floor.made_of);
-        let most = made.map(|made| Asked::of(&made.columns)).max();
-        let pairs = pairs(scene, floors).collect();
-        match most.unwrap_or(Asked::Nothing) {
-            Asked::Nothing => row(scene, floors, elastic, pairs).map(Self::Elastic),
-            Asked::Yielding => row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic),
-            Asked::Hardening => row(scene, floors, bilinear, pairs).map(Self::Bilinear),
-            Asked::Bending => row(scene, floors, mixed, pairs).map(Self::Mixed),
-        }
+/// The leanest row of a checked scene.
+pub(super) fn lean(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError> {
+    let made = floors.all().iter().filter_map(|floor| floor.made_of);
+    let most = made.map(|made| Asked::of(&made.columns)).max();
+    let pairs = pairs(scene, floors).collect();
+    match most.unwrap_or(Asked::Nothing) {
+        Asked::Nothing => row(scene, floors, elastic, pairs).map(AnyRow::Elastic),
+        Asked::Yielding => row(scene, floors, elasto_plastic, pairs).map(AnyRow::ElastoPlastic),
+        Asked::Hardening => row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear),
+        Asked::Bending => row(scene, floors, mixed, pairs).map(AnyRow::Mixed),
     }
+}
 
-    /// Gives the row other numbers, in its own memory.
-    pub(super) fn renumber(&mut self, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
-        match self {
-            Self::Elastic(row) => renumber(row, scene, floors, elastic),
-            Self::ElastoPlastic(row) => renumber(row, scene, floors, elasto_plastic),
-            Self::Bilinear(row) => renumber(row, scene, floors, bilinear),
-            Self::Mixed(row) => renumber(row, scene, floors, mixed),
-        }
+/// Gives a row the numbers of another scene, in its own memory.
+pub(super) fn renumber(
+    any: &mut AnyRow,
+    scene: &Scene,
+    floors: &Floors,
+) -> Result<(), ModelError> {
+    match any {
+        AnyRow::Elastic(row) => renumbered(row, scene, floors, elastic),
+        AnyRow::ElastoPlastic(row) => renumbered(row, scene, floors, elasto_plastic),
+        AnyRow::Bilinear(row) => renumbered(row, scene, floors, bilinear),
+        AnyRow::Mixed(row) => renumbered(row, scene, floors, mixed),
     }
+}
 
-    /// The same with what a scene can ask for and this one does not: columns that remember their yielding, and all floors
-    /// that face each other as pairs.
-    pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<Self, ModelError> {
-        let lean = Self::new(scene, floors)?;
-        let pairs = match &scene.contacts {
-            Some(_) => pairs(scene, floors).collect(),
-            None => pairs_out_of_reach(floors),
-        };
-        match lean {
-            Self::Elastic(_) | Self::ElastoPlastic(_) => {
-                row(scene, floors, elasto_plastic, pairs).map(Self::ElastoPlastic)
-            }
-            Self::Bilinear(_) => row(scene, floors, bilinear, pairs).map(Self::Bilinear),
-            Self::Mixed(_) => row(scene, floors, mixed, pairs).map(Self::Mixed),
+/// The row with what a scene can ask for and this one does not: columns that remember their yielding, and all floors that face each
+/// other as pairs.
+pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError> {
+    let pairs = match &scene.contacts {
+        Some(_) => pairs(scene, floors).collect(),
+        None => pairs_out_of_reach(floors),
+    };
+    match lean(scene, floors)? {
+        AnyRow::Elastic(_) | AnyRow::ElastoPlastic(_) => {
+            row(scene, floors, elasto_plastic, pairs).map(AnyRow::ElastoPlastic)
         }
-    }
-
-    /// The pairs that can touch, level by level from left to right.
-    pub(super) fn pairs(&self) -> &[Pair] {
-        with_row!(self, row => row.pairs())
+        AnyRow::Bilinear(_) => row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear),
+        AnyRow::Mixed(_) => row(scene, floors, mixed, pairs).map(AnyRow::Mixed),
     }
 }
 
@@ -194,7 +164,7 @@ fn row<Column: Hysteretic>(
 }
 
 /// Gives a row other numbers, in its own memory; the motion arrives everywhere at once.
-fn renumber<Column: Hysteretic>(
+fn renumbered<Column: Hysteretic>(
     row: &mut Row<Column>,
     scene: &Scene,
     floors: &Floors,

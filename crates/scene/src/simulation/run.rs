@@ -3,13 +3,12 @@
 use std::ops::Range;
 
 use pounding_solver::{
-    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Hysteretic, Integrator,
-    LastDisplacements, Ledger, LedgerError, Opening, Pair, Peak, Peaks, Recorder, Row, RunError,
+    Clock, Closings, Collisions, Excitation, FloorAccelerations, Histories, Integrator,
+    LastDisplacements, Ledger, LedgerError, OnRow, Opening, Pair, Peak, Peaks, Recorder, RunError,
     Terms, TransferredMomentum, Travel, Work,
 };
 
 use super::Simulation;
-use super::model::{Model, with_row};
 use crate::{Error, Method, SceneError, Structure};
 
 /// Looks at a motion in the shortest natural period, where its series says no better; see [`Closings`].
@@ -57,15 +56,6 @@ pub struct Balance {
     pub residual: f64,
     /// What energies are measured by \[J\]; see [`Ledger::scale`].
     pub scale: f64,
-}
-
-/// Work on a row that does not ask what its columns are.
-pub trait OnRow {
-    /// What comes of it.
-    type Output;
-
-    /// Works on a row.
-    fn on<Column: Hysteretic>(self, row: &Row<Column>) -> Self::Output;
 }
 
 /// What a run records only where it is asked for.
@@ -253,7 +243,7 @@ impl Simulation {
     /// How the ground motion travels along the row; nothing where all are shaken at once.
     pub fn travel(&self) -> Option<Travel> {
         let excitation = self.excitation();
-        with_row!(&self.model, row => row.travel(excitation))
+        self.row.travel(excitation)
     }
 
     /// How far the bases of structures that face each other come closest, or apart, during the run, by how the ground
@@ -273,18 +263,18 @@ impl Simulation {
 
     /// The pairs that can touch, from left to right.
     pub fn pairs(&self) -> &[Pair] {
-        self.model.pairs()
+        self.row.pairs()
     }
 
     /// An empty ledger for a run of the scene, held to all laws.
     fn ledger(&self) -> Ledger<'_> {
         let excitation = self.excitation();
-        with_row!(&self.model, row => Ledger::new(row, excitation))
+        self.row.ledger(excitation)
     }
 
     /// Works on the row that models the scene, whatever its columns are.
     pub fn on_row<Task: OnRow>(&self, work: Task) -> Task::Output {
-        with_row!(&self.model, row => work.on(row))
+        self.row.on(work)
     }
 
     /// Runs the scene by any method, whatever its own is, with recorders of what is printed of a structure or a pair and a ledger that is
@@ -328,7 +318,7 @@ impl Simulation {
     ) -> Result<Work, RunError> {
         let excitation = self.excitation();
         let course = clock.within(self.budget());
-        with_row!(&self.model, row => integrator.run(row, excitation, course, recorder))
+        self.row.run(integrator, excitation, course, recorder)
     }
 
     /// Runs the scene with recorders of a type that others use too.

@@ -1,5 +1,6 @@
 //! The row: structures and buildings, columns, pairs, and the ground that shakes them.
 
+pub(crate) mod any_row;
 pub(crate) mod approach;
 pub(crate) mod balance;
 pub(crate) mod bilinear;
@@ -11,6 +12,7 @@ pub(crate) mod dashpots;
 pub(crate) mod excitation;
 pub(crate) mod ground;
 pub(crate) mod levels;
+pub(crate) mod mixed;
 pub(crate) mod modes;
 pub(crate) mod node;
 pub(crate) mod oscillation;

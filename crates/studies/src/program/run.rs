@@ -1,7 +1,8 @@
 //! A run of a scene by the paper's program.
 
 use pounding_motion::Record;
-use pounding_scene::{OnRow, RunResult, Simulation};
+use pounding_scene::{RunResult, Simulation};
+use pounding_solver::OnRow;
 use pounding_solver::{Clock, Hysteretic, Recorder, Row, RunError, TransferredMomentum, Work};
 
 use super::choices::Program;

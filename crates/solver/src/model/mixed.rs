@@ -1,11 +1,13 @@
 //! Columns of rows in which some storeys yield at one point and others smoothly.
 
-use pounding_solver::{Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce};
+use crate::{Bent, Bilinear, BoucWen, Hysteresis, Hysteretic, Response, RestoringForce};
 
 /// Columns that yield at one point, or never, or smoothly; what they remember is that of either.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Mixed {
+pub enum Mixed {
+    /// That yield at one point, or never.
     Sharp(Bilinear),
+    /// That yield smoothly.
     Smooth(BoucWen),
 }
 

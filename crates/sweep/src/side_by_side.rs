@@ -1,14 +1,10 @@
 //! Simulation scenes that run side by side.
 
-use std::sync::Arc;
-
+use pounding_lanes::{ExactSideBySide, Excitations, RowsOf, SceneSums, SideBySide};
+use pounding_scene::Simulation;
 use pounding_solver::{
-    Clock, Elastic, Exact, ExactSideBySide, Excitation, Excitations, Integrator, Row, RowsOf,
-    SceneSums, SideBySide, Stepping,
+    AnyRow, CentralDifference, Clock, Elastic, Exact, Excitation, Integrator, Row,
 };
-
-use super::Simulation;
-use super::model::{Model, with_row};
 
 /// The rows of scenes that all have one kind of columns; nothing where they have not.
 macro_rules! rows {
@@ -16,7 +12,7 @@ macro_rules! rows {
         $scenes
             .iter()
             .map(|(_, scene)| {
-                if let Model::$kind(row) = &scene.model {
+                if let AnyRow::$kind(row) = scene.row() {
                     Some(row)
                 } else {
                     None
@@ -30,8 +26,7 @@ macro_rules! rows {
 /// neighbours come towards each other; nothing where none of them can. Others are not told: those of another number of floors and pairs than
 /// the first, with Bouc–Wen columns or a motion that travels, of other methods. Each may have a record of its own.
 ///
-/// By the central difference method without sub-steps, and two structures of one storey by the velocity Verlet method, every scene has
-/// the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
+/// By the central difference method without sub-steps every scene has the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
 /// more; they then have the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
 pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
     let shape = |scene: &Simulation| (scene.floors().all().len(), scene.pairs().len());
@@ -46,8 +41,8 @@ pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums>
         // A scene that cannot go side by side goes with none, itself included.
         let is_now = |(place, scene): &Placed<'_>| *place == first_place || goes_with(scene, first);
         let (now, later): (Vec<_>, Vec<_>) = left.into_iter().partition(is_now);
-        any |= match Stepping::of(first.integrator) {
-            Some(stepping) => stepped((&now, closings), stepping, &mut tallies).unwrap_or(false),
+        any |= match stepping(first) {
+            Some(settings) => stepped((&now, closings), settings, &mut tallies).unwrap_or(false),
             None => exact((&now, closings), &mut tallies),
         };
         left = later;
@@ -59,12 +54,9 @@ pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums>
 pub fn alone_because(scene: &Simulation) -> Option<&'static str> {
     let floors = scene.floors().all();
     let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
-    let of_method = match scene.integrator {
+    let of_method = match scene.integrator() {
         Integrator::CentralDifference(settings) => (settings.contact_substeps > 1)
             .then_some("sub-steps in contact are those of one scene"),
-        Integrator::Verlet(_) => (!two).then_some(
-            "velocity Verlet takes two structures of one storey side by side, central differences take any row",
-        ),
         Integrator::Exact(settings) => match elastic(scene) {
             Some(row) if ExactSideBySide::takes(row, settings) => None,
             Some(_) if two && !scene.pairs().is_empty() => {
@@ -75,16 +67,15 @@ pub fn alone_because(scene: &Simulation) -> Option<&'static str> {
             ),
         },
         Integrator::Newmark(_)
+        | Integrator::Verlet(_)
         | Integrator::Hht(_)
         | Integrator::Rk4(_)
         | Integrator::MoreauJean(_) => Some(
-            "central differences, velocity Verlet and the exact method go side by side, this method does not",
+            "central differences and the exact method go side by side, this method does not",
         ),
     };
-    let travels = with_row!(&scene.model, row => {
-        (0..row.nodes().len()).any(|node| row.arrival(node) != 0.0)
-    });
-    let smooth = matches!(scene.model, Model::Mixed(_));
+    let travels = scene.travel().is_some();
+    let smooth = matches!(scene.row(), AnyRow::Mixed(_));
     let of_row = || match (smooth, travels) {
         (true, _) => Some("Bouc–Wen columns are those of one scene"),
         (false, true) => {
@@ -102,19 +93,19 @@ type Placed<'a> = (usize, &'a Simulation);
 /// that end at one sample.
 fn goes_with(one: &Simulation, other: &Simulation) -> bool {
     let equal = |of: fn(&Simulation) -> f64| of(one).total_cmp(&of(other)).is_eq();
-    let with_method = one.integrator == other.integrator && equal(|scene| scene.clock.time_step);
-    let of_kind = || match (&one.model, &other.model) {
-        (Model::Elastic(one), Model::Elastic(other)) => SideBySide::are_alike(one, other),
-        (Model::ElastoPlastic(one), Model::ElastoPlastic(other)) => {
+    let with_method = one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
+    let of_kind = || match (one.row(), other.row()) {
+        (AnyRow::Elastic(one), AnyRow::Elastic(other)) => SideBySide::are_alike(one, other),
+        (AnyRow::ElastoPlastic(one), AnyRow::ElastoPlastic(other)) => {
             SideBySide::are_alike(one, other)
         }
-        (Model::Bilinear(one), Model::Bilinear(other)) => SideBySide::are_alike(one, other),
+        (AnyRow::Bilinear(one), AnyRow::Bilinear(other)) => SideBySide::are_alike(one, other),
         _ => false,
     };
     let at_one_pace =
-        || equal(|scene| scene.record.time_step()) && one.clock.n_steps == other.clock.n_steps;
+        || equal(|scene| scene.record().time_step()) && one.clock().n_steps == other.clock().n_steps;
     with_method
-        && match Stepping::of(one.integrator) {
+        && match stepping(one) {
             Some(_) => of_kind(),
             None => at_one_pace(),
         }
@@ -123,28 +114,28 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
 /// Runs scenes that share lanes by a stepping method; nothing where they cannot.
 fn stepped(
     (scenes, closings): (&[Placed<'_>], bool),
-    stepping: Stepping,
+    settings: CentralDifference,
     tallies: &mut SceneSums,
 ) -> Option<bool> {
     let (_, first) = scenes.first()?;
     let n_steps: Vec<_> = scenes
         .iter()
-        .map(|(_, scene)| scene.clock.n_steps)
+        .map(|(_, scene)| scene.clock().n_steps)
         .collect();
     let clock = Clock {
-        time_step: first.clock.time_step,
+        time_step: first.clock().time_step,
         n_steps: n_steps.iter().copied().max()?,
     };
     let excitations = excitations(scenes);
-    let together = SideBySide::new(stepping, Excitations::of(&excitations), clock).ok()?;
+    let together = SideBySide::new(settings, Excitations::of(&excitations), clock).ok()?;
     let together = together.within(first.budget()).with_closings(closings);
     let mut found = SceneSums::default();
     let mut run = |rows| together.run(rows, &n_steps, &mut found);
-    let ran = match first.model {
-        Model::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
-        Model::ElastoPlastic(_) => run(RowsOf::ElastoPlastic(&rows!(scenes, ElastoPlastic)?)),
-        Model::Bilinear(_) => run(RowsOf::Bilinear(&rows!(scenes, Bilinear)?)),
-        Model::Mixed(_) => false,
+    let ran = match first.row() {
+        AnyRow::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
+        AnyRow::ElastoPlastic(_) => run(RowsOf::ElastoPlastic(&rows!(scenes, ElastoPlastic)?)),
+        AnyRow::Bilinear(_) => run(RowsOf::Bilinear(&rows!(scenes, Bilinear)?)),
+        AnyRow::Mixed(_) => false,
     };
     if ran {
         for (index, (place, _)) in scenes.iter().enumerate() {
@@ -173,7 +164,7 @@ fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> 
         .filter_map(|(place, scene)| Some((*place, elastic(scene)?)));
     let rows: Vec<_> = rows.collect();
     let excitations = excitations(&flown);
-    let together = ExactSideBySide::new(settings, Excitations::of(&excitations), first.clock);
+    let together = ExactSideBySide::new(settings, Excitations::of(&excitations), first.clock());
     if let Ok(together) = together {
         let together = together.within(first.budget());
         together.with_closings(closings).run(&rows, tallies);
@@ -185,7 +176,7 @@ fn exact((scenes, closings): (&[Placed<'_>], bool), tallies: &mut SceneSums) -> 
 fn excitations<'a>(scenes: &[Placed<'a>]) -> Vec<Excitation<'a>> {
     let mut last: Option<(&Simulation, Excitation<'_>)> = None;
     let one = |scene: &'a Simulation| {
-        let shared = last.filter(|(other, _)| Arc::ptr_eq(&scene.record, &other.record));
+        let shared = last.filter(|(other, _)| std::ptr::eq(scene.record(), other.record()));
         let excitation = shared.map_or_else(|| scene.excitation(), |(_, known)| known);
         last = Some((scene, excitation));
         excitation
@@ -193,9 +184,18 @@ fn excitations<'a>(scenes: &[Placed<'a>]) -> Vec<Excitation<'a>> {
     scenes.iter().map(|(_, scene)| *scene).map(one).collect()
 }
 
+/// Settings of the central difference method; `None` if the scene has another one.
+fn stepping(scene: &Simulation) -> Option<CentralDifference> {
+    if let Integrator::CentralDifference(settings) = scene.integrator() {
+        Some(settings)
+    } else {
+        None
+    }
+}
+
 /// Settings of the exact method, where that is the scene's.
 fn settings(scene: &Simulation) -> Option<Exact> {
-    if let Integrator::Exact(settings) = scene.integrator {
+    if let Integrator::Exact(settings) = scene.integrator() {
         Some(settings)
     } else {
         None
@@ -204,7 +204,7 @@ fn settings(scene: &Simulation) -> Option<Exact> {
 
 /// The row, where none of its columns can yield.
 fn elastic(scene: &Simulation) -> Option<&Row<Elastic>> {
-    if let Model::Elastic(row) = &scene.model {
+    if let AnyRow::Elastic(row) = scene.row() {
         Some(row)
     } else {
         None
