@@ -9,10 +9,10 @@ use std::time::Duration;
 
 use criterion::{Criterion, Throughput};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     CentralDifference, Clock, Collisions, Elastic, Exact, Excitation, Hht, Integrator, MoreauJean,
-    Newmark, Node, Pair, Peaks, Rk4, Row, RowsOf, SceneSums, SideBySide, SimultaneousImpacts,
-    Verlet, VerletImpacts,
+    Newmark, Node, Pair, Peaks, Rk4, Row, SimultaneousImpacts, Verlet, VerletImpacts,
 };
 
 const MASS: f64 = 1e5;

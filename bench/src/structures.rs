@@ -5,10 +5,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Collisions, Elastic, Excitation, Integrator, Node, Pair, Peaks, Row, RowsOf, SceneSums,
-    SideBySide,
-};
+use pounding_lanes::{RowsOf, SceneSums, SideBySide};
+use pounding_solver::{Collisions, Elastic, Excitation, Integrator, Node, Pair, Peaks, Row};
 
 use super::lanes;
 use super::setting::{

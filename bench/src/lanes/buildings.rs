@@ -3,9 +3,8 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use pounding_solver::{
-    Bilinear, Excitation, Integrator, Levels, ModelError, Peaks, Row, RowsOf, SceneSums, SideBySide,
-};
+use pounding_lanes::{RowsOf, SceneSums, SideBySide};
+use pounding_solver::{Bilinear, Excitation, Integrator, Levels, ModelError, Peaks, Row};
 
 use super::by_hand::{self, FLOORS, GROUP, LEVELS, Law, STOREYS, Towers};
 use super::towers::{SCENES, groups, rows};

@@ -13,9 +13,9 @@ use std::time::{Duration, Instant};
 use by_hand::{GROUP, Group};
 pub(super) use by_hand::{Law, STOREYS, instructions};
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
-    Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row, RowsOf,
-    SceneSums, SideBySide,
+    Clock, Collisions, Elastic, Excitation, Hysteretic, Integrator, Node, Pair, Peaks, Row,
 };
 
 use super::setting::{

@@ -2,7 +2,7 @@
 
 use pounding_studies::Competitor;
 
-use super::own::{EXACT, EXACT_LANES, LANES, VERLET_LANES};
+use super::own::{EXACT, EXACT_LANES, LANES};
 use super::scenes::Kind;
 
 /// A method of somebody over a ladder of settings.
@@ -81,7 +81,7 @@ const fn entrant(
 pub(super) const OURS: &str = "pounding";
 
 /// All of them, in the order of tables and legends.
-pub(super) const ENTRANTS: [Entrant; 16] = {
+pub(super) const ENTRANTS: [Entrant; 15] = {
     use Competitor::{Loop, OpenSees, Ours, Scipy, Sundials};
     use Knob::{Nothing, OwnTolerance, TimeStep, Tolerance};
     const STRUCTURES: &[Kind] = &[Kind::Impulsive, Kind::Compliant];
@@ -96,12 +96,6 @@ pub(super) const ENTRANTS: [Entrant; 16] = {
             [OURS, LANES, "Ours: central difference, lanes"],
             TimeStep,
             ALL,
-        ),
-        entrant(
-            Ours,
-            [OURS, VERLET_LANES, "Ours: Verlet, lanes"],
-            TimeStep,
-            STRUCTURES,
         ),
         entrant(
             Ours,

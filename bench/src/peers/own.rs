@@ -4,29 +4,18 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use cpu_time::ProcessTime;
-use pounding_solver::{
-    CentralDifference, Exact, ExactSideBySide, Hysteretic, Integrator, Row, RowsOf, SceneSums,
-    SideBySide, SimultaneousImpacts, Stepping, Verlet, VerletImpacts,
-};
+use pounding_lanes::{ExactSideBySide, RowsOf, SceneSums, SideBySide};
+use pounding_solver::{CentralDifference, Exact, Hysteretic, Integrator, Row, SimultaneousImpacts};
 
 use super::scenes::{Found, IN_LANES, Measured, Rows, SCENES, Scenes, clock, exact, solved};
 
 /// Names of the methods in tables.
 pub(super) const LANES: &str = "central_difference_in_lanes";
-pub(super) const VERLET_LANES: &str = "velocity_verlet_in_lanes";
 pub(super) const EXACT: &str = "exact";
 pub(super) const EXACT_LANES: &str = "exact_in_lanes";
 
 /// A measurement repeats what is shorter, as `worker.py` does.
 const LEAST: Duration = Duration::from_millis(20);
-
-const CENTRAL_DIFFERENCE: Stepping = Stepping::CentralDifference(CentralDifference {
-    contact_substeps: 1,
-});
-
-const VERLET: Stepping = Stepping::Verlet(Verlet {
-    impacts: VerletImpacts::Located,
-});
 
 /// Runs the scenes by a method at a setting and measures the CPU time of one.
 pub(super) fn measured(
@@ -35,8 +24,7 @@ pub(super) fn measured(
     setting: f64,
 ) -> Result<Measured, String> {
     match method {
-        LANES => in_lanes(scenes, CENTRAL_DIFFERENCE, setting),
-        VERLET_LANES => in_lanes(scenes, VERLET, setting),
+        LANES => in_lanes(scenes, setting),
         // The exact method keeps no time step; a clock says how long it runs.
         EXACT_LANES => exact_in_lanes(scenes, setting),
         EXACT => Ok(match &scenes.rows {
@@ -50,9 +38,9 @@ pub(super) fn measured(
 }
 
 /// Vectors full of scenes: those that are compared, and others like them.
-fn in_lanes(scenes: &Scenes<'_>, stepping: Stepping, time_step: f64) -> Result<Measured, String> {
+fn in_lanes(scenes: &Scenes<'_>, time_step: f64) -> Result<Measured, String> {
     let clock = clock(time_step);
-    let together = SideBySide::new(stepping, scenes.excitation, clock);
+    let together = SideBySide::new(CentralDifference::default(), scenes.excitation, clock);
     let together = together.map_err(|error| error.to_string())?;
     let n_steps = [clock.n_steps; IN_LANES];
     let run = |rows: RowsOf<'_>| {

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use pounding_contact::{Calibration, ContactLaw, NonlinearViscoelastic, Stereomechanical};
+use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     Bilinear, Clock, Collisions, Elastic, Exact, Excitation, Hysteretic, Integrator, Levels, Node,
-    Pair, Peaks, Row, RowsOf, SceneSums, SideBySide, SimultaneousImpacts, Support,
+    Pair, Peaks, Row, SimultaneousImpacts, Support,
 };
 use rand_pcg::Pcg64;
 use serde_json::{Value, json};

@@ -324,13 +324,6 @@ impl<S: Simd> Extremes<S> {
         Self([least.min(value), largest.max(value)])
     }
 
-    /// These where the mask says so, else the others.
-    #[inline(always)]
-    pub(super) fn or(self, others: Self, these: Mask<S>) -> Self {
-        let select = |place: usize| Number::select(these, self.0[place], others.0[place]);
-        Self([select(0), select(1)])
-    }
-
     /// That of the largest magnitude in a lane; nothing where it is one to the left and one to the right, and where the last value
     /// is no longer finite.
     #[inline(always)]

@@ -26,18 +26,7 @@ pub(super) trait SideBySideColumn: RestoringForce {
 
     /// Gathers a number of every scene's columns.
     fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Self::Beside<N>;
-
-    /// What is remembered: the first where the mask says yes, else the second.
-    fn select<N: Number>(
-        mask: N::Mask,
-        yes: MemoryOf<N, Self>,
-        no: MemoryOf<N, Self>,
-    ) -> MemoryOf<N, Self>;
 }
-
-/// What columns remember in several scenes.
-pub(super) type MemoryOf<N, Column> =
-    <<Column as SideBySideColumn>::Beside<N> as RestoringForce<N>>::Memory;
 
 impl SideBySideColumn for Elastic {
     type Beside<N: Number> = Elastic<N>;
@@ -47,9 +36,6 @@ impl SideBySideColumn for Elastic {
             stiffness: gather(|column| column.stiffness),
         }
     }
-
-    #[inline(always)]
-    fn select<N: Number>(_: N::Mask, (): (), (): ()) {}
 }
 
 /// Perfectly plastic columns of several scenes, with what every step asks for.
@@ -89,11 +75,6 @@ impl SideBySideColumn for ElastoPlastic {
             ],
             at_yield: gather(|column| column.yield_force / column.stiffness),
         }
-    }
-
-    #[inline(always)]
-    fn select<N: Number>(mask: N::Mask, yes: N, no: N) -> N {
-        N::select(mask, yes, no)
     }
 }
 
@@ -137,10 +118,5 @@ impl SideBySideColumn for Bilinear {
             },
             elastic: gather(Self::elastic),
         }
-    }
-
-    #[inline(always)]
-    fn select<N: Number>(mask: N::Mask, yes: N, no: N) -> N {
-        N::select(mask, yes, no)
     }
 }

@@ -77,99 +77,63 @@ impl<'a> Excitations<'a> {
     }
 }
 
-/// Groups of scenes that go in step, at most.
-pub(super) const GROUPS: usize = 2;
-
-/// Ground accelerations of groups of scenes at the nodes of a clock \[m/s²\].
-pub(super) trait Grounds {
-    /// What is kept of a node.
-    type Node;
-
-    /// The nodes from one step to another one, of groups of rows.
-    fn nodes<S: Simd, Column>(
-        &mut self,
-        groups: &[Rows<'_, Column>; GROUPS],
-        steps: RangeInclusive<usize>,
-    ) -> &[Self::Node];
-
-    /// The accelerations of the groups at a node.
-    fn at<S: Simd>(simd: S, node: &Self::Node) -> [Lanes<S>; GROUPS];
+/// Ground accelerations of a group of scenes at the nodes of a clock \[m/s²\].
+pub(super) enum Grounds<'a> {
+    /// One motion for all scenes, with all of its nodes.
+    Common(&'a [f64]),
+    /// A motion for every scene, sampled piece by piece.
+    Own(Own<'a>),
 }
 
-/// One motion for all scenes, with all of its nodes.
-pub(super) struct Common<'a>(pub(super) &'a [f64]);
-
-impl Grounds for Common<'_> {
-    type Node = f64;
-
-    #[inline(always)]
-    fn nodes<S: Simd, Column>(
-        &mut self,
-        _: &[Rows<'_, Column>; GROUPS],
-        steps: RangeInclusive<usize>,
-    ) -> &[f64] {
-        &self.0[steps]
-    }
-
-    #[inline(always)]
-    fn at<S: Simd>(simd: S, node: &f64) -> [Lanes<S>; GROUPS] {
-        [Lanes::splat(simd, *node); GROUPS]
-    }
-}
-
-/// A motion for every scene, sampled piece by piece.
+/// A motion for every scene.
 pub(super) struct Own<'a> {
     each: &'a [Excitation<'a>],
     time_step: f64,
-    piece: Vec<[[f64; MOST_LANES]; GROUPS]>,
+    /// Number of the first node of the piece.
+    first: usize,
+    piece: Vec<[f64; MOST_LANES]>,
 }
 
-impl<'a> Own<'a> {
-    pub(super) fn new(each: &'a [Excitation<'a>], time_step: f64) -> Self {
-        Self {
+impl<'a> Grounds<'a> {
+    /// Of a motion for every scene.
+    pub(super) fn own(each: &'a [Excitation<'a>], time_step: f64) -> Self {
+        Self::Own(Own {
             each,
             time_step,
+            first: 0,
             piece: Vec::new(),
-        }
+        })
     }
-}
 
-impl Grounds for Own<'_> {
-    type Node = [[f64; MOST_LANES]; GROUPS];
-
-    fn nodes<S: Simd, Column>(
+    /// Makes the nodes of some steps of a group ready.
+    pub(super) fn sample<S: Simd, Column>(
         &mut self,
-        groups: &[Rows<'_, Column>; GROUPS],
+        rows: Rows<'_, Column>,
         steps: RangeInclusive<usize>,
-    ) -> &[Self::Node] {
-        let of_lane = |rows: &Rows<'_, Column>, lane: usize| {
-            self.each[rows.scene(lane)].at_steps(self.time_step)
+    ) {
+        let Self::Own(own) = self else {
+            return;
         };
-        let motions: [[_; MOST_LANES]; GROUPS] = groups
-            .each_ref()
-            .map(|rows| std::array::from_fn(|lane| of_lane(rows, lane)));
-        // A group without scenes repeats the first one.
-        let repeats = groups[1].first == groups[0].first;
-        let n_groups = if repeats { 1 } else { GROUPS };
-        self.piece.clear();
+        let motion = |lane: usize| own.each[rows.scene(lane)].at_steps(own.time_step);
+        let motions: [_; MOST_LANES] = std::array::from_fn(motion);
+        own.first = *steps.start();
+        own.piece.clear();
         // Node by node: lane by lane, all nodes would pass through the cache for every lane.
-        self.piece.extend(steps.map(|step| {
-            let mut node = Self::Node::default();
-            for (lanes, motions) in node.iter_mut().zip(&motions[..n_groups]) {
-                for (lane, motion) in lanes.iter_mut().zip(motions).take(Lanes::<S>::N) {
-                    *lane = motion(step);
-                }
-            }
-            if repeats {
-                node[1] = node[0];
+        own.piece.extend(steps.map(|step| {
+            let mut node = [0.0; MOST_LANES];
+            for (value, motion) in node.iter_mut().zip(&motions).take(Lanes::<S>::N) {
+                *value = motion(step);
             }
             node
         }));
-        &self.piece
     }
 
+    /// The accelerations at a node that is ready.
     #[inline(always)]
-    fn at<S: Simd>(simd: S, [one, other]: &Self::Node) -> [Lanes<S>; GROUPS] {
-        [Lanes::new(simd, one), Lanes::new(simd, other)]
+    pub(super) fn at<S: Simd>(&self, simd: S, step: usize) -> Lanes<S> {
+        match self {
+            Self::Common(nodes) => Lanes::splat(simd, nodes[step]),
+            Self::Own(own) => Lanes::new(simd, &own.piece[step - own.first]),
+        }
     }
 }

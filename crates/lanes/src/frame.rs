@@ -11,9 +11,6 @@ use pounding_solver::formulas::Link;
 /// How the structures of some rows of one shape, or the floors of their buildings, go on from a node with an acceleration of the
 /// ground \[m/s²\].
 pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
-    /// Whether every structure has an equation of its own.
-    const STANDS_ALONE: bool;
-
     /// Of some rows, for a time step \[s\].
     fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self;
 
@@ -58,8 +55,6 @@ pub(super) trait Frame<S: Simd, Column: SideBySideColumn>: Sized {
 pub(super) struct Single;
 
 impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Single {
-    const STANDS_ALONE: bool = true;
-
     #[inline(always)]
     fn of(_: S, _: Rows<'_, Column>, _: f64) -> Self {
         Self

@@ -14,8 +14,8 @@ use super::number::{Lanes, Mask};
 use super::rows::Rows;
 use super::scenes::{Pair, Structure};
 use super::{PairSums, SceneSums, Shaken};
-use pounding_solver::formulas::{Rounds, Touching};
 use pounding_solver::RestoringForce;
+use pounding_solver::formulas::{Rounds, Touching};
 
 /// Scenes of one shape.
 pub(super) struct Group<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> {
@@ -87,12 +87,6 @@ impl<S: Simd, Column: SideBySideColumn, F: Frame<S, Column>> Group<S, Column, F>
     #[inline(always)]
     pub(super) fn begin(&mut self, ground: Lanes<S>) {
         self.frame.begin(&mut self.structures, ground);
-    }
-
-    /// Whether no books are open and nobody asks how close neighbours come.
-    #[inline(always)]
-    pub(super) fn is_plain(&self) -> bool {
-        !self.busy && self.closings.is_none()
     }
 
     /// A step from a node with this acceleration of the ground \[m/s²\].

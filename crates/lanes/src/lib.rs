@@ -18,7 +18,6 @@
     reason = "instructions on lanes exist only inside the function that found the machine to have them"
 )]
 
-mod at_hand;
 mod body;
 mod books;
 mod closings;
@@ -45,13 +44,12 @@ pub use column::RowsOf;
 use column::SideBySideColumn;
 pub use exact::ExactSideBySide;
 pub use excitations::Excitations;
-use excitations::{Common, Grounds, Own};
+use excitations::Grounds;
+use run::Task;
 pub use tallies::{PairSums, SceneSums};
 
 use pounding_solver::formulas::{is_plastic, require};
-use pounding_solver::{
-    Budget, CentralDifference, Clock, Pair, RestoringForce, Row, RunError,
-};
+use pounding_solver::{Budget, CentralDifference, Clock, Pair, RestoringForce, Row, RunError};
 
 /// Ground motions and the clock of the central difference method, under which many rows run.
 #[derive(Debug, Clone)]
@@ -158,13 +156,21 @@ impl<'a> SideBySide<'a> {
             return false;
         };
         tallies.begin(rows.len(), (first.nodes().len(), first.pairs().len()));
-        let task = (rows, n_steps);
-        match self.excitations {
-            Excitations::Common(_) => self.run_under(Common(&self.common), task, tallies),
-            Excitations::Each(each) => {
-                self.run_under(Own::new(each, self.clock.time_step), task, tallies);
-            }
-        }
+        let task = Task {
+            rows,
+            n_steps,
+            grounds: match self.excitations {
+                Excitations::Common(_) => Grounds::Common(&self.common),
+                Excitations::Each(each) => Grounds::own(each, self.clock.time_step),
+            },
+            tallies,
+        };
+        let method = Shaken {
+            time_step: self.clock.time_step,
+            budget: self.budget,
+            closings: self.closings,
+        };
+        dispatch!(self.level, simd => run::run(simd, &method, task));
         let is_compliant = |pair: &Pair| pair.law.is_compliant();
         let both =
             first.pairs().iter().any(is_compliant) && !first.pairs().iter().all(is_compliant);
@@ -181,20 +187,6 @@ impl<'a> SideBySide<'a> {
             }
         }
         true
-    }
-
-    fn run_under<Column: SideBySideColumn>(
-        &self,
-        grounds: impl Grounds,
-        task: (&[&Row<Column>], &[usize]),
-        tallies: &mut SceneSums,
-    ) {
-        let method = Shaken {
-            time_step: self.clock.time_step,
-            budget: self.budget,
-            closings: self.closings,
-        };
-        dispatch!(self.level, simd => run::run((simd, &method), grounds, task, tallies));
     }
 }
 

@@ -26,17 +26,6 @@ impl<Column> Clone for Rows<'_, Column> {
 impl<Column> Copy for Rows<'_, Column> {}
 
 impl<'a, Column> Rows<'a, Column> {
-    /// As many rows as there are lanes, or fewer, and those behind them; rows without others behind them are repeated.
-    pub(super) fn split<S: Simd>(self) -> [Self; 2] {
-        let (one, other) = self.rows.split_at(self.rows.len().min(Lanes::<S>::N));
-        let one = Self { rows: one, ..self };
-        if other.is_empty() {
-            return [one; 2];
-        }
-        let first = self.first + one.rows.len();
-        [one, Self { rows: other, first }]
-    }
-
     /// The row of a lane.
     pub(super) fn lane(self, lane: usize) -> &'a Row<Column> {
         self.rows[lane.min(self.rows.len() - 1)]

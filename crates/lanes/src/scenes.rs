@@ -2,17 +2,14 @@
 
 use fearless_simd::Simd;
 
-use super::body::{Body, Motion};
-use super::column::{MemoryOf, SideBySideColumn};
+use super::body::Body;
+use super::column::SideBySideColumn;
 use super::law::Law;
 use super::number::Lanes;
 use super::tally::SceneSum;
 
 /// A structure of every scene.
 pub(super) type Structure<S, Column> = Body<S, <Column as SideBySideColumn>::Beside<Lanes<S>>>;
-
-/// What it carries from step to step.
-pub(super) type MotionOf<S, Column> = Motion<S, MemoryOf<Lanes<S>, Column>>;
 
 /// A structure and its right neighbour, which can touch.
 pub(super) struct Pair<S: Simd> {
@@ -22,7 +19,7 @@ pub(super) struct Pair<S: Simd> {
     pub(super) lingers: bool,
     pub(super) gap: Lanes<S>,
     pub(super) law: Law<S>,
-    /// Deformation at the node under way \[m\]; not kept while motions are at hand.
+    /// Deformation at the node under way \[m\].
     pub(super) deformation: Lanes<S>,
     pub(super) tally: SceneSum<S>,
 }

@@ -9,10 +9,10 @@ use super::frame::Frame;
 use super::number::{Lanes, MOST_LANES, Mask};
 use super::rows::Rows;
 use super::scenes::Structure;
-use pounding_solver::formulas::{FloorCoefficients, Floors, solve};
+use pounding_solver::formulas::Buildings;
 use pounding_solver::formulas::Link;
 use pounding_solver::formulas::{Below, damping_force};
-use pounding_solver::formulas::Buildings;
+use pounding_solver::formulas::{FloorCoefficients, Floors, solve};
 
 /// The floors of some rows of one shape, building by building, each from the ground up.
 pub(super) struct Storeys<S: Simd> {
@@ -171,8 +171,6 @@ impl<S: Simd, Column: SideBySideColumn, const IN_CONTACT: bool> Floors<Lanes<S>>
 }
 
 impl<S: Simd, Column: SideBySideColumn> Frame<S, Column> for Storeys<S> {
-    const STANDS_ALONE: bool = false;
-
     #[inline(always)]
     fn of(simd: S, rows: Rows<'_, Column>, time_step: f64) -> Self {
         let buildings = Buildings::of(rows.lane(0));

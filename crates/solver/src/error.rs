@@ -331,6 +331,9 @@ impl RunError {
 }
 
 /// Refuses a setting whose `found` value is not `valid`.
+///
+/// # Errors
+/// [`RunError::Setting`] if it is not valid.
 pub fn require(
     valid: bool,
     setting: &'static str,

@@ -69,6 +69,7 @@ pub mod formulas {
     pub use crate::model::balance::{Below, Dashpot, damping_force};
     pub use crate::model::buildings::Buildings;
     pub use crate::model::column::returned;
+    pub use crate::model::dashpots::DampingRates;
     pub use crate::record::closings::cubic::{Cubic, Node as CubicNode, controls};
     pub use crate::record::is_plastic;
     pub use crate::roots::{CAPACITY, quick_first_root, shift, value_and_slope};

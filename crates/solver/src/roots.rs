@@ -9,9 +9,9 @@ use crate::span::value;
 pub const CAPACITY: usize = 64;
 
 /// Part of a series that its last quarter may be where nothing shorter can be told apart.
-pub const LOST: f64 = 1e-3;
+pub(crate) const LOST: f64 = 1e-3;
 /// The shortest piece that time can tell apart \[s\].
-pub const SHORTEST_WAY: f64 = 1e-18;
+pub(crate) const SHORTEST_WAY: f64 = 1e-18;
 
 /// Part of the whole below which a stretch is as short as rounding.
 const SHORTEST: f64 = 1e-15;
@@ -24,7 +24,7 @@ const FAST: f64 = 1e-2;
 ///
 /// Leading coefficients that are exactly zero are zeros known to lie at x = 0; what is left decides. A polynomial that
 /// is positive from the start rises at 0; one beyond the range of numbers nowhere.
-pub fn first_root(coefficients: &[f64], length: f64) -> Option<f64> {
+pub(crate) fn first_root(coefficients: &[f64], length: f64) -> Option<f64> {
     first_root_by(root_of_monotone, coefficients, length)
 }
 

@@ -5,8 +5,8 @@ use crate::quadrature::{self, EIGHT, SIXTEEN};
 pub use flight::Expansion;
 pub use flight::Flight;
 pub use series::Series;
-pub(crate) use series::{Power, rise};
 pub use series::value;
+pub(crate) use series::{Power, rise};
 
 /// State of a structure at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -1,7 +1,6 @@
 //! What a whole sweep costs by a method, with what choosing and measuring it takes.
 
 use pounding_scene::Method;
-use pounding_solver::VerletImpacts;
 
 /// The longest time step that is tried \[s\], and how often it is halved.
 pub(super) const LONGEST: f64 = 0.02;
@@ -10,15 +9,8 @@ pub(super) const HALVED: i32 = 7;
 /// How often the longest step of each of them may be halved; nothing of one that is not worth it.
 pub(super) type Halved = [Option<i32>; STEPPING.len()];
 
-/// The methods that step, the cheaper one first: both run side by side.
-pub(super) const STEPPING: [fn(f64) -> Method; 2] = [central_difference, velocity_verlet];
-
-fn velocity_verlet(time_step_s: f64) -> Method {
-    Method::VelocityVerlet {
-        time_step_s,
-        impacts: VerletImpacts::Located,
-    }
-}
+/// The methods that step, the cheaper ones first; they run side by side.
+pub(super) const STEPPING: [fn(f64) -> Method; 1] = [central_difference];
 
 fn central_difference(time_step_s: f64) -> Method {
     Method::central_difference(time_step_s, 1)

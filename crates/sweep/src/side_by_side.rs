@@ -28,7 +28,7 @@ macro_rules! rows {
 ///
 /// By the central difference method without sub-steps every scene has the numbers of its run alone. By the exact method two elastic structures run side by side, in compliant contact with a tolerance of 1e-12 or
 /// more; they then have the numbers of their runs alone to about that tolerance, and the same ones whatever runs beside them.
-pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
+pub(crate) fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums> {
     let shape = |scene: &Simulation| (scene.floors().all().len(), scene.pairs().len());
     let of_first = shape(scenes.first()?);
     let mut tallies = SceneSums::default();
@@ -51,12 +51,13 @@ pub fn side_by_side(scenes: &[&Simulation], closings: bool) -> Option<SceneSums>
 }
 
 /// Why a scene runs alone, whatever others there are; nothing where it can go side by side with its like.
-pub fn alone_because(scene: &Simulation) -> Option<&'static str> {
+pub(crate) fn alone_because(scene: &Simulation) -> Option<&'static str> {
     let floors = scene.floors().all();
     let two = floors.len() == 2 && floors.iter().all(|floor| floor.storey.is_none());
     let of_method = match scene.integrator() {
-        Integrator::CentralDifference(settings) => (settings.contact_substeps > 1)
-            .then_some("sub-steps in contact are those of one scene"),
+        Integrator::CentralDifference(settings) => {
+            (settings.contact_substeps > 1).then_some("sub-steps in contact are those of one scene")
+        }
         Integrator::Exact(settings) => match elastic(scene) {
             Some(row) if ExactSideBySide::takes(row, settings) => None,
             Some(_) if two && !scene.pairs().is_empty() => {
@@ -70,9 +71,9 @@ pub fn alone_because(scene: &Simulation) -> Option<&'static str> {
         | Integrator::Verlet(_)
         | Integrator::Hht(_)
         | Integrator::Rk4(_)
-        | Integrator::MoreauJean(_) => Some(
-            "central differences and the exact method go side by side, this method does not",
-        ),
+        | Integrator::MoreauJean(_) => {
+            Some("central differences and the exact method go side by side, this method does not")
+        }
     };
     let travels = scene.travel().is_some();
     let smooth = matches!(scene.row(), AnyRow::Mixed(_));
@@ -93,7 +94,8 @@ type Placed<'a> = (usize, &'a Simulation);
 /// that end at one sample.
 fn goes_with(one: &Simulation, other: &Simulation) -> bool {
     let equal = |of: fn(&Simulation) -> f64| of(one).total_cmp(&of(other)).is_eq();
-    let with_method = one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
+    let with_method =
+        one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
     let of_kind = || match (one.row(), other.row()) {
         (AnyRow::Elastic(one), AnyRow::Elastic(other)) => SideBySide::are_alike(one, other),
         (AnyRow::ElastoPlastic(one), AnyRow::ElastoPlastic(other)) => {
@@ -102,8 +104,9 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
         (AnyRow::Bilinear(one), AnyRow::Bilinear(other)) => SideBySide::are_alike(one, other),
         _ => false,
     };
-    let at_one_pace =
-        || equal(|scene| scene.record().time_step()) && one.clock().n_steps == other.clock().n_steps;
+    let at_one_pace = || {
+        equal(|scene| scene.record().time_step()) && one.clock().n_steps == other.clock().n_steps
+    };
     with_method
         && match stepping(one) {
             Some(_) => of_kind(),

@@ -4,8 +4,8 @@ use fearless_simd::Simd;
 use pounding_contact::Number;
 
 use super::pair::Side;
-use pounding_solver::Flight;
 use crate::number::{Lanes, MOST_LANES, Mask};
+use pounding_solver::Flight;
 
 /// Newton steps to the turn of a cubic, and terms of a series that reach rounding within a leap.
 const NEWTON: usize = 3;

@@ -5,8 +5,8 @@ use pounding_contact::ContactLaw;
 use super::ExactSideBySide;
 use super::contact::Contact;
 use crate::PairSums;
-use pounding_solver::formulas::{LONGEST_LEAP, in_flight};
 use pounding_solver::formulas::Expansion;
+use pounding_solver::formulas::{LONGEST_LEAP, in_flight};
 use pounding_solver::{Elastic, Flight, Node, Row};
 
 /// A structure, or a wall: what does not change, and its motion.

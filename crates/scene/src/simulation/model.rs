@@ -4,8 +4,9 @@ use crate::simulation::floors::{Floor, FloorPair, Floors};
 use crate::{Columns, Method, Scene, Structure};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht, Hysteretic,
-    Integrator, Mixed, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey, Verlet,
+    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht,
+    Hysteretic, Integrator, Mixed, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row,
+    Smoothness, Storey, Verlet,
 };
 
 /// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
@@ -49,11 +50,7 @@ pub(super) fn lean(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError>
 }
 
 /// Gives a row the numbers of another scene, in its own memory.
-pub(super) fn renumber(
-    any: &mut AnyRow,
-    scene: &Scene,
-    floors: &Floors,
-) -> Result<(), ModelError> {
+pub(super) fn renumber(any: &mut AnyRow, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
     match any {
         AnyRow::Elastic(row) => renumbered(row, scene, floors, elastic),
         AnyRow::ElastoPlastic(row) => renumbered(row, scene, floors, elasto_plastic),

@@ -66,6 +66,10 @@ pub struct Exact {
 }
 
 impl Exact {
+    /// Checks the settings.
+    ///
+    /// # Errors
+    /// [`RunError::Setting`] for one out of range.
     pub fn check(&self) -> Result<(), RunError> {
         let valid = (1e-16..=1e-3).contains(&self.tolerance);
         require(valid, "tolerance", self.tolerance, "1e-16 to 1e-3")

@@ -60,6 +60,10 @@ impl Default for CentralDifference {
 }
 
 impl CentralDifference {
+    /// Checks the settings.
+    ///
+    /// # Errors
+    /// [`RunError::Setting`] for one out of range.
     pub fn check(self) -> Result<(), RunError> {
         let valid = (1..=MOST_SUBSTEPS).contains(&self.contact_substeps);
         let found = self.contact_substeps.into();

@@ -34,12 +34,13 @@ pub(crate) struct Together<N: Number> {
 }
 
 /// A pair that takes part.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Link {
     /// Index among the pairs of the row.
     pub pair: usize,
-    /// Neighbours.
+    /// Left neighbour.
     pub left: usize,
+    /// Right neighbour.
     pub right: usize,
     /// Whether it shares its left neighbour with the link before it.
     pub is_joined: bool,

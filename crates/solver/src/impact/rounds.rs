@@ -15,6 +15,7 @@ const MAX_ROUNDS: u32 = 50;
 pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// An impulsive pair that touches.
+#[expect(missing_debug_implementations, reason = "masks of lanes have none")]
 pub struct Touching<N: Number> {
     /// The scenes in which it does.
     pub scenes: N::Mask,
@@ -41,6 +42,7 @@ impl<N: Number> Touching<N> {
 }
 
 /// The pairs that touch at an instant, and scratch.
+#[expect(missing_debug_implementations, reason = "scratch")]
 pub struct Rounds<N: Number> {
     touching: Vec<Touching<N>>,
     /// Impulse of each \[N·s\], all rounds.
@@ -53,6 +55,7 @@ pub struct Rounds<N: Number> {
 }
 
 impl<N: Number> Rounds<N> {
+    /// Of structures of such mobilities \[1/kg\], with room for so many pairs.
     pub fn new(mobilities: Vec<N>, n_pairs: usize) -> Self {
         Self {
             touching: Vec::with_capacity(n_pairs),

@@ -13,7 +13,7 @@ use crate::span::Load;
 use crate::{Motion, Node, RestoringForce, Row, State};
 
 /// The dashpot of a storey below a floor.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Dashpot<N> {
     /// Its coefficient \[N·s/m\].
     pub damping: N,
@@ -22,7 +22,7 @@ pub struct Dashpot<N> {
 }
 
 /// What lies below a floor that stands on another one.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Below<N> {
     /// Damping coefficient of the floor against the ground \[N·s/m\], besides that of its storey.
     pub ground_damping: N,
@@ -57,7 +57,7 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// Drift of the storey below a node \[m\]: its displacement relative to what it stands on.
     #[inline]
-    pub fn drift(&self, node: usize, states: &[State]) -> f64 {
+    pub(crate) fn drift(&self, node: usize, states: &[State]) -> f64 {
         match self.nodes()[node].support.below() {
             None => states[node].displacement,
             Some(below) => states[node].displacement - states[below].displacement,
@@ -66,14 +66,14 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// Damping force \[N\] against the motion of a node, of its own storey and the one above, at these velocities.
     #[inline]
-    pub fn damping_force(&self, node: usize, states: &[State]) -> f64 {
+    pub(crate) fn damping_force(&self, node: usize, states: &[State]) -> f64 {
         let velocity = |index: usize| states[index].velocity;
         self.damping_at(node, velocity)
     }
 
     /// The same at velocities \[m/s\] of any kind.
     #[inline]
-    pub fn damping_at(&self, node: usize, velocity: impl Fn(usize) -> f64) -> f64 {
+    pub(crate) fn damping_at(&self, node: usize, velocity: impl Fn(usize) -> f64) -> f64 {
         let dashpot = |index: usize| Dashpot {
             damping: self.nodes()[index].damping,
             velocity: velocity(index),
@@ -93,7 +93,7 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// Restoring force \[N\] against a displacement of a node to the right, of its own storey and the one above.
     #[inline]
-    pub fn restoring_force(&self, node: usize, states: &[State]) -> f64 {
+    pub(crate) fn restoring_force(&self, node: usize, states: &[State]) -> f64 {
         match self.above(node) {
             None => states[node].restoring_force,
             Some(above) => states[node].restoring_force - states[above].restoring_force,
@@ -102,13 +102,13 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// Acceleration \[m/s²\] of a node in equilibrium with the velocities and forces of these states; a wall has none.
     #[inline]
-    pub fn acceleration(&self, node: usize, states: &[State], ground: f64) -> f64 {
+    pub(crate) fn acceleration(&self, node: usize, states: &[State], ground: f64) -> f64 {
         self.acceleration_under(node, &self.load(node, states, ground))
     }
 
     /// Acceleration \[m/s²\] of a node on which this acts; a wall has none.
     #[inline]
-    pub fn acceleration_under(&self, node: usize, load: &Load) -> f64 {
+    pub(crate) fn acceleration_under(&self, node: usize, load: &Load) -> f64 {
         let node = &self.nodes()[node];
         let ground = if node.is_wall() { 0.0 } else { load.ground };
         let force = load.from_left + load.from_right - load.damping - load.restoring;
@@ -117,7 +117,7 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// What acts on a node in these states, as it enters the equation of its motion.
     #[inline]
-    pub fn load(&self, node: usize, states: &[State], ground: f64) -> Load {
+    pub(crate) fn load(&self, node: usize, states: &[State], ground: f64) -> Load {
         let forces = (
             self.restoring_force(node, states),
             self.damping_force(node, states),
@@ -127,13 +127,13 @@ impl<Column: RestoringForce> Row<Column> {
 
     /// Motion of the floor below a node in states at the start and at the end of a span; nothing on the ground.
     #[inline]
-    pub fn below(&self, node: usize, [start, end]: [&[State]; 2]) -> Option<[Motion; 2]> {
+    pub(crate) fn below(&self, node: usize, [start, end]: [&[State]; 2]) -> Option<[Motion; 2]> {
         let below = self.nodes()[node].support.below()?;
         Some([(&start[below]).into(), (&end[below]).into()])
     }
 
     /// States at t = 0, in equilibrium, and what the columns then remember.
-    pub fn initial(&self, ground: Ground<'_>) -> (Vec<State>, Vec<Column::Memory>) {
+    pub(crate) fn initial(&self, ground: Ground<'_>) -> (Vec<State>, Vec<Column::Memory>) {
         let state = |node: &Node<Column>| State {
             displacement: node.initial_displacement,
             velocity: node.initial_velocity,

@@ -29,7 +29,7 @@ pub struct DampingRates<N = f64> {
 }
 
 impl DampingRates {
-    pub fn new<Column: RestoringForce>(row: &Row<Column>, index: usize) -> Self {
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, index: usize) -> Self {
         let node = &row.nodes()[index];
         let above = |above: usize| node.inverse_mass * row.nodes()[above].damping;
         Self {
@@ -51,21 +51,21 @@ impl<N: Number> DampingRates<N> {
 
 /// Equation of a floor when the unknowns of all floors above it are eliminated.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Eliminated {
+pub(crate) struct Eliminated {
     /// Coefficient of its own unknown, > 0.
-    pub pivot: f64,
+    pub(crate) pivot: f64,
     /// The same without the dashpot to the floor below.
     free: f64,
     /// Coefficient of the unknown of the floor below, which enters with a minus sign; 0 on the ground.
-    pub below: f64,
+    pub(crate) below: f64,
     /// The same of the floor above; 0 on the top floor.
-    pub above: f64,
+    pub(crate) above: f64,
 }
 
 impl Eliminated {
     /// For a matrix with the diagonal `unit` and damping rates that count as `weigh` says; the equation of the floor above
     /// has been eliminated.
-    pub fn new(
+    pub(crate) fn new(
         (rates, on_ground): (&DampingRates, bool),
         above: Option<&Self>,
         unit: f64,
@@ -92,10 +92,10 @@ impl Eliminated {
 
 /// Solves (1 + h/2 M⁻¹C) x = known, for steps h that may change and differ between buildings.
 #[derive(Debug)]
-pub struct Dashpots {
+pub(crate) struct Dashpots {
     floors: Vec<FloorEquation>,
     /// What is known, for every floor in the order of [`Buildings`]; then x.
-    pub values: Vec<f64>,
+    pub(crate) values: Vec<f64>,
 }
 
 /// A floor, and its equation for the step that its building took last.
@@ -112,7 +112,7 @@ struct FloorEquation {
 }
 
 impl Dashpots {
-    pub fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
+    pub(crate) fn new<Column: RestoringForce>(row: &Row<Column>, buildings: &Buildings) -> Self {
         let floor = |index: &usize| FloorEquation {
             rates: DampingRates::new(row, *index),
             step: 0.0,
@@ -128,7 +128,7 @@ impl Dashpots {
     }
 
     /// Replaces what is known by x on the floors of a building, for a step h \[s\].
-    pub fn solve(&mut self, building: &Range<usize>, step: f64) -> &[f64] {
+    pub(crate) fn solve(&mut self, building: &Range<usize>, step: f64) -> &[f64] {
         let floors = &mut self.floors[building.clone()];
         let values = &mut self.values[building.clone()];
         if (step - floors[0].step).abs() > 0.0 {

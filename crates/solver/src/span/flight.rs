@@ -14,11 +14,15 @@ pub struct Flight {
     pub origin: f64,
     /// Displacement \[m\], velocity \[m/s\] and restoring force \[N\] at the start.
     pub displacement: f64,
+    /// Velocity \[m/s\] likewise.
     pub velocity: f64,
+    /// Restoring force \[N\] likewise.
     pub restoring_force: f64,
     /// k \[N/m\], c \[N·s/m\] and 1/m \[1/kg\].
     pub stiffness: f64,
+    /// Damping coefficient \[N·s/m\].
     pub damping: f64,
+    /// 1/m \[1/kg\].
     pub inverse_mass: f64,
     /// Ground acceleration at the start \[m/s²\] and its slope \[m/s³\].
     pub ground: [f64; 2],
@@ -101,6 +105,7 @@ impl Flight {
 impl<'a> Span<'a> {
     /// The span with the series of its free flight expanded; any other as it is.
     #[inline]
+    #[must_use]
     pub fn expanded(&self, room: &'a mut Expansion) -> Self {
         match self.path {
             Path::Flight(flight) => {

@@ -7,10 +7,7 @@ use crate::common::{
     METHODS, STEREOMECHANICAL, STIFF, VISCOELASTIC, WEAK, clock, ground, pairs, yielding,
 };
 use crate::watch::Watch;
-use pounding_solver::{
-    CentralDifference, Elastic, Excitation, Floor, Ledger, Node, Peaks, Row, RowsOf, SceneSums,
-    SideBySide, Stepping, TransferredMomentum, Verlet, VerletImpacts,
-};
+use pounding_solver::{Excitation, Ledger, Peaks, Row, TransferredMomentum};
 
 /// The system's allocator with a counter.
 struct Counting;
@@ -74,63 +71,5 @@ fn limit_a_step_allocates_nothing() {
             );
             assert!(short > 0, "{name}: the counter must count");
         }
-    }
-}
-
-#[test]
-fn limit_a_step_side_by_side_allocates_nothing() {
-    let samples = ground();
-    let excitation = Excitation::new(0.01, &samples).unwrap();
-    let verlet = Verlet {
-        impacts: VerletImpacts::Located,
-    };
-    let central = Stepping::from(CentralDifference::default());
-    // Storeys of every structure, and structures.
-    let methods = [
-        (central, 1, 5),
-        (central, 1, 2),
-        (central, 1, 3),
-        (central, 3, 2),
-        (verlet.into(), 1, 2),
-    ];
-    let laws = [STEREOMECHANICAL, VISCOELASTIC];
-    for ((method, storeys, n), law) in methods
-        .into_iter()
-        .flat_map(|one| laws.map(|law| (one, law)))
-    {
-        let row = |scene: usize| {
-            let node = |index: usize| {
-                let stiffness = 2e6 * (1.0 + 2.0 * (index % 2) as f64 + 0.05 * scene as f64);
-                let node = Node::structure(1e5, 2e4, Elastic { stiffness });
-                let on_floor = |below| {
-                    node.on_floor(Floor {
-                        below,
-                        ground_damping: 1e4,
-                    })
-                };
-                index.checked_sub(n).map_or(node, on_floor)
-            };
-            let mut all = pairs(n * storeys, 0.002, law);
-            all.retain(|pair| pair.right % n > 0);
-            Row::new((0..n * storeys).map(node).collect(), all).unwrap()
-        };
-        let rows: Vec<_> = (0..9).map(row).collect();
-        let rows: Vec<_> = rows.iter().collect();
-        let beside = SideBySide::new(method, excitation, clock(0.005, 10.0)).unwrap();
-        let mut tallies = SceneSums::default();
-        let mut count = |n_steps: usize| {
-            let n_steps = [n_steps; 9];
-            let before = allocations();
-            assert!(beside.run(RowsOf::Elastic(&rows), &n_steps, &mut tallies));
-            (allocations() - before, tallies.touching_steps)
-        };
-        // Before anything touches there is nothing to allocate for.
-        let ((none, apart), (many, touching)) = (count(2), count(2000));
-        assert_eq!(apart, 0, "nothing touches yet");
-        assert!(touching > 100, "the rows must collide: {touching}");
-        assert!(
-            many <= none,
-            "{many} allocations with contact, {none} without"
-        );
     }
 }

@@ -4,12 +4,10 @@ use std::sync::atomic::AtomicBool;
 
 use pounding_contact::{ContactLaw, KelvinVoigt, Stereomechanical};
 use pounding_solver::{
-    Budget, Clock, Elastic, Exact, ExactSideBySide, Excitation, Histories, Integrator, Peaks, Row,
-    RowsOf, RunError, SceneSums, SideBySide, Work,
+    Budget, Clock, Elastic, Exact, Excitation, Histories, Integrator, Row, RunError, Work,
 };
 
 use crate::common::{METHODS, STIFF, VISCOELASTIC, WEAK, clock, elastic, ground, pairs};
-use crate::lanes::SETTINGS;
 
 const EXACT: Integrator = Integrator::Exact(Exact {
     tolerance: 1e-16,
@@ -76,73 +74,6 @@ fn issue_whoever_stops_ends_a_run_of_every_method() {
             matches!(ended, Err(RunError::TooLong { .. })),
             "{name}: {ended:?}"
         );
-    }
-}
-
-/// Nor one side by side with others: those are not told.
-#[test]
-fn issue_whoever_stops_ends_runs_side_by_side() {
-    let samples = ground();
-    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
-    let row = two(VISCOELASTIC);
-    let mut tallies = SceneSums::default();
-    for (budget, told) in [(Budget::default(), true), (STOP, false)] {
-        let together = SideBySide::new(SETTINGS, excitation, LONG).expect("valid");
-        let rows = [&row; 3];
-        let steps = [LONG.n_steps; 3];
-        let ran = together
-            .within(budget)
-            .run(RowsOf::Elastic(&rows), &steps, &mut tallies);
-        assert!(
-            ran && (0..3).all(|scene| tallies.is_told(scene) == told),
-            "told: {told}"
-        );
-        let settings = Exact {
-            tolerance: 1e-8,
-            ..Exact::default()
-        };
-        let together = ExactSideBySide::new(settings, excitation, LONG).expect("valid");
-        tallies.begin(1, (2, 1));
-        together.within(budget).run(&[(0, &row)], &mut tallies);
-        assert_eq!(tallies.is_told(0), told);
-    }
-}
-
-/// Steps side by side are looked at in parts: the bits stay those of each scene alone, whatever its length.
-#[test]
-fn limit_long_runs_side_by_side_have_the_bits_of_each_alone() {
-    let samples = ground();
-    let excitation = Excitation::new(0.01, &samples).expect("the motion is finite");
-    let row = two(VISCOELASTIC);
-    let lengths = [1, 65_535, 65_536, 65_537, 100_000, 131_072];
-    let clock = |n_steps| Clock {
-        time_step: 5e-5,
-        n_steps,
-    };
-    let methods = [
-        SETTINGS.into(),
-        pounding_solver::Stepping::Verlet(pounding_solver::Verlet {
-            impacts: pounding_solver::VerletImpacts::VelocityJump,
-        }),
-    ];
-    for method in methods {
-        let together = SideBySide::new(method, excitation, clock(131_072)).expect("valid");
-        let mut tallies = SceneSums::default();
-        assert!(together.run(RowsOf::Elastic(&[&row; 6]), &lengths, &mut tallies));
-        for (scene, length) in lengths.into_iter().enumerate() {
-            let mut peaks = Peaks::new(2);
-            let alone = Integrator::from(method).run(&row, excitation, clock(length), &mut peaks);
-            alone.expect("the run ends");
-            for node in 0..2 {
-                let peak = peaks.of(node).displacement.value;
-                assert!(
-                    !tallies.is_told(scene)
-                        || tallies.displacement(scene, node).to_bits() == peak.to_bits(),
-                    "{method:?}, {length} steps, structure {node}"
-                );
-            }
-            assert!(length == 1 || tallies.is_told(scene), "{length} steps");
-        }
     }
 }
 

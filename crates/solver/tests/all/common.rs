@@ -162,3 +162,20 @@ pub(crate) fn free(mass: f64, velocity: f64) -> Node<Elastic> {
         ..Node::structure(mass, 0.0, Elastic { stiffness: 0.0 })
     }
 }
+
+/// A structure by its period, damping ratio, displacement and velocity at the start.
+pub(crate) fn moving(
+    mass: f64,
+    [period, ratio]: [f64; 2],
+    [displacement, velocity]: [f64; 2],
+) -> Node<Elastic> {
+    let omega = 2.0 * std::f64::consts::PI / period;
+    let column = Elastic {
+        stiffness: mass * omega * omega,
+    };
+    Node {
+        initial_displacement: displacement,
+        initial_velocity: velocity,
+        ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
+    }
+}

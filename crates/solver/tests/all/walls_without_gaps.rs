@@ -7,7 +7,7 @@ use pounding_solver::{
     Clock, Collision, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Row,
 };
 
-use crate::lanes_in_contact::moving;
+use crate::common::moving;
 
 const PLASTIC: ContactLaw = ContactLaw::Stereomechanical(Stereomechanical { restitution: 0.0 });
 

@@ -16,9 +16,11 @@ use crate::model::dashpots::{DampingRates, Eliminated};
 use crate::{RestoringForce, Row};
 
 /// Constants of the equation of a floor that is joined to the floors below and above.
+#[derive(Debug)]
 pub struct FloorCoefficients<N = f64> {
     /// With c of all its dashpots; what it solves is less by what the elimination of the floors above took.
     pub own: Coefficients<N>,
+    /// Its dashpots.
     pub rates: DampingRates<N>,
     /// c/(2mΔt) of the dashpot to the floor below, m the mass of this floor.
     below: N,
@@ -67,10 +69,7 @@ impl FloorCoefficients {
 impl<N: Number> FloorCoefficients<N> {
     /// Of the same floor of several scenes, from what gathers a number of each; `time_step` \[s\] is that of all.
     #[inline(always)]
-    pub fn beside(
-        gather: impl Fn(fn(&FloorCoefficients) -> f64) -> N,
-        time_step: f64,
-    ) -> Self {
+    pub fn beside(gather: impl Fn(fn(&FloorCoefficients) -> f64) -> N, time_step: f64) -> Self {
         Self {
             own: Coefficients {
                 time_step,

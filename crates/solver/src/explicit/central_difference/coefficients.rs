@@ -10,10 +10,13 @@ use pounding_contact::Number;
 use crate::Node;
 
 /// Constants of one structure's equation (3), divided by its mass.
+#[derive(Debug)]
 pub struct Coefficients<N = f64> {
+    /// Δt \[s\].
     pub time_step: f64,
+    /// 1/m \[1/kg\]; 0 of a wall.
     pub inverse_mass: N,
-    /// c/m.
+    /// c/m \[1/s\].
     pub damping: N,
     /// 1/(1/Δt² + c/(2mΔt)).
     pub solve: N,
@@ -70,7 +73,7 @@ impl<N: Number> Coefficients<N> {
 }
 
 impl Coefficients {
-    pub fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
+    pub(crate) fn new<Column>(node: &Node<Column>, dt: f64) -> Self {
         Self::of(node.inverse_mass, node.damping, node.mobile(), dt)
     }
 }

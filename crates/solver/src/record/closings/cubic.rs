@@ -13,15 +13,20 @@ use crate::{Motion, Travel};
 /// Instant \[s\], displacement \[m\] and velocity \[m/s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
+    /// When \[s\].
     pub time: f64,
+    /// How far \[m\].
     pub displacement: f64,
+    /// How fast \[m/s\].
     pub velocity: f64,
 }
 
 /// The cubic through two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cubic {
+    /// Where it starts.
     pub start: Node,
+    /// Where it ends.
     pub end: Node,
 }
 

@@ -1,11 +1,10 @@
 //! Chains of impacts side by side: several pairs hit at one instant.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    Collision, Collisions, Elastic, Excitation, Integrator, Node, Pair, Row, RowsOf,
-};
+use pounding_lanes::RowsOf;
+use pounding_solver::{Collision, Collisions, Elastic, Excitation, Integrator, Node, Pair, Row};
 
-use crate::lanes::{CLOCK, SCENES, SETTINGS, all, compare};
+use crate::steps::{CLOCK, SCENES, SETTINGS, all, compare};
 use crate::watch::Watch;
 
 /// Pairs of a row that were hit at an instant at which a neighbouring pair was.
@@ -76,7 +75,7 @@ fn limit_chains_of_impacts_give_the_bits_of_a_scene_alone() {
             together >= structures,
             "{structures}: {together} neighbours hit at once"
         );
-        let found = compare(SETTINGS, (&all(&rows), RowsOf::Elastic), &ground);
+        let found = compare((&all(&rows), RowsOf::Elastic), &ground);
         assert!(
             found.is_ok(),
             "{structures}, {restitution}, {wall:?}: {found:?}"

@@ -1,14 +1,15 @@
 //! Buildings of several storeys side by side: every lane gives the bits of its scene alone.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_lanes::{RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     Bilinear, Elastic, ElastoPlastic, Excitation, Floor, Hysteretic, Levels, Node, Pair, Row,
-    RowsOf, SceneSums, SideBySide, Storey, Verlet, VerletImpacts,
+    Storey,
 };
 use proptest::prelude::*;
 
-use crate::lanes::{BEYOND_THE_CLOCK, CLOCK, SCENES, SETTINGS, all, compare, stiffer};
 use crate::random_rows::{any_law, config, stereomechanical};
+use crate::steps::{BEYOND_THE_CLOCK, CLOCK, SCENES, SETTINGS, all, compare, stiffer};
 
 /// A building, or a wall.
 #[derive(Debug, Clone)]
@@ -156,20 +157,20 @@ fn row<Column: Hysteretic>(
 fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
     let elastic = |stiffness, _| Elastic { stiffness };
     let rows: Vec<_> = (0..count).map(|scene| row(case, scene, elastic)).collect();
-    compare(SETTINGS, (&all(&rows), RowsOf::Elastic), &case.ground)?;
+    compare((&all(&rows), RowsOf::Elastic), &case.ground)?;
     let plastic = |stiffness, yield_force| ElastoPlastic {
         stiffness,
         yield_force,
     };
     let rows: Vec<_> = (0..count).map(|scene| row(case, scene, plastic)).collect();
-    compare(SETTINGS, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
+    compare((&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
     let bilinear = |stiffness, yield_force| Bilinear {
         stiffness,
         yield_force,
         hardening: 0.1,
     };
     let rows: Vec<_> = (0..count).map(|scene| row(case, scene, bilinear)).collect();
-    compare(SETTINGS, (&all(&rows), RowsOf::Bilinear), &case.ground)
+    compare((&all(&rows), RowsOf::Bilinear), &case.ground)
 }
 
 proptest! {
@@ -228,10 +229,4 @@ fn limit_rows_of_other_storeys_are_not_taken() {
     // A hall whose base stands at the second level of the tower on its right.
     let nodes = vec![elastic(1e5), elastic(1e5), on(elastic(1e5), 0)];
     assert!(takes(&[&row(nodes, vec![impact(1)])]), "a hall");
-    let settings = Verlet {
-        impacts: VerletImpacts::Located,
-    };
-    let verlet = SideBySide::new(settings, excitation, CLOCK).expect("valid");
-    let ran = verlet.run(RowsOf::Elastic(&[&tower]), &[9], &mut found);
-    assert!(!ran, "a tower by velocity Verlet");
 }

@@ -5,24 +5,8 @@ use pounding_contact::{
 };
 use pounding_solver::{Elastic, Node, Row};
 
-use crate::lanes_exact::{alone, beside, distance, row_of, scaled};
-
-/// A structure by its period, damping ratio, displacement and velocity at the start.
-pub(crate) fn moving(
-    mass: f64,
-    [period, ratio]: [f64; 2],
-    [displacement, velocity]: [f64; 2],
-) -> Node<Elastic> {
-    let omega = 2.0 * std::f64::consts::PI / period;
-    let column = Elastic {
-        stiffness: mass * omega * omega,
-    };
-    Node {
-        initial_displacement: displacement,
-        initial_velocity: velocity,
-        ..Node::structure(mass, 2.0 * ratio * omega * mass, column)
-    }
-}
+use crate::common::moving;
+use crate::exact::{alone, beside, distance, row_of, scaled};
 
 /// Holds what is told at tolerances to what the exact method finds alone, within so many times the tolerance and what a record that differs
 /// by it changes.

@@ -3,16 +3,17 @@
 use pounding_contact::{
     Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical,
 };
+use pounding_lanes::{ExactSideBySide, Excitations, PairSums, SceneSums};
 use pounding_solver::{
-    Clock, Closings, Collisions, Elastic, Exact, ExactSideBySide, Excitation, Excitations,
-    Integrator, Node, Pair, PairSums, Peaks, Row, SceneSums, SimultaneousImpacts,
+    Clock, Closings, Collisions, Elastic, Exact, Excitation, Integrator, Node, Pair, Peaks, Row,
+    SimultaneousImpacts,
 };
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-use crate::lanes::own_grounds;
 use crate::random_rows::{any_law, config};
+use crate::steps::own_grounds;
 use crate::watch::Watch;
 
 /// Samples of the record every 0.02 s.

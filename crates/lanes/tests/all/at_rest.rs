@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-use crate::lanes_exact::{CLOCK, GROUND_STEP, alone, beside, distance, row_of, scaled};
-use crate::lanes_in_contact::moving;
+use crate::common::moving;
+use crate::exact::{CLOCK, GROUND_STEP, alone, beside, distance, row_of, scaled};
 use crate::random_rows::config;
 
 /// What rounding of the data leaves open.

@@ -1,10 +1,10 @@
 //! Scenes side by side: every lane gives the bits of its scene alone.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
+use pounding_lanes::{Excitations, PairSums, RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
     Bilinear, CentralDifference, Clock, Closings, Collisions, Elastic, ElastoPlastic, Excitation,
-    Excitations, Hysteretic, Integrator, Ledger, Node, Pair, PairSums, Peaks, Row, RowsOf,
-    RunError, SceneSums, SideBySide, Stepping,
+    Hysteretic, Integrator, Ledger, Node, Pair, Peaks, Row, RunError,
 };
 use proptest::prelude::*;
 
@@ -67,7 +67,7 @@ fn steps(scene: usize) -> usize {
 type Alone = Result<(Vec<[f64; 2]>, Vec<PairSums>, bool), RunError>;
 
 fn alone<Column: Hysteretic>(
-    (stepping, n_steps): (Stepping, usize),
+    n_steps: usize,
     row: &Row<Column>,
     excitation: Excitation<'_>,
 ) -> Alone {
@@ -78,7 +78,12 @@ fn alone<Column: Hysteretic>(
         Closings::new(walls, 1.0),
         Ledger::new(row, excitation),
     );
-    Integrator::from(stepping).watch(row, excitation, Clock { n_steps, ..CLOCK }, &mut recorder)?;
+    Integrator::CentralDifference(SETTINGS).watch(
+        row,
+        excitation,
+        Clock { n_steps, ..CLOCK },
+        &mut recorder,
+    )?;
     let ((peaks, collisions), closings, ledger) = recorder;
     let mut tallies = vec![PairSums::default(); pairs.len()];
     for one in collisions.all() {
@@ -118,19 +123,17 @@ pub(crate) fn own_grounds(ground: &[f64], n: usize) -> Vec<Vec<f64>> {
 
 /// Holds every scene of some rows to itself alone: under one ground motion, and each under one of its own.
 pub(crate) fn compare<'a, Column: Hysteretic>(
-    stepping: impl Into<Stepping>,
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
     ground: &[f64],
 ) -> Result<(), TestCaseError> {
     let excitation = |ground| Excitation::new(0.01, ground).expect("the record is finite");
     let common = vec![excitation(ground); rows.len()];
-    let stepping = stepping.into();
-    compare_under(stepping, (rows, kind), &common)?;
+    compare_under((rows, kind), &common)?;
     let own = own_grounds(ground, rows.len());
     let mut own: Vec<_> = own.iter().map(|ground| excitation(ground)).collect();
     // Samples of one motion are farther apart.
     own[1] = Excitation::new(0.0125, own[1].samples()).expect("the record is finite");
-    compare_under(stepping, (rows, kind), &own)
+    compare_under((rows, kind), &own)
 }
 
 fn bits_of_pair(sums: &PairSums) -> ([u64; 4], Option<u64>) {
@@ -167,11 +170,10 @@ fn are_the_same<Column: Hysteretic>(full: &SceneSums, lean: &SceneSums, row: &Ro
 }
 
 fn compare_under<'a, Column: Hysteretic>(
-    stepping: Stepping,
     (rows, kind): (&'a [&'a Row<Column>], Kind<'a, Column>),
     shaken: &[Excitation<'_>],
 ) -> Result<(), TestCaseError> {
-    let together = SideBySide::new(stepping, Excitations::of(shaken), CLOCK);
+    let together = SideBySide::new(SETTINGS, Excitations::of(shaken), CLOCK);
     let together = together.expect("the settings are valid");
     let n_steps: Vec<_> = (0..rows.len()).map(steps).collect();
     let sums = |closings: bool| {
@@ -184,8 +186,7 @@ fn compare_under<'a, Column: Hysteretic>(
     prop_assert!(are_the_same(&found, &sums(false), rows[0]), "lean is full");
     prop_assert_eq!(found.len(), rows.len());
     for (scene, (row, excitation)) in rows.iter().zip(shaken).enumerate() {
-        let Ok((floors, pairs, is_refused)) = alone((stepping, steps(scene)), row, *excitation)
-        else {
+        let Ok((floors, pairs, is_refused)) = alone(steps(scene), row, *excitation) else {
             prop_assert!(!found.is_told(scene), "{} must diverge too", scene);
             continue;
         };
@@ -229,27 +230,23 @@ fn compare_under<'a, Column: Hysteretic>(
 }
 
 /// The same with scenes like this one, so many, with every kind of columns.
-pub(crate) fn compare_columns(
-    stepping: Stepping,
-    case: &Case,
-    count: usize,
-) -> Result<(), TestCaseError> {
+pub(crate) fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseError> {
     let scenes: Vec<_> = (0..count).map(|scene| varied(case, scene)).collect();
     let row = |(scene, case): (usize, &Case)| displaced(&case.row(SI), scene);
     let rows: Vec<_> = scenes.iter().enumerate().map(row).collect();
-    compare(stepping, (&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
+    compare((&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
     let column = |node: &Node<ElastoPlastic>| Bilinear {
         stiffness: node.column.stiffness,
         yield_force: node.column.yield_force,
         hardening: 0.1,
     };
     let bilinear: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
-    compare(stepping, (&all(&bilinear), RowsOf::Bilinear), &case.ground)?;
+    compare((&all(&bilinear), RowsOf::Bilinear), &case.ground)?;
     let column = |node: &Node<ElastoPlastic>| Elastic {
         stiffness: node.column.stiffness,
     };
     let elastic: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
-    compare(stepping, (&all(&elastic), RowsOf::Elastic), &case.ground)
+    compare((&all(&elastic), RowsOf::Elastic), &case.ground)
 }
 
 proptest! {
@@ -260,7 +257,7 @@ proptest! {
         case in cases(any_law),
         count in prop::sample::select(SCENES.to_vec()),
     ) {
-        compare_columns(SETTINGS.into(), &case, count)?;
+        compare_columns(&case, count)?;
     }
 }
 
