@@ -13,7 +13,7 @@ use super::Sweep;
 use super::column_errors::{ColumnErrors, at_most, distance};
 use super::output::Output;
 use super::permutation::Permutation;
-use super::prices::{ALONE, Counts, HALVED, Halved, LONGEST, Prices, STEPPING, mean};
+use super::prices::{ALONE, Counts, HALVED, Prices, mean, step};
 use super::sampling::Point;
 use pounding_scene::{Going, LEDGER_OF_PIECE, Method, Simulation};
 use pounding_text::to_csv;
@@ -122,71 +122,63 @@ impl Sweep {
         self.set_method(&Method::EXACT);
         let few = &chooses[..chooses.len().min(FEW)];
         let truth = self.numbers(few);
-        // Impacts without a tolerance fly side by side as they are.
+        // Impacts without a tolerance go side by side as they are.
         let flies_already = truth.beside > HALF;
-        let price = if flies_already {
+        let exact = if flies_already {
             self.without_ledger(self.price_alone(few)) / ALONE
         } else {
             truth.price
         };
-        let flown = exact(asked * PART);
+        let prices = Prices {
+            counts: Counts {
+                all: self.n_runs() as f64,
+                choosing: chooses.len() as f64,
+                measuring: measures.len() as f64,
+            },
+            exact,
+            steps: self.price_of_steps(few),
+        };
+        let flown = exact_within(asked * PART);
         self.set_method(&flown);
         let flights = (!flies_already).then(|| self.numbers(few));
         let flights = flights.filter(|flown| flown.beside > 0.0);
-        let counts = Counts {
-            all: self.n_runs() as f64,
-            choosing: chooses.len() as f64,
-            measuring: measures.len() as f64,
-        };
-        let prices = Prices {
-            counts,
-            exact: price,
-            steps: self.prices_of_steps(few),
-            flights: flights
-                .map(|flown| flown.price + flown.beside * self.without_ledger(price) / ALONE),
-        };
-        let flies = prices
-            .flights
-            .filter(|price| prices.is_worth(*price, *price));
+        let flights =
+            flights.map(|flown| flown.price + flown.beside * self.without_ledger(exact) / ALONE);
+        let flights = flights.filter(|price| prices.is_worth(*price, *price));
         // No step costs more than what is taken else.
-        let otherwise = flies.unwrap_or(f64::INFINITY);
-        let halved = prices.halved(otherwise);
-        let mut halved = self.that_may_hold((few, &truth.numbers), asked, halved);
-        if flies.is_none() && halved == [None; STEPPING.len()] {
+        let finest = prices.halved(flights.unwrap_or(f64::INFINITY));
+        let mut finest = self.that_may_hold((few, &truth.numbers), asked, finest);
+        if flights.is_none() && finest.is_none() {
             return Method::EXACT;
         }
         self.set_method(&Method::EXACT);
         let truth = self.numbers(chooses).numbers;
         let mut otherwise = Method::EXACT;
-        if flies.is_some() {
+        if flights.is_some() {
             self.set_method(&flown);
             if holds_for(&truth, &self.numbers(chooses).numbers, asked) {
                 otherwise = flown;
             } else {
                 let of = (few, &truth[..few.len()]);
-                halved = self.that_may_hold(of, asked, prices.halved(f64::INFINITY));
+                finest = self.that_may_hold(of, asked, prices.halved(f64::INFINITY));
             }
         }
-        let method = self.stepping((chooses, &truth), asked, (halved, prices));
+        let method = finest.and_then(|finest| self.stepping((chooses, &truth), asked, finest));
         method.unwrap_or(otherwise)
     }
 
-    /// Those of the finest steps that are worth it which may be within the error asked for: in half of a few runs.
+    /// The finest step that is worth it, if it may be within the error asked for: in half of a few runs.
     fn that_may_hold(
         &mut self,
         (runs, truth): (&[u64], &[Told]),
         asked: f64,
-        halved: Halved,
-    ) -> Halved {
-        let mut may = halved;
-        for (method, halved) in STEPPING.into_iter().zip(&mut may) {
-            *halved = halved.filter(|halved| {
-                self.set_method(&method(LONGEST / f64::from(1 << halved)));
-                let found = self.numbers(runs).numbers;
-                at_most(&sorted(rows(&errors(truth, &found))), 0.5) <= asked
-            });
-        }
-        may
+        finest: Option<i32>,
+    ) -> Option<i32> {
+        finest.filter(|halved| {
+            self.set_method(&central_difference(*halved));
+            let found = self.numbers(runs).numbers;
+            at_most(&sorted(rows(&errors(truth, &found))), 0.5) <= asked
+        })
     }
 
     /// A price of runs alone by the exact method, had they no ledger: runs side by side have none.
@@ -217,47 +209,42 @@ impl Sweep {
         self.prepared(motion, &settings, scene).ok()
     }
 
-    /// What each of the methods that step costs with steps of a second, as a mean of some runs.
-    fn prices_of_steps(&mut self, runs: &[u64]) -> [f64; STEPPING.len()] {
-        STEPPING.map(|method| {
-            self.set_method(&method(LONGEST / f64::from(1 << (HALVED / 2))));
-            let going = if self.numbers(runs).beside > HALF {
-                Going::Beside
-            } else if self.verdict {
-                Going::Judged
-            } else {
-                Going::Alone
-            };
-            // Which no step refuses.
-            self.set_method(&Method::EXACT);
-            let mut scene = self.scene.clone();
-            let price = |run: &u64| {
-                let prepared = self.prepared_run(*run, &mut scene)?;
-                Some(prepared.price_of_steps(&method(1.0), going))
-            };
-            mean(runs.iter().filter_map(price))
-        })
+    /// What central differences cost with steps of a second, as a mean of some runs.
+    fn price_of_steps(&mut self, runs: &[u64]) -> f64 {
+        self.set_method(&central_difference(HALVED / 2));
+        let going = if self.numbers(runs).beside > HALF {
+            Going::Beside
+        } else if self.verdict {
+            Going::Judged
+        } else {
+            Going::Alone
+        };
+        // Which no step refuses.
+        self.set_method(&Method::EXACT);
+        let mut scene = self.scene.clone();
+        let price = |run: &u64| {
+            let prepared = self.prepared_run(*run, &mut scene)?;
+            Some(prepared.price_of_steps(&Method::central_difference(1.0, 1), going))
+        };
+        mean(runs.iter().filter_map(price))
     }
 
-    /// The cheapest stepping method that is within the error asked for in most runs. The next finer step has to confirm it, as one step may
-    /// be lucky.
+    /// Central differences with the longest step that is within the error asked for in most runs. The next finer step has to confirm it,
+    /// as one step may be lucky.
     fn stepping(
         &mut self,
         (runs, truth): (&[u64], &[Told]),
         asked: f64,
-        (halved, prices): (Halved, Prices),
+        finest: i32,
     ) -> Option<Method> {
-        let mut held = [false; STEPPING.len()];
-        // A step finer confirms the finest.
-        let may = |place: usize, n| halved[place].is_some_and(|finest| n <= finest + 1);
-        for one in prices.tries(may) {
-            let (method, step) = (STEPPING[one.place], LONGEST / f64::from(1 << one.halved));
-            self.set_method(&method(step));
+        let mut held = false;
+        for halved in 0..=finest + 1 {
+            self.set_method(&central_difference(halved));
             let holds = holds_for(truth, &self.numbers(runs).numbers, asked);
-            if holds && held[one.place] {
-                return Some(method(2.0 * step));
+            if holds && held {
+                return Some(central_difference(halved - 1));
             }
-            held[one.place] = holds;
+            held = holds;
         }
         None
     }
@@ -348,8 +335,13 @@ struct Sampled {
     price: f64,
 }
 
+/// Central differences with the longest step, halved so often.
+fn central_difference(halved: i32) -> Method {
+    Method::central_difference(step(halved), 1)
+}
+
 /// The exact method at the tolerance nearest to this one that scenes side by side can have.
-fn exact(tolerance: f64) -> Method {
+fn exact_within(tolerance: f64) -> Method {
     Method::Exact {
         tolerance: tolerance.clamp(1e-12, 1e-3),
         simultaneous_impacts: SimultaneousImpacts::Together,

@@ -11,13 +11,10 @@ mod common;
 mod exact;
 mod in_contact;
 #[path = "../../../solver/tests/all/random_rows.rs"]
-#[expect(dead_code, reason = "shared with the tests of the solver")]
 mod random_rows;
 mod steps;
 mod storeys;
 #[path = "../../../solver/tests/all/towers.rs"]
-#[expect(dead_code, reason = "shared with the tests of the solver")]
 mod towers;
 #[path = "../../../solver/tests/all/watch.rs"]
-#[expect(dead_code, reason = "shared with the tests of the solver")]
 mod watch;
