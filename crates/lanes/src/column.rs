@@ -3,7 +3,7 @@
 use pounding_contact::Number;
 
 use pounding_solver::formulas::returned;
-use pounding_solver::{Bilinear, Elastic, ElastoPlastic, Response, RestoringForce, Row};
+use pounding_solver::{Bilinear, Elastic, Response, RestoringForce, Row};
 
 /// Rows with columns of one kind.
 ///
@@ -13,9 +13,7 @@ use pounding_solver::{Bilinear, Elastic, ElastoPlastic, Response, RestoringForce
 pub enum RowsOf<'a> {
     /// Columns that never yield.
     Elastic(&'a [&'a Row<Elastic>]),
-    /// Columns that are perfectly plastic once they yield.
-    ElastoPlastic(&'a [&'a Row<ElastoPlastic>]),
-    /// Columns that harden.
+    /// Columns that yield at one point.
     Bilinear(&'a [&'a Row<Bilinear>]),
 }
 
@@ -61,20 +59,6 @@ impl<N: Number> RestoringForce<N> for Plastic<N> {
         // Nobody asks for the tangent.
         let tangents = [self.limits[0].like(0.0); 2];
         returned(drift, self.limits, self.at_yield, tangents)
-    }
-}
-
-impl SideBySideColumn for ElastoPlastic {
-    type Beside<N: Number> = Plastic<N>;
-
-    fn beside<N: Number>(gather: impl Fn(fn(&Self) -> f64) -> N) -> Plastic<N> {
-        Plastic {
-            limits: [
-                gather(|column| column.stiffness),
-                gather(|column| column.yield_force),
-            ],
-            at_yield: gather(|column| column.yield_force / column.stiffness),
-        }
     }
 }
 

@@ -137,7 +137,6 @@ impl<'a> SideBySide<'a> {
     pub fn run(&self, rows: RowsOf<'_>, n_steps: &[usize], tallies: &mut SceneSums) -> bool {
         match rows {
             RowsOf::Elastic(rows) => self.run_alike(rows, n_steps, tallies),
-            RowsOf::ElastoPlastic(rows) => self.run_alike(rows, n_steps, tallies),
             RowsOf::Bilinear(rows) => self.run_alike(rows, n_steps, tallies),
         }
     }

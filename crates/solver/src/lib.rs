@@ -91,7 +91,7 @@ pub use model::any_row::{AnyRow, OnRow};
 pub use model::bilinear::Bilinear;
 pub use model::bouc_wen::{Bent, BoucWen};
 pub use model::column::{
-    Elastic, ElastoPlastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,
+    Elastic, Hysteresis, Hysteretic, Knee, Response, RestoringForce, Smoothness,
 };
 pub use model::damping::Damping;
 pub use model::excitation::Excitation;

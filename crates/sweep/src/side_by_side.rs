@@ -98,9 +98,6 @@ fn goes_with(one: &Simulation, other: &Simulation) -> bool {
         one.integrator() == other.integrator() && equal(|scene| scene.clock().time_step);
     let of_kind = || match (one.row(), other.row()) {
         (AnyRow::Elastic(one), AnyRow::Elastic(other)) => SideBySide::are_alike(one, other),
-        (AnyRow::ElastoPlastic(one), AnyRow::ElastoPlastic(other)) => {
-            SideBySide::are_alike(one, other)
-        }
         (AnyRow::Bilinear(one), AnyRow::Bilinear(other)) => SideBySide::are_alike(one, other),
         _ => false,
     };
@@ -136,7 +133,6 @@ fn stepped(
     let mut run = |rows| together.run(rows, &n_steps, &mut found);
     let ran = match first.row() {
         AnyRow::Elastic(_) => run(RowsOf::Elastic(&rows!(scenes, Elastic)?)),
-        AnyRow::ElastoPlastic(_) => run(RowsOf::ElastoPlastic(&rows!(scenes, ElastoPlastic)?)),
         AnyRow::Bilinear(_) => run(RowsOf::Bilinear(&rows!(scenes, Bilinear)?)),
         AnyRow::Mixed(_) => false,
     };

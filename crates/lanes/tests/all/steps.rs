@@ -3,8 +3,8 @@
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_lanes::{Excitations, PairSums, RowsOf, SceneSums, SideBySide};
 use pounding_solver::{
-    Bilinear, CentralDifference, Clock, Closings, Collisions, Elastic, ElastoPlastic, Excitation,
-    Hysteretic, Integrator, Ledger, Node, Pair, Peaks, Row, RunError,
+    Bilinear, CentralDifference, Clock, Closings, Collisions, Elastic, Excitation, Hysteretic,
+    Integrator, Ledger, Node, Pair, Peaks, Row, RunError,
 };
 use proptest::prelude::*;
 
@@ -234,15 +234,15 @@ pub(crate) fn compare_columns(case: &Case, count: usize) -> Result<(), TestCaseE
     let scenes: Vec<_> = (0..count).map(|scene| varied(case, scene)).collect();
     let row = |(scene, case): (usize, &Case)| displaced(&case.row(SI), scene);
     let rows: Vec<_> = scenes.iter().enumerate().map(row).collect();
-    compare((&all(&rows), RowsOf::ElastoPlastic), &case.ground)?;
-    let column = |node: &Node<ElastoPlastic>| Bilinear {
+    compare((&all(&rows), RowsOf::Bilinear), &case.ground)?;
+    let column = |node: &Node<Bilinear>| Bilinear {
         stiffness: node.column.stiffness,
         yield_force: node.column.yield_force,
         hardening: 0.1,
     };
     let bilinear: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
     compare((&all(&bilinear), RowsOf::Bilinear), &case.ground)?;
-    let column = |node: &Node<ElastoPlastic>| Elastic {
+    let column = |node: &Node<Bilinear>| Elastic {
         stiffness: node.column.stiffness,
     };
     let elastic: Vec<_> = rows.iter().map(|row| with_columns(row, column)).collect();
@@ -262,9 +262,9 @@ proptest! {
 }
 
 /// The same row, but in every third scene all structures begin displaced, so that no gap is another one.
-fn displaced(row: &Row<ElastoPlastic>, scene: usize) -> Row<ElastoPlastic> {
+fn displaced(row: &Row<Bilinear>, scene: usize) -> Row<Bilinear> {
     let initial_displacement = if scene % 3 == 1 { 0.03 } else { 0.0 };
-    let node = |node: &Node<ElastoPlastic>| Node {
+    let node = |node: &Node<Bilinear>| Node {
         initial_displacement,
         ..*node
     };
@@ -274,8 +274,8 @@ fn displaced(row: &Row<ElastoPlastic>, scene: usize) -> Row<ElastoPlastic> {
 
 /// The same row with other columns. Its last structure is a wall if it is at rest and not alone, else the first one on that condition.
 fn with_columns<Column: Hysteretic>(
-    row: &Row<ElastoPlastic>,
-    column: impl Fn(&Node<ElastoPlastic>) -> Column,
+    row: &Row<Bilinear>,
+    column: impl Fn(&Node<Bilinear>) -> Column,
 ) -> Row<Column> {
     let last = row.nodes().len() - 1;
     let rests = |index: &usize| {
@@ -283,7 +283,7 @@ fn with_columns<Column: Hysteretic>(
         last > 0 && node.initial_velocity == 0.0 && node.initial_displacement == 0.0
     };
     let wall = [last, 0].into_iter().find(rests);
-    let node = |(index, node): (usize, &Node<ElastoPlastic>)| {
+    let node = |(index, node): (usize, &Node<Bilinear>)| {
         let column = column(node);
         if wall == Some(index) {
             return Node::wall(column);

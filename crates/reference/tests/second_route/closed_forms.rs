@@ -1,7 +1,7 @@
 //! One structure without contact.
 
 use libm::{acos, cos, exp, sin};
-use pounding_solver::{ElastoPlastic, Node, Row};
+use pounding_solver::{Bilinear, Node, Row};
 
 use super::{Elastic, close, run};
 
@@ -78,9 +78,10 @@ fn extreme_the_ground_stops_at_the_last_sample() {
 fn reference_yield_and_unloading_under_a_constant_load() {
     let (omega, load, yield_force) = (7.0, 3.0, 4.0);
     let stiffness = omega * omega;
-    let column = ElastoPlastic {
+    let column = Bilinear {
         stiffness,
         yield_force,
+        hardening: 0.0,
     };
     let row = Row::new(vec![Node::structure(1.0, 0.0, column)], vec![]).unwrap();
     let found = &run(&row, &[-load; 12], 1.0).structures[0];

@@ -3,7 +3,7 @@
 use pounding_contact::{Calibration, ContactLaw, FreePair, LawName};
 use pounding_reference::Collision;
 use pounding_solver::{
-    Clock, Collisions, ElastoPlastic, Exact, Excitation, Integrator, Node, Row, TransferredMomentum,
+    Bilinear, Clock, Collisions, Exact, Excitation, Integrator, Node, Row, TransferredMomentum,
 };
 
 use super::{close, pairs, run};
@@ -42,12 +42,13 @@ fn ground() -> Vec<f64> {
 }
 
 /// The structures, a centimetre apart, elastic or yielding.
-fn row(law: ContactLaw, yield_displacement: f64) -> Row<ElastoPlastic> {
+fn row(law: ContactLaw, yield_displacement: f64) -> Row<Bilinear> {
     let node = |(mass, stiffness): (f64, f64)| {
         let yield_force = stiffness * yield_displacement;
-        let column = ElastoPlastic {
+        let column = Bilinear {
             stiffness,
             yield_force,
+            hardening: 0.0,
         };
         Node::structure(mass, 0.5712 * mass + 0.001_447 * stiffness, column)
     };

@@ -1,7 +1,7 @@
 //! Models that must agree, balances that must hold, edges.
 
 use pounding_reference::{Fineness, Response, SecondRouteError};
-use pounding_solver::{Elastic, ElastoPlastic, Excitation, Node, Pair, Row};
+use pounding_solver::{Bilinear, Elastic, Excitation, Node, Pair, Row};
 
 use super::{FREE, close, moving, pairs, run, stereomechanical, viscoelastic};
 
@@ -112,9 +112,10 @@ fn limit_a_yield_force_never_reached_is_elastic() {
         support: node.support,
         initial_displacement: node.initial_displacement,
         initial_velocity: node.initial_velocity,
-        column: ElastoPlastic {
+        column: Bilinear {
             stiffness: node.column.stiffness,
             yield_force: f64::INFINITY,
+            hardening: 0.0,
         },
     };
     let nodes = elastic.nodes().iter().map(node).collect();
@@ -127,9 +128,10 @@ fn limit_a_yield_force_never_reached_is_elastic() {
 
 #[test]
 fn limit_a_mirrored_row_mirrors() {
-    let column = |index: usize| ElastoPlastic {
+    let column = |index: usize| Bilinear {
         stiffness: STIFFNESSES[index],
         yield_force: 2.0 * MASSES[index],
+        hardening: 0.0,
     };
     let node = |index: usize| Node::structure(MASSES[index], 0.7 * MASSES[index], column(index));
     let ground: Vec<f64> = (0..40).map(|i| f64::from(i * 37 % 11 - 5)).collect();

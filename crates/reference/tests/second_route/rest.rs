@@ -1,7 +1,7 @@
 //! Neighbours that come to rest against each other.
 
 use libm::sin;
-use pounding_solver::{Elastic, ElastoPlastic, Hysteretic, Levels, Node, Pair, Row};
+use pounding_solver::{Bilinear, Elastic, Hysteretic, Levels, Node, Pair, Row};
 
 use super::exact::agree;
 use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, ground};
@@ -139,24 +139,26 @@ fn reference_the_peak_of_a_slight_force_at_rest() {
 }
 
 /// Columns that yield at a part of their stiffness times a metre.
-fn structure(mass: f64, period: f64, yields: f64) -> Node<ElastoPlastic> {
+fn structure(mass: f64, period: f64, yields: f64) -> Node<Bilinear> {
     let omega = 2.0 * std::f64::consts::PI / period;
     let stiffness = mass * omega * omega;
-    let column = ElastoPlastic {
+    let column = Bilinear {
         stiffness,
         yield_force: yields * stiffness,
+        hardening: 0.0,
     };
     Node::structure(mass, 0.1 * omega * mass, column)
 }
 
-fn wall() -> Node<ElastoPlastic> {
-    Node::wall(ElastoPlastic {
+fn wall() -> Node<Bilinear> {
+    Node::wall(Bilinear {
         stiffness: 1.0,
         yield_force: 1.0,
+        hardening: 0.0,
     })
 }
 
-fn chain() -> Vec<Node<ElastoPlastic>> {
+fn chain() -> Vec<Node<Bilinear>> {
     vec![
         structure(1e5, 0.8, 0.05),
         structure(3e5, 0.3, 0.02),

@@ -1,7 +1,7 @@
 //! Ground motions that arrive at one structure after the other, against the exact method.
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{Elastic, ElastoPlastic, Node, Row};
+use pounding_solver::{Bilinear, Elastic, Node, Row};
 
 use super::exact::agree;
 use super::storeys::{ALPHA, BETA, TOWERS, buildings, elastic, spring};
@@ -21,9 +21,10 @@ fn reference_structures_shaken_in_turn() {
     let structure = |mass: f64, period: f64, yields: f64| {
         let omega = 2.0 * std::f64::consts::PI / period;
         let stiffness = mass * omega * omega;
-        let column = ElastoPlastic {
+        let column = Bilinear {
             stiffness,
             yield_force: yields * stiffness,
+            hardening: 0.0,
         };
         Node::structure(mass, 0.1 * omega * mass, column)
     };
@@ -32,9 +33,10 @@ fn reference_structures_shaken_in_turn() {
             structure(1e5, 0.8, 0.05),
             structure(3e5, 0.3, 0.02),
             structure(2e5, 0.5, f64::INFINITY),
-            Node::wall(ElastoPlastic {
+            Node::wall(Bilinear {
                 stiffness: 1.0,
                 yield_force: 1.0,
+                hardening: 0.0,
             }),
         ];
         let row = Row::new(nodes, pairs(4, 0.02, law)).expect("a valid row");

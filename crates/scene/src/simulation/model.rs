@@ -4,9 +4,9 @@ use crate::simulation::floors::{Floor, FloorPair, Floors};
 use crate::{Columns, Method, Scene, Structure};
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, ElastoPlastic, Exact, Hht,
-    Hysteretic, Integrator, Mixed, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row,
-    Smoothness, Storey, Verlet,
+    AnyRow, Bilinear, BoucWen, CentralDifference, Clock, Elastic, Exact, Hht, Hysteretic,
+    Integrator, Mixed, ModelError, MoreauJean, Newmark, Node, Pair, Rk4, Row, Smoothness, Storey,
+    Verlet,
 };
 
 /// Gap of neighbours that a scene lets stand apart, where all pairs are modelled \[m\].
@@ -17,21 +17,15 @@ const OUT_OF_REACH: f64 = 1e9;
 enum Asked {
     Nothing,
     Yielding,
-    Hardening,
     Bending,
 }
 
 impl Asked {
     fn of(columns: &Columns) -> Self {
-        match (
-            columns.yield_force_n,
-            columns.hardening_ratio,
-            columns.bouc_wen,
-        ) {
-            (None, ..) => Self::Nothing,
-            (Some(_), _, Some(_)) => Self::Bending,
-            (Some(_), Some(_), None) => Self::Hardening,
-            (Some(_), None, None) => Self::Yielding,
+        match (columns.yield_force_n, columns.bouc_wen) {
+            (None, _) => Self::Nothing,
+            (Some(_), Some(_)) => Self::Bending,
+            (Some(_), None) => Self::Yielding,
         }
     }
 }
@@ -43,8 +37,7 @@ pub(super) fn lean(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError>
     let pairs = pairs(scene, floors).collect();
     match most.unwrap_or(Asked::Nothing) {
         Asked::Nothing => row(scene, floors, elastic, pairs).map(AnyRow::Elastic),
-        Asked::Yielding => row(scene, floors, elasto_plastic, pairs).map(AnyRow::ElastoPlastic),
-        Asked::Hardening => row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear),
+        Asked::Yielding => row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear),
         Asked::Bending => row(scene, floors, mixed, pairs).map(AnyRow::Mixed),
     }
 }
@@ -53,7 +46,6 @@ pub(super) fn lean(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError>
 pub(super) fn renumber(any: &mut AnyRow, scene: &Scene, floors: &Floors) -> Result<(), ModelError> {
     match any {
         AnyRow::Elastic(row) => renumbered(row, scene, floors, elastic),
-        AnyRow::ElastoPlastic(row) => renumbered(row, scene, floors, elasto_plastic),
         AnyRow::Bilinear(row) => renumbered(row, scene, floors, bilinear),
         AnyRow::Mixed(row) => renumbered(row, scene, floors, mixed),
     }
@@ -67,10 +59,9 @@ pub(super) fn full(scene: &Scene, floors: &Floors) -> Result<AnyRow, ModelError>
         None => pairs_out_of_reach(floors),
     };
     match lean(scene, floors)? {
-        AnyRow::Elastic(_) | AnyRow::ElastoPlastic(_) => {
-            row(scene, floors, elasto_plastic, pairs).map(AnyRow::ElastoPlastic)
+        AnyRow::Elastic(_) | AnyRow::Bilinear(_) => {
+            row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear)
         }
-        AnyRow::Bilinear(_) => row(scene, floors, bilinear, pairs).map(AnyRow::Bilinear),
         AnyRow::Mixed(_) => row(scene, floors, mixed, pairs).map(AnyRow::Mixed),
     }
 }
@@ -81,21 +72,10 @@ fn elastic(columns: &Columns) -> Elastic {
     }
 }
 
-fn elasto_plastic(columns: &Columns) -> ElastoPlastic {
-    ElastoPlastic {
+fn bilinear(columns: &Columns) -> Bilinear {
+    Bilinear {
         stiffness: columns.stiffness_n_per_m,
         yield_force: columns.yield_force_n.unwrap_or(f64::INFINITY),
-    }
-}
-
-fn bilinear(columns: &Columns) -> Bilinear {
-    let ElastoPlastic {
-        stiffness,
-        yield_force,
-    } = elasto_plastic(columns);
-    Bilinear {
-        stiffness,
-        yield_force,
         hardening: columns.hardening_ratio.unwrap_or(0.0),
     }
 }

@@ -2,8 +2,8 @@
 
 use super::mixed::Mixed;
 use crate::{
-    Bilinear, Course, Elastic, ElastoPlastic, Excitation, Hysteretic, Integrator, Ledger, Pair,
-    Recorder, Row, RunError, Travel, Work,
+    Bilinear, Course, Elastic, Excitation, Hysteretic, Integrator, Ledger, Pair, Recorder, Row,
+    RunError, Travel, Work,
 };
 
 /// A row with the leanest columns that it needs: decided once per run.
@@ -11,9 +11,7 @@ use crate::{
 pub enum AnyRow {
     /// No column yields.
     Elastic(Row<Elastic>),
-    /// Elastic storeys among yielding ones have an infinite yield force.
-    ElastoPlastic(Row<ElastoPlastic>),
-    /// Some harden; others among them have a hardening of 0.
+    /// Some yield at one point. Elastic storeys among them have an infinite yield force, perfectly plastic ones a hardening of 0.
     Bilinear(Row<Bilinear>),
     /// Some yield smoothly.
     Mixed(Row<Mixed>),
@@ -33,7 +31,6 @@ macro_rules! with_row {
     ($any:expr, $row:ident => $done:expr) => {
         match $any {
             AnyRow::Elastic($row) => $done,
-            AnyRow::ElastoPlastic($row) => $done,
             AnyRow::Bilinear($row) => $done,
             AnyRow::Mixed($row) => $done,
         }

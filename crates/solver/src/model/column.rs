@@ -131,39 +131,6 @@ impl Hysteretic for Elastic {
     }
 }
 
-/// Elastic-perfectly plastic columns; they remember the plastic displacement \[m\].
-///
-/// The return map `u_p = d ∓ f_y/k` where the force would pass ±`f_y` equals the paper's
-/// `f_s,i = clamp(f_s,i−1 + k(u_i − u_i−1), ±f_y)` and, with a yield force that is never reached, gives the bits of [`Elastic`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElastoPlastic {
-    /// Elastic stiffness k \[N/m\], > 0.
-    pub stiffness: f64,
-    /// Yield force `f_y` \[N\], > 0; infinite for columns that never yield.
-    pub yield_force: f64,
-}
-
-impl RestoringForce for ElastoPlastic {
-    type Memory = f64;
-
-    #[inline(always)]
-    fn untouched(&self) -> f64 {
-        0.0
-    }
-
-    #[inline(always)]
-    fn respond(&self, displacement: f64, plastic_displacement: f64) -> Response<f64> {
-        let drift = (displacement, plastic_displacement);
-        let at_yield = || self.yield_force / self.stiffness;
-        yielding(
-            drift,
-            [self.stiffness, self.yield_force],
-            at_yield,
-            [self.stiffness, 0.0],
-        )
-    }
-}
-
 /// The return map of columns that yield at one point and are perfectly plastic then: of stiffness \[N/m\] and yield force \[N\], which
 /// first yield at a drift \[m\]; `tangents` \[N/m\] are told on the elastic branch and beyond it.
 #[inline(always)]
@@ -207,19 +174,15 @@ pub(crate) fn yielding(
     returned(drift, [stiffness, yield_force], at_yield(), tangents)
 }
 
-impl Hysteretic for ElastoPlastic {
-    fn hysteresis(&self) -> Hysteresis {
-        Hysteresis::plastic(self.stiffness, self.yield_force)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Bilinear;
 
-    const COLUMN: ElastoPlastic = ElastoPlastic {
+    const COLUMN: Bilinear = Bilinear {
         stiffness: 2.056e6,
         yield_force: 70e3,
+        hardening: 0.0,
     };
 
     #[test]
@@ -252,7 +215,7 @@ mod tests {
     fn limit_yield_never_reached_is_elastic() {
         let elastic = Elastic { stiffness: 2.056e6 };
         for yield_force in [1e9, f64::INFINITY] {
-            let column = ElastoPlastic {
+            let column = Bilinear {
                 yield_force,
                 ..COLUMN
             };

@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Clock, ElastoPlastic, Excitation, Impact, Integrator, Node, Recorder, Row, Span, State,
+    Bilinear, Clock, Excitation, Impact, Integrator, Node, Recorder, Row, Span, State,
 };
 use std::fmt::Write;
 
@@ -15,7 +15,7 @@ use crate::watch::Watch;
 
 /// Checks every span and impact of a run on the grid of the ground motion.
 struct Audit<'a> {
-    row: &'a Row<ElastoPlastic>,
+    row: &'a Row<Bilinear>,
     /// α of the HHT method, 0 for the others.
     alpha: f64,
     ground: &'a [f64],
@@ -132,14 +132,15 @@ impl Recorder for Audit<'_> {
 }
 
 /// Rows of three with each law, both laws, and a wall on either side.
-fn rows() -> Vec<Row<ElastoPlastic>> {
+fn rows() -> Vec<Row<Bilinear>> {
     let wall = || {
-        Node::wall(ElastoPlastic {
+        Node::wall(Bilinear {
             stiffness: 1.0,
             yield_force: f64::INFINITY,
+            hardening: 0.0,
         })
     };
-    let row = |nodes: Vec<Node<ElastoPlastic>>, laws: [ContactLaw; 2]| {
+    let row = |nodes: Vec<Node<Bilinear>>, laws: [ContactLaw; 2]| {
         let mut pairs = pairs(3, 0.02, laws[0]);
         pairs[1].law = laws[1];
         Row::new(nodes, pairs).expect("the row is valid")
@@ -212,9 +213,10 @@ fn limit_no_overlap_is_without_a_force() {
         ..Node::structure(
             mass,
             0.0,
-            ElastoPlastic {
+            Bilinear {
                 stiffness: 1.0,
                 yield_force: f64::INFINITY,
+                hardening: 0.0,
             },
         )
     };

@@ -3,7 +3,7 @@ use crate::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    CentralDifference, Clock, Elastic, ElastoPlastic, Excitation, Hht, Histories, Hysteretic,
+    Bilinear, CentralDifference, Clock, Elastic, Excitation, Hht, Histories, Hysteretic,
     Integrator, Ledger, MoreauJean, Newmark, Node, Pair, Rk4, Row, Verlet, VerletImpacts, Work,
 };
 
@@ -65,10 +65,11 @@ pub(crate) fn elastic((mass, stiffness, _): (f64, f64, f64)) -> Node<Elastic> {
     )
 }
 
-pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<ElastoPlastic> {
-    let column = ElastoPlastic {
+pub(crate) fn yielding((mass, stiffness, yield_force): (f64, f64, f64)) -> Node<Bilinear> {
+    let column = Bilinear {
         stiffness,
         yield_force,
+        hardening: 0.0,
     };
     Node::structure(mass, 0.5712 * mass + 0.001_447 * stiffness, column)
 }

@@ -342,7 +342,7 @@ fn limit_mirrored_rows_give_mirrored_histories() {
     }
 }
 
-fn elastic_among_yielding(structure: (f64, f64, f64)) -> Node<pounding_solver::ElastoPlastic> {
+fn elastic_among_yielding(structure: (f64, f64, f64)) -> Node<pounding_solver::Bilinear> {
     yielding((structure.0, structure.1, f64::INFINITY))
 }
 

@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, NonlinearViscoelastic, Stereomechanical};
 use pounding_solver::{
-    Clock, Collisions, ElastoPlastic, Exact, Excitation, Histories, Impact, Integrator, Ledger,
+    Bilinear, Clock, Collisions, Exact, Excitation, Histories, Impact, Integrator, Ledger,
     Recorder, Row, RunError, Span, TransferredMomentum,
 };
 use proptest::prelude::*;
@@ -82,7 +82,7 @@ struct Overlap {
 }
 
 impl Overlap {
-    fn new(row: &Row<ElastoPlastic>) -> Self {
+    fn new(row: &Row<Bilinear>) -> Self {
         let n = row.nodes().len();
         let mut gaps = vec![f64::INFINITY; n];
         for pair in row.pairs() {

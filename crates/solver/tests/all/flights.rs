@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, Collisions, Elastic, ElastoPlastic, Exact, Excitation, FloorAccelerations, Histories,
+    Bilinear, Clock, Collisions, Elastic, Exact, Excitation, FloorAccelerations, Histories,
     Integrator, Ledger, Node, Pair, Peaks, Row, Work,
 };
 use proptest::prelude::*;
@@ -50,12 +50,13 @@ fn cases() -> impl Strategy<Value = Case> {
         })
 }
 
-fn node([period, ratio, yields]: [f64; 3]) -> Node<ElastoPlastic> {
+fn node([period, ratio, yields]: [f64; 3]) -> Node<Bilinear> {
     let omega = 2.0 * std::f64::consts::PI / period;
     let (mass, stiffness) = (1e5, 1e5 * omega * omega);
-    let column = ElastoPlastic {
+    let column = Bilinear {
         stiffness,
         yield_force: stiffness * yields,
+        hardening: 0.0,
     };
     Node::structure(mass, 2.0 * ratio * omega * mass, column)
 }

@@ -2,9 +2,7 @@
 
 use crate::watch::Watch;
 use pounding_contact::{ContactLaw, HertzDamp, NonlinearViscoelastic, Stereomechanical};
-use pounding_solver::{
-    Clock, ElastoPlastic, Exact, Excitation, Integrator, Ledger, Node, Pair, Row,
-};
+use pounding_solver::{Bilinear, Clock, Exact, Excitation, Integrator, Ledger, Node, Pair, Row};
 
 /// Marsaglia's 64-bit xorshift: rows are named by their seed.
 struct Random(u64);
@@ -46,11 +44,7 @@ impl Random {
         (0..n).rfind(|k| f64::from(*k) <= place).unwrap_or(0)
     }
 
-    fn structure(
-        &mut self,
-        like: Option<[f64; 3]>,
-        yields: bool,
-    ) -> ([f64; 3], Node<ElastoPlastic>) {
+    fn structure(&mut self, like: Option<[f64; 3]>, yields: bool) -> ([f64; 3], Node<Bilinear>) {
         let [mass, period, ratio] = like.unwrap_or_else(|| {
             let (mass, period) = (1e5 * self.magnitude(1e-3, 1e3), self.magnitude(0.05, 5.0));
             let ratio = if self.once_in(4) {
@@ -67,9 +61,10 @@ impl Random {
         } else {
             f64::INFINITY
         };
-        let column = ElastoPlastic {
+        let column = Bilinear {
             stiffness,
             yield_force,
+            hardening: 0.0,
         };
         let node = Node::structure(mass, 2.0 * ratio * omega * mass, column);
         ([mass, period, ratio], node)
@@ -105,7 +100,7 @@ impl Random {
     }
 
     /// A row of 1 to 6 and a record with samples every 0.02 s.
-    fn case(&mut self) -> (Row<ElastoPlastic>, Vec<f64>) {
+    fn case(&mut self) -> (Row<Bilinear>, Vec<f64>) {
         let n = 1 + self.below(6) as usize;
         let yields = self.once_in(2);
         let alike = self.once_in(5);
@@ -116,9 +111,10 @@ impl Random {
             nodes.push(node);
         }
         if n > 1 && self.once_in(4) {
-            nodes[0] = Node::wall(ElastoPlastic {
+            nodes[0] = Node::wall(Bilinear {
                 stiffness: 1.0,
                 yield_force: f64::INFINITY,
+                hardening: 0.0,
             });
         }
         let compliant = self.below(3);
@@ -184,9 +180,10 @@ fn issue_rounding_of_a_force_near_zero_is_that_of_its_amplitude() {
 fn issue_a_parting_at_another_event_was_gone_past() {
     let node = |mass: f64, period: f64, ratio: f64| {
         let omega = 2.0 * std::f64::consts::PI / period;
-        let column = ElastoPlastic {
+        let column = Bilinear {
             stiffness: mass * omega * omega,
             yield_force: f64::INFINITY,
+            hardening: 0.0,
         };
         Node::structure(mass, 2.0 * ratio * omega * mass, column)
     };

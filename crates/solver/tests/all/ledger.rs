@@ -1,9 +1,7 @@
 //! The ledger: every method balances its own energy and momentum, and what is wrong is found.
 
 use pounding_contact::{ContactLaw, Stereomechanical};
-use pounding_solver::{
-    ElastoPlastic, Hht, Hysteretic, Integrator, LedgerError, Newmark, Node, Row,
-};
+use pounding_solver::{Bilinear, Hht, Hysteretic, Integrator, LedgerError, Newmark, Node, Row};
 use proptest::prelude::*;
 
 use crate::common::{
@@ -85,7 +83,7 @@ fn limit_a_yield_force_never_reached_books_the_same() {
     let rich = |properties| {
         let node = yielding(properties);
         Node {
-            column: ElastoPlastic {
+            column: Bilinear {
                 yield_force: f64::INFINITY,
                 ..node.column
             },
@@ -162,7 +160,7 @@ proptest! {
     ) {
         let node = |&(mass, period, ratio, yields): &(f64, f64, f64, f64)| {
             let frequency = 2.0 * std::f64::consts::PI / period;
-            let column = ElastoPlastic { stiffness: mass * frequency * frequency, yield_force: yields * mass };
+            let column = Bilinear { stiffness: mass * frequency * frequency, yield_force: yields * mass, hardening: 0.0 };
             Node::structure(mass, 2.0 * ratio * mass * frequency, column)
         };
         let nodes: Vec<_> = structures.iter().map(node).collect();

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use insta::assert_snapshot;
 use pounding_solver::{
-    BoucWen, ElastoPlastic, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path,
+    Bilinear, BoucWen, Exact, Excitation, Impact, Integrator, Ledger, LedgerError, Node, Path,
     Recorder, Row, SimultaneousImpacts, Smoothness, Span,
 };
 
@@ -52,7 +52,7 @@ fn found(
 }
 
 fn found_between(
-    nodes: [Node<ElastoPlastic>; 2],
+    nodes: [Node<Bilinear>; 2],
     method: Integrator,
     span: impl Fn(&mut Span<'_>),
     impact: impl Fn(&mut Impact) -> bool,

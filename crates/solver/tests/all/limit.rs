@@ -5,7 +5,7 @@ use crate::common::{
     VISCOELASTIC, WEAK, clock, elastic, ground, histories, pairs, yielding,
 };
 use crate::watch::Watch;
-use pounding_solver::{ElastoPlastic, Hht, Histories, Integrator, Node, Row, State};
+use pounding_solver::{Bilinear, Hht, Histories, Integrator, Node, Row, State};
 
 /// Every state of every structure.
 fn bits(histories: &Histories, n: usize) -> Vec<Vec<State>> {
@@ -131,9 +131,10 @@ fn limit_a_wall_is_a_neighbour_of_infinite_mass() {
     // A neighbour of 1e30 kg with a circular frequency of 1e6 rad/s moves by 1e-12 m: the wall must give the same.
     for law in [STEREOMECHANICAL, VISCOELASTIC] {
         let heavy = yielding((1e30, 1e42, f64::INFINITY));
-        let wall = Node::wall(ElastoPlastic {
+        let wall = Node::wall(Bilinear {
             stiffness: 1.0,
             yield_force: f64::INFINITY,
+            hardening: 0.0,
         });
         let [wall, heavy] = [wall, heavy]
             .map(|right| Row::new(vec![yielding(WEAK), right], pairs(2, 0.02, law)).unwrap());
@@ -248,7 +249,7 @@ fn limit_sub_steps_change_nothing_while_nothing_touches() {
 #[test]
 fn limit_sub_steps_all_the_time_are_a_smaller_step() {
     // Pressed together from the start, the pair sub-steps throughout: the motion is that of the smaller step.
-    let pressed = |velocity, node: Node<ElastoPlastic>| Node {
+    let pressed = |velocity, node: Node<Bilinear>| Node {
         initial_velocity: velocity,
         ..node
     };

@@ -2,7 +2,7 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Clock, ElastoPlastic, Excitation, Integrator, Ledger, LedgerError, MoreauJean, Node, Pair, Row,
+    Bilinear, Clock, Excitation, Integrator, Ledger, LedgerError, MoreauJean, Node, Pair, Row,
     RunError,
 };
 use proptest::prelude::*;
@@ -17,7 +17,7 @@ fn impulsive(restitution: f64) -> ContactLaw {
 
 /// Balances of a run, and what breaks the laws of mechanics.
 fn run(
-    row: &Row<ElastoPlastic>,
+    row: &Row<Bilinear>,
     theta: f64,
     ground: &[f64],
     clock: Clock,
@@ -32,11 +32,12 @@ fn run(
 }
 
 /// Mass, damping and stiffness of every structure; gap and restitution of every pair.
-fn row(structures: &[[f64; 4]], contacts: &[(f64, f64)]) -> Row<ElastoPlastic> {
+fn row(structures: &[[f64; 4]], contacts: &[(f64, f64)]) -> Row<Bilinear> {
     let node = |&[mass, damping, stiffness, yield_force]: &[f64; 4]| {
-        let column = ElastoPlastic {
+        let column = Bilinear {
             stiffness,
             yield_force,
+            hardening: 0.0,
         };
         Node::structure(mass, damping, column)
     };

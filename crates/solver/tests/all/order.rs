@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Elastic, ElastoPlastic, Exact, Excitation, Hysteretic, Integrator, Node, Recorder, Row,
+    Bilinear, Elastic, Exact, Excitation, Hysteretic, Integrator, Node, Recorder, Row,
     TransferredMomentum,
 };
 
@@ -128,7 +128,7 @@ fn elastic_rows() -> Vec<(String, Row<Elastic>)> {
         .to_vec()
 }
 
-fn yielding_rows() -> Vec<(String, Row<ElastoPlastic>)> {
+fn yielding_rows() -> Vec<(String, Row<Bilinear>)> {
     let row = |law| {
         let nodes = vec![yielding(WEAK), yielding(STIFF)];
         Row::new(nodes, pairs(2, 0.02, law)).expect("the row is valid")

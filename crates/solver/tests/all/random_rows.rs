@@ -3,7 +3,7 @@
 use pounding_contact::{
     Calibration, ContactLaw, FreePair, LawName, NonlinearViscoelastic, Stereomechanical,
 };
-use pounding_solver::{ElastoPlastic, Node, Pair, Row};
+use pounding_solver::{Bilinear, Node, Pair, Row};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -51,14 +51,15 @@ pub(crate) const SI: Units = Units {
 };
 
 impl Case {
-    pub(crate) fn row(&self, units: Units) -> Row<ElastoPlastic> {
+    pub(crate) fn row(&self, units: Units) -> Row<Bilinear> {
         let node = |(&[mass, period, ratio, yields], velocity): (&[f64; 4], &f64)| {
             let omega = 2.0 * std::f64::consts::PI / (period * units.time);
             let mass = mass * units.mass;
             let stiffness = mass * omega * omega;
-            let column = ElastoPlastic {
+            let column = Bilinear {
                 stiffness,
                 yield_force: stiffness * yields * units.length,
+                hardening: 0.0,
             };
             Node {
                 initial_velocity: velocity * units.length / units.time,

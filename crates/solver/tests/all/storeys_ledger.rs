@@ -2,8 +2,8 @@
 
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Bilinear, BoucWen, Elastic, ElastoPlastic, Excitation, Hysteretic, Ledger, LedgerError, Node,
-    Pair, Row, RunError, Smoothness, modes,
+    Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Ledger, LedgerError, Node, Pair, Row,
+    RunError, Smoothness, modes,
 };
 
 use proptest::prelude::*;
@@ -37,10 +37,11 @@ pub(crate) fn elastic(stiffness: f64, _: f64) -> Elastic {
     Elastic { stiffness }
 }
 
-pub(crate) fn plastic(stiffness: f64, yield_force: f64) -> ElastoPlastic {
-    ElastoPlastic {
+pub(crate) fn plastic(stiffness: f64, yield_force: f64) -> Bilinear {
+    Bilinear {
         stiffness,
         yield_force,
+        hardening: 0.0,
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    Elastic, ElastoPlastic, Excitation, Impact, Levels, Node, Recorder, Row, Span, State,
+    Bilinear, Elastic, Excitation, Impact, Levels, Node, Recorder, Row, Span, State,
     TransferredMomentum,
 };
 
@@ -210,20 +210,21 @@ fn created(at_once: &[(Impact, f64)]) -> (f64, f64) {
 }
 
 /// Mass \[kg\] and columns of a storey: masses over four decades, periods from 0.02 to 2 s.
-fn any_storey() -> impl Strategy<Value = (f64, ElastoPlastic)> {
+fn any_storey() -> impl Strategy<Value = (f64, Bilinear)> {
     (3.0..7.0_f64, -2.0..2.0_f64, 1e-4..0.1_f64).prop_map(|(mass, stiff, yields)| {
         let mass = libm::pow(10.0, mass);
         let omega = 30.0 * libm::pow(10.0, 0.5 * stiff);
         let stiffness = mass * omega * omega;
-        let column = ElastoPlastic {
+        let column = Bilinear {
             stiffness,
             yield_force: yields * stiffness / omega,
+            hardening: 0.0,
         };
         (mass, column)
     })
 }
 
-fn any_towers() -> impl Strategy<Value = Vec<Tower<ElastoPlastic>>> {
+fn any_towers() -> impl Strategy<Value = Vec<Tower<Bilinear>>> {
     vec(vec(any_storey(), 1..5), 2..5)
 }
 

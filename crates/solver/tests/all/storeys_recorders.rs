@@ -1,8 +1,8 @@
 //! Recorders of one run of towers, one against the other.
 
 use pounding_solver::{
-    Collisions, ElastoPlastic, Excitation, FloorAccelerations, Histories, Ledger, Peaks, Row,
-    Support, TransferredMomentum,
+    Bilinear, Collisions, Excitation, FloorAccelerations, Histories, Ledger, Peaks, Row, Support,
+    TransferredMomentum,
 };
 
 use crate::allocations::allocations;
@@ -63,7 +63,7 @@ fn limit_recorders_of_one_run_agree_on_every_level() {
 }
 
 /// Peaks are the largest values of histories of every step.
-fn check_peaks(row: &Row<ElastoPlastic>, peaks: &Peaks, histories: &Histories) {
+fn check_peaks(row: &Row<Bilinear>, peaks: &Peaks, histories: &Histories) {
     for (node, floor) in row.nodes().iter().enumerate() {
         let displacement = |node: usize, n: usize| histories.of(node).states[n].displacement;
         let below = match floor.support {

@@ -1,8 +1,8 @@
 //! Storeys that yield, harden and bend, by the exact method.
 
 use pounding_solver::{
-    Bilinear, BoucWen, Elastic, ElastoPlastic, Excitation, Hysteretic, Impact, Integrator,
-    Recorder, Response, RestoringForce, Rk4, Row, Smoothness, Span,
+    Bilinear, BoucWen, Elastic, Excitation, Hysteretic, Impact, Integrator, Recorder, Response,
+    RestoringForce, Rk4, Row, Smoothness, Span,
 };
 
 use crate::common::{STEREOMECHANICAL, VISCOELASTIC, clock, ground};
@@ -42,10 +42,11 @@ fn hardening(part: f64) -> impl Fn(f64, f64) -> Bilinear {
     }
 }
 
-fn plastic(stiffness: f64, yield_force: f64) -> ElastoPlastic {
-    ElastoPlastic {
+fn plastic(stiffness: f64, yield_force: f64) -> Bilinear {
+    Bilinear {
         stiffness,
         yield_force,
+        hardening: 0.0,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use pounding_motion::Record;
 use pounding_solver::{
-    Clock, Damping, ElastoPlastic, Excitation, Histories, Integrator, Newmark, Node, Row,
+    Bilinear, Clock, Damping, Excitation, Histories, Integrator, Newmark, Node, Row,
 };
 
 /// One inch \[m\].
@@ -27,9 +27,10 @@ fn peak(period: f64, ratio: f64, yield_force: f64) -> f64 {
     let record = record();
     let omega = 2.0 * std::f64::consts::PI / period;
     let stiffness = omega * omega;
-    let column = ElastoPlastic {
+    let column = Bilinear {
         stiffness,
         yield_force,
+        hardening: 0.0,
     };
     let node = Node::structure(
         1.0,
@@ -97,9 +98,10 @@ fn reference_elastoplastic_peaks_of_chopra_section_7_4() {
 fn limit_the_solver_samples_as_the_record_does() {
     let record = record();
     let fine = record.resampled(0.005).expect("half the time step");
-    let column = ElastoPlastic {
+    let column = Bilinear {
         stiffness: 30.0,
         yield_force: 1.0,
+        hardening: 0.0,
     };
     let row = Row::new(vec![Node::structure(1.0, 0.3, column)], vec![]).expect("the row is valid");
     let run = |record: &Record| {

@@ -3,8 +3,8 @@
 use nalgebra::DMatrix;
 use pounding_contact::ContactLaw;
 use pounding_solver::{
-    Elastic, ElastoPlastic, Excitation, Floor, Histories, Levels, Node, Peaks, Row, RunError,
-    State, Storey, Support, TransferredMomentum,
+    Bilinear, Elastic, Excitation, Floor, Histories, Levels, Node, Peaks, Row, RunError, State,
+    Storey, Support, TransferredMomentum,
 };
 
 use super::{EXPLICIT, elastic, plastic, side_by_side, soft, started, stiff};
@@ -19,7 +19,7 @@ use crate::watch::Watch;
 const LAWS: [ContactLaw; 2] = [STEREOMECHANICAL, VISCOELASTIC];
 
 /// A tower of one storey that is the structure of one storey.
-fn house(node: &Node<ElastoPlastic>) -> Tower<ElastoPlastic> {
+fn house(node: &Node<Bilinear>) -> Tower<Bilinear> {
     vec![(1.0 / node.inverse_mass, node.column)]
 }
 

@@ -5,7 +5,7 @@ mod orders;
 mod spans;
 
 use pounding_contact::ContactLaw;
-use pounding_solver::{Elastic, ElastoPlastic, Hysteretic, Integrator, Levels, Node, Pair, Row};
+use pounding_solver::{Bilinear, Elastic, Hysteretic, Integrator, Levels, Node, Pair, Row};
 
 use crate::common::{CENTRAL, LOCATED, SUBSTEPPED, VERLET};
 use crate::towers::{self, Rayleigh, Tower};
@@ -42,10 +42,11 @@ fn elastic(stiffness: f64) -> Elastic {
 }
 
 /// Yields at a drift of 8 mm.
-fn plastic(stiffness: f64) -> ElastoPlastic {
-    ElastoPlastic {
+fn plastic(stiffness: f64) -> Bilinear {
+    Bilinear {
         stiffness,
         yield_force: 0.008 * stiffness,
+        hardening: 0.0,
     }
 }
 

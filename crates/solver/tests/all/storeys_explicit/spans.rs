@@ -2,8 +2,8 @@
 
 use pounding_contact::{ContactLaw, Stereomechanical};
 use pounding_solver::{
-    ElastoPlastic, Excitation, Hysteretic, Impact, Integrator, Motion, Path, Recorder, Row, Span,
-    State, Support, Weighed,
+    Bilinear, Excitation, Hysteretic, Impact, Integrator, Motion, Path, Recorder, Row, Span, State,
+    Support, Weighed,
 };
 
 use super::{EXPLICIT, elastic, plastic, side_by_side, soft, started, stiff};
@@ -77,7 +77,7 @@ fn keep<Column: Hysteretic>(row: &Row<Column>, method: Integrator, dt: f64) -> K
 }
 
 /// Three towers that collide, yield and begin in motion.
-fn row(law: ContactLaw) -> Row<ElastoPlastic> {
+fn row(law: ContactLaw) -> Row<Bilinear> {
     let towers = [soft(plastic), stiff(2, plastic), soft(plastic)];
     let (row, _) = side_by_side(&towers, &[0.01, 0.02], law);
     started(&row, |node| (1e-4 * node as f64, 0.1))

@@ -1,6 +1,6 @@
 //! Rows of towers that must agree with others.
 
-use pounding_solver::{ElastoPlastic, Node};
+use pounding_solver::{Bilinear, Node};
 
 use super::{DAMPING, SPRING, all, facing, plastic, run, sampled, towers};
 use crate::allocations::ALLOCATIONS;
@@ -11,7 +11,7 @@ use crate::towers::{Tower, row, uniform};
 fn limit_one_storey_beside_towers_is_a_structure() {
     // Three structures of one storey, and the same with a tower out of reach, which makes them buildings.
     let kinds = [(75e3, 2.056e6), (3e6, 1.316e9), (120e3, 5e6)];
-    let structures: Vec<Tower<ElastoPlastic>> = kinds
+    let structures: Vec<Tower<Bilinear>> = kinds
         .iter()
         .map(|&(mass, stiffness)| vec![(mass, plastic(stiffness))])
         .collect();

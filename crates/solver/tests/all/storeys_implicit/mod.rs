@@ -9,8 +9,8 @@ pub(crate) use momentum::Momentum;
 
 use pounding_contact::{ContactLaw, LinearSpring};
 use pounding_solver::{
-    Bilinear, BoucWen, Clock, Elastic, ElastoPlastic, Excitation, Histories, Hysteretic,
-    Integrator, Pair, Recorder, Row, Smoothness, State, Work,
+    Bilinear, BoucWen, Clock, Elastic, Excitation, Histories, Hysteretic, Integrator, Pair,
+    Recorder, Row, Smoothness, State, Work,
 };
 
 use crate::common::{AVERAGE, HHT, LINEAR, MOREAU_JEAN, moreau_jean};
@@ -55,11 +55,12 @@ pub(crate) fn elastic(stiffness: f64) -> Elastic {
     Elastic { stiffness }
 }
 
-fn plastic(stiffness: f64) -> ElastoPlastic {
+fn plastic(stiffness: f64) -> Bilinear {
     let yield_force = 0.006 * stiffness;
-    ElastoPlastic {
+    Bilinear {
         stiffness,
         yield_force,
+        hardening: 0.0,
     }
 }
 
