@@ -89,7 +89,7 @@ pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::{Summary, SummaryError};
 
-use pounding_scene::{Error, Method, PairQuantity, Quantity, Scene};
+use pounding_scene::{Error, Method, PairQuantity, Quantity, Scene, Suite};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -225,14 +225,9 @@ impl Sweep {
         self.summary.is_some() && self.without_rows().is_none()
     }
 
-    /// Records that are left out, each with the reason.
-    pub fn left_out(&self) -> &[String] {
-        &self.motions.left_out
-    }
-
-    /// Returns the names of records whose direction nothing tells; they count as horizontal.
-    pub fn untold(&self) -> &[String] {
-        &self.motions.untold
+    /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.
+    pub fn suite(&self) -> Option<&Suite> {
+        self.motions.suite.as_ref()
     }
 
     /// Returns the files that were read: sweep, scene, records.

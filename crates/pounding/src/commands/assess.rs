@@ -8,10 +8,12 @@ use std::path::PathBuf;
 
 use pounding::report::{AssessmentReport, FolderOfMotions, ScalingAsked};
 use pounding::scene::{
-    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, acceleration_in_g, in_scene,
+    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Structure, Suite, acceleration_in_g,
+    in_scene,
 };
 use pounding::text::{digits, json_text};
 
+use super::declared::Declared;
 use super::suite;
 use crate::folder::Out;
 use crate::text::paragraph;
@@ -47,6 +49,8 @@ pub(crate) struct Arguments {
     /// A folder of records.
     #[arg(long, value_name = "FOLDER")]
     records: PathBuf,
+    #[command(flatten)]
+    declared: Declared,
     /// Scale each record: none, pga=0.3g, or sa(0.8s)=0.5g (5 % damping); by
     /// default as the scene scales its own.
     #[arg(long, value_name = "TO", value_parser = scaling)]
@@ -168,7 +172,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         out.keep(&[super::inputs_in(&args.records), read].concat())?;
         out.apart_from(&args.records)?;
     }
-    let asked = args.asked(super::read(path).map_err(message)?)?;
+    let scene = super::read(path).map_err(message)?;
+    let records = suite::read(&args.records, &args.declared, &scene)?;
+    let asked = args.asked(scene, &records)?;
     let ran = asked.run()?;
     let report = args.report(&asked, &ran.lines)?;
     let report = report.ok_or("no run was finished")?;
@@ -192,7 +198,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 impl Arguments {
     /// What is asked of every motion.
-    fn asked(&self, scene: Scene) -> Result<Asked<'_>, String> {
+    fn asked<'a>(&self, scene: Scene, records: &'a Suite) -> Result<Asked<'a>, String> {
         let message = |error: Error| error.in_file(&self.scene).to_string();
         let scene = Scene {
             method: Method::EXACT,
@@ -218,7 +224,7 @@ impl Arguments {
             rows,
             scaling: self.scaling()?,
             stiffness: self.stiffness,
-            records: &self.records,
+            records,
         })
     }
 
@@ -238,7 +244,7 @@ impl Arguments {
         };
         let with_bumpers = asked.with_bumpers(lines, &bumpers)?;
         let animation = self.out.as_ref().and_then(|_| asked.animation(lines));
-        let folder = FolderOfMotions::of_lines(lines);
+        let folder = FolderOfMotions::of(asked.records, lines, self.printed.details);
         let scaling = ScalingAsked {
             to: asked.scaling.clone(),
             words: self.scaling_words(),

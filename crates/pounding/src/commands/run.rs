@@ -9,6 +9,7 @@ use pounding::report::{Report, Summary, direction_sentences, other_direction};
 use pounding::scene::{Effects, Error, Implausible, Review, RunResult, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
+use super::declared::Declared;
 use crate::folder::Out;
 use crate::progress::Waiting;
 use crate::summary;
@@ -104,6 +105,8 @@ struct Suite {
     /// does, or --out.
     #[arg(long, requires = "records")]
     csv: bool,
+    #[command(flatten)]
+    declared: Declared,
 }
 
 /// Where a folder of results goes.

@@ -41,7 +41,7 @@ fn gaps(report: &AssessmentReport) -> String {
     let header = [
         ["Gap", ""],
         ["Scene", "[mm]"],
-        ["Runs that", "touch"],
+        ["Events that", "touch"],
         ["Median", "[mm]"],
         ["84 %", "[mm]"],
         ["Largest", "[mm]"],
@@ -53,7 +53,7 @@ fn gaps(report: &AssessmentReport) -> String {
         vec![
             format!("{left} – {right}"),
             gap.own.map_or(NONE.into(), millimetres),
-            format!("{} of {}", gap.touching, report.assessment().runs),
+            format!("{} of {}", gap.touching, report.assessment().cases),
             millimetres(gap.required.median()),
             millimetres(gap.required.p84()),
             millimetres(gap.required.largest()),
@@ -91,7 +91,7 @@ fn rules(report: &AssessmentReport) -> String {
         );
         let narrow = gap.rules.iter().map(|rule| rule.too_narrow.to_string());
         rows.push(
-            std::iter::once("  runs in which it is too narrow".into())
+            std::iter::once("  events in which it is too narrow".into())
                 .chain(narrow)
                 .collect(),
         );
@@ -139,7 +139,7 @@ fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
 fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
     let header = [
         ["Pair", ""],
-        ["Runs that", "touch"],
+        ["Events that", "touch"],
         ["Force", "[kN]"],
         ["Largest impulse", "[kN·s]"],
         ["Speed up to", "[m/s]"],
