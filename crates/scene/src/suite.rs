@@ -109,13 +109,17 @@ pub struct Suite {
 }
 
 impl Suite {
-    /// Reads the records of a folder. `declared` is what is said of files that do not say it themselves.
+    /// Reads the records of a folder, or of one file. `declared` is what is said of files that do not say it themselves.
     ///
     /// A file whose name begins with a dot is passed over, and so is one that ends with `.provenance.json`.
     ///
     /// # Errors
     /// [`Error::Unreadable`] if the folder cannot be read, [`Error::NoMotion`] if nothing in it shakes a row.
     pub fn in_folder(folder: &Path, declared: &FileUse) -> Result<Self, Error> {
+        std::fs::metadata(folder).map_err(|source| Error::Unreadable {
+            path: folder.to_path_buf(),
+            source,
+        })?;
         let suite = Self::of(&[folder.to_path_buf()], declared)?;
         if suite.motions.is_empty() {
             return Err(Error::NoMotion {

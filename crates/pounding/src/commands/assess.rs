@@ -31,8 +31,7 @@ Examples:
   pounding assess a.toml --records records --target asce7:s_ds=1,s_d1=0.6,t_l=8
 
 Every horizontal motion of the folder shakes the row in both directions, by the
-exact method. Components of one file, and files whose names differ in the
-direction alone, are of one event. The answer is one for these records: choose
+exact method. Components of one record are one event. The answer is one for these records: choose
 and scale them for the site. The stiffness of impacts is known to an order of
 magnitude; forces are ranges over --stiffness.
 
@@ -49,8 +48,6 @@ pub(crate) struct Arguments {
     /// A folder of records.
     #[arg(long, value_name = "FOLDER")]
     records: PathBuf,
-    #[command(flatten)]
-    declared: Declared,
     /// Scale each record: none, pga=0.3g, or sa(0.8s)=0.5g (5 % damping); by
     /// default as the scene scales its own.
     #[arg(long, value_name = "TO", value_parser = scaling)]
@@ -80,6 +77,8 @@ pub(crate) struct Arguments {
     /// Also where the folder holds other things; they stay.
     #[arg(long, requires = "out")]
     overwrite: bool,
+    #[command(flatten)]
+    declared: Declared,
 }
 
 /// How the answer is printed.

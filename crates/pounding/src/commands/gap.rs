@@ -22,10 +22,10 @@ closing of the gap while every structure stands alone, by the exact method, at
 the level that needs most of those at which floors can touch (`levels` of a
 contact).
 
-Vertical components are left out: by the name that a file gives its component,
-such as UP, UD, V, Z or DWN (of an AT2 file the direction in its title), and
-where it gives none by the end of the file's name, such as -UP, _V or .UD. Where
-nothing tells, the motion counts as horizontal and is listed under Direction.";
+Components of one record are one event, and count with the larger width.
+Verticals, velocities, copies, and records in boreholes or on structures are
+left out. Records lists them with the reason, and those whose direction nothing
+tells: they count as horizontal.";
 
 /// What is asked of `gap`.
 #[derive(Debug, clap::Args)]
@@ -37,8 +37,6 @@ pub(crate) struct Arguments {
     /// A folder of records.
     #[arg(long, value_name = "FOLDER")]
     records: PathBuf,
-    #[command(flatten)]
-    declared: Declared,
     /// Name every record that is left out.
     #[arg(long)]
     details: bool,
@@ -48,6 +46,8 @@ pub(crate) struct Arguments {
     /// Print JSON, SI units.
     #[arg(long, conflicts_with_all = ["csv", "details"])]
     json: bool,
+    #[command(flatten)]
+    declared: Declared,
 }
 
 /// The widths under one motion in one direction.

@@ -116,7 +116,7 @@ pub(super) fn run(args: &Arguments, folder: &Path) -> Result<String, String> {
         out.keep(&[super::super::inputs_in(folder), vec![path.clone()]].concat())?;
         out.apart_from(folder)?;
     }
-    let records = suite::read(folder, &args.suite.declared, &scene)?;
+    let records = suite::read(folder, &args.declared, &scene)?;
     let ran = suite::lines(&scene, &records, directions, |prepared| {
         let review = prepared.review(!args.model.no_error)?;
         // They are of both directions.

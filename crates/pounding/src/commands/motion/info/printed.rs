@@ -203,6 +203,10 @@ fn directions(lines: &[Line], of_one_file: bool) -> Vec<String> {
     let placed: Vec<_> = placed.collect();
     let still = placed.iter().filter_map(|(name, placed)| {
         let reason = placed.as_ref().err()?;
+        let mut reason = reason.clone();
+        if name.ends_with(&reason.said) {
+            reason.said.clear();
+        }
         Some(format!("{name}: {}", reason.sentence()))
     });
     let still: Vec<String> = still.collect();
