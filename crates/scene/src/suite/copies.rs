@@ -28,7 +28,7 @@ pub(super) fn leave_out(suite: &mut Suite) {
         let motion = &motions[index];
         let bytes = (motion.origin.sha256.as_str(), &motion.taken.component);
         if let Some(first) = first_of.get(&bytes) {
-            copy_of[index] = Some(*first);
+            copy_of[index] = copy_of[*first].or(Some(*first));
             continue;
         }
         first_of.insert(bytes, index);
