@@ -272,3 +272,19 @@ fn issue_components_of_one_record_are_one_event() {
     // Numbers of records are no azimuths.
     assert_eq!(events(&["r001.csv", "r002.csv", "r091.csv"]), [0, 1, 2]);
 }
+
+#[path = "../../../../fuzz/src/folder.rs"]
+mod fuzzed;
+
+/// What fuzzing holds folders to, on the seeds that lie in `fuzz/corpus`.
+#[test]
+fn issue_every_seed_of_a_folder_keeps_its_entries() {
+    let seeds = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/folder");
+    let seeds: Vec<_> = fs::read_dir(seeds).expect("the corpus is there").collect();
+    assert!(seeds.len() > 10, "{} seeds", seeds.len());
+    for seed in seeds {
+        let bytes = fs::read(seed.expect("a file").path()).expect("a seed");
+        let folder = Folder::new();
+        fuzzed::check(&bytes, folder.path());
+    }
+}
