@@ -109,7 +109,10 @@ impl AssessmentReport {
     /// "9 of 11 events (18 of 44 runs)".
     fn touch_in(&self, gap: &GapAssessment) -> String {
         let runs = format!("{} of {} runs", gap.touching_runs, self.assessment.runs);
-        format!("{} ({runs})", self.of_cases(gap.touching))
+        match self.assessment.cases {
+            1 => format!("the only {} ({runs})", self.sample()),
+            _ => format!("{} ({runs})", self.of_cases(gap.touching)),
+        }
     }
 
     /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
