@@ -18,7 +18,9 @@ pub struct Declared {
     pub component: Option<String>,
     /// What one count of a digitiser is worth, in [`unit`](Self::unit); not zero.
     pub per_count: Option<f64>,
-    /// Whether the values are accelerations although the file speaks for velocities: by the code of a seismometer's
-    /// channel, or by a header with `cm/s`.
+    /// Whether the values are accelerations although the file speaks against it: for velocities, by the code of a
+    /// seismometer's channel or a header with `cm/s`; or for no shaking, by values that never change their sign.
     pub acceleration: bool,
+    /// Whether numbers that stand several to a line, without names, follow one another.
+    pub in_rows: bool,
 }

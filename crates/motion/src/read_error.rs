@@ -5,7 +5,7 @@ mod words;
 use pounding_text::plain;
 
 use crate::{AccelerationUnit, Format, Place};
-use words::{before, choice, columns, listed, numbered, of_number};
+use words::{before, choice, columns, listed, numbered, of_number, rows, several};
 
 /// A `ReadError` says why a text was not read as a ground motion.
 ///
@@ -48,11 +48,9 @@ pub enum ReadError {
     },
     /// The record has more samples than can be used.
     #[error(
-        "found {found} samples, allowed are {allowed}; cut the record to the shaking that matters, or resample it"
+        "found more samples than the {allowed} allowed; cut the record to the shaking that matters, or resample it"
     )]
     TooManySamples {
-        /// Its samples.
-        found: usize,
         /// Most that are read.
         allowed: usize,
     },
@@ -204,6 +202,89 @@ pub enum ReadError {
         place: Place,
         /// Time step found \[s\].
         found: f64,
+    },
+    /// Times rise by whole numbers in no named unit: seconds would be a long step, milliseconds may be meant.
+    #[error(
+        "{place}: the times rise by {found} in no unit that is named; call the column `time_s` or `time_ms`, or declare `time_step` in \
+         seconds: {found} or {}",
+        found / 1000.0
+    )]
+    TimeUnit {
+        /// Place of the first time.
+        place: Place,
+        /// Step of the times, in their unit.
+        found: f64,
+    },
+    /// A file says several things of its values that differ.
+    #[error(
+        "the file gives more than one {what}: {}; declare the one that holds as `{field}`, or correct the file",
+        several(said)
+    )]
+    Several {
+        /// What it is.
+        what: &'static str,
+        /// How a caller declares it.
+        field: &'static str,
+        /// What is said in which places.
+        said: Vec<(Place, String)>,
+    },
+    /// Values never change their sign, or only rise, and nothing says that they are accelerations.
+    #[error(
+        "the {found} values that end at {place} {}, as a spectrum or times do and no shaking does, and the file does not say that they \
+         are accelerations; take the record itself, or declare `acceleration` if they are",
+        if *rises { "only rise" } else { "never change their sign" }
+    )]
+    OneSigned {
+        /// Place of the last value.
+        place: Place,
+        /// Number of values.
+        found: usize,
+        /// Whether none is below the one before.
+        rises: bool,
+    },
+    /// Numbers stand above the rows that are none of them.
+    #[error(
+        "lines {} to {} read {found:?}, which are {what} and no row of values like those below; delete them, or put # before each",
+        lines[0], lines[1]
+    )]
+    HeaderNumbers {
+        /// First and last line.
+        lines: [usize; 2],
+        /// What they read.
+        found: String,
+        /// What they seem to be.
+        what: &'static str,
+    },
+    /// Rows hold several numbers without names, or names and rows do not go together.
+    #[error("line {line} has {found} numbers: {reason}; {}", rows(*found))]
+    Rows {
+        /// First line of numbers.
+        line: usize,
+        /// Numbers in it.
+        found: usize,
+        /// Why they are not read.
+        reason: &'static str,
+    },
+    /// Values are declared to follow one another in rows, where the file has columns.
+    #[error(
+        "{place} reads {found:?}: the numbers stand in columns, but `in_rows` is declared; leave the declaration away"
+    )]
+    NotInRows {
+        /// Where the file says so.
+        place: Place,
+        /// What it says.
+        found: String,
+    },
+    /// A comma may be a decimal comma or part two numbers.
+    #[error(
+        "line {line} reads {found:?}: its comma may be a decimal comma, or part two whole numbers; write decimal points, or a semicolon \
+         between numbers with decimal commas"
+    )]
+    DecimalComma {
+        /// The line.
+        line: usize,
+        /// What it reads.
+        found: String,
     },
     /// No line of an AT2 header gives the number of samples and the time step.
     #[error(

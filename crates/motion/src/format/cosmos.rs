@@ -6,7 +6,8 @@
 //! velocity and displacement as further channels; only those of acceleration are listed. Volume 1
 //! was at hand, volumes 0 and 2 were not.
 
-use super::columns::{Columns, is_mark, last_digit, leading_data};
+use super::columns::{Columns, leading_data};
+use super::numbers::{is_mark, last_digit};
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::line::{Line, number};
@@ -52,10 +53,7 @@ fn component(channel: &[Line<'_>]) -> Component {
         .unwrap_or(channel[0]);
     let text = line.text();
     let name = text.split(['(', ',']).next().unwrap_or_default();
-    Component {
-        name: title::words(name),
-        place: Place::Line(line.number),
-    }
+    Component::new(title::words(name), Place::Line(line.number))
 }
 
 /// A block of a channel: the line above it, its own lines, and what follows.

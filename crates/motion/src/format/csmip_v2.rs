@@ -84,10 +84,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Component {
         };
         words.truncate(kept);
     }
-    Component {
-        name: words.join(" "),
-        place: Place::Line(line.number),
-    }
+    Component::new(words.join(" "), Place::Line(line.number))
 }
 
 pub(super) fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {

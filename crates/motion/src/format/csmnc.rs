@@ -41,10 +41,10 @@ fn number_first(line: Line<'_>) -> Option<f64> {
 /// The direction of a title such as `COMP. EW`.
 fn component(file: &File<'_>) -> Option<Component> {
     let (line, name) = title::value_of(titles(file), "COMP.")?;
-    Some(Component {
-        name: title::words(&name),
-        place: Place::Line(line.number),
-    })
+    Some(Component::new(
+        title::words(&name),
+        Place::Line(line.number),
+    ))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {

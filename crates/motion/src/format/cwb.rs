@@ -30,19 +30,17 @@ fn header<'l, 't>(file: &'l File<'t>) -> &'l [Line<'t>] {
 }
 
 fn components(file: &File<'_>) -> Vec<Component> {
-    let place = Place::Line(header(file).len());
+    let last = header(file).last();
+    let place = Place::Line(last.map_or(1, |line| line.number));
     let names = ["U", "N", "E"];
-    let components = names.map(|name| Component {
-        name: name.to_owned(),
-        place,
-    });
+    let components = names.map(|name| Component::new(name, place));
     components.into()
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
     let header = header(file);
     let last = *needed(header.last(), None, "its header")?;
-    let fields = |line| COLUMNS.fields(line).collect();
+    let fields = |line| COLUMNS.fields(line);
     let table = Table::new(last, &file.lines[header.len()..], COLUMNS.per_line, fields)?;
     let numbers = table.column(index + 1)?;
     let n_samples = numbers.values.len();
@@ -72,7 +70,7 @@ fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {
         Some(line) => title::stated_unit(line, &line.text())?,
         None => Stated {
             value: AccelerationUnit::CentimetrePerSecondSquared,
-            place: Place::Line(1),
+            place: Place::Line(header[0].number),
             text: "as the format has it".to_owned(),
         },
     };

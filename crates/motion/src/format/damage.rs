@@ -22,14 +22,14 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     let Some(line) = behind.next().filter(|_| found < allowed) else {
         return error;
     };
-    let pieces: Vec<&[u8]> = line.pieces().collect();
     let is_bad = |piece: &&[u8]| number(piece).is_none_or(|value| !value.is_finite());
-    let of_numbers = pieces.iter().all(|piece| is_like_a_number(piece));
-    match pieces.iter().position(is_bad) {
-        Some(index) if of_numbers => ReadError::NotANumber {
+    let of_numbers = line.pieces().all(is_like_a_number);
+    let bad = line.pieces().enumerate().find(|(_, piece)| is_bad(piece));
+    match bad {
+        Some((index, piece)) if of_numbers => ReadError::NotANumber {
             line: line.number,
             field: index + 1,
-            found: excerpt(pieces[index]),
+            found: excerpt(piece),
         },
         _ => ReadError::SampleCount {
             place: Place::Line(last),

@@ -36,10 +36,7 @@ fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), R
 
 fn component(file: &File<'_>) -> Option<Component> {
     let (line, name) = value(file, "Orientation").ok()?;
-    Some(Component {
-        name,
-        place: Place::Line(line.number),
-    })
+    Some(Component::new(name, Place::Line(line.number)))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {

@@ -20,7 +20,7 @@ fn header<'t>(file: &File<'t>) -> Option<[Line<'t>; 2]> {
     let [names, numbers, first, ..] = file.lines[..] else {
         return None;
     };
-    let pieces: Vec<&[u8]> = numbers.pieces().collect();
+    let pieces: Vec<&[u8]> = numbers.pieces().take(NUMBERS + 1).collect();
     let is_count = pieces
         .first()
         .is_some_and(|count| count.iter().all(u8::is_ascii_digit));
@@ -38,10 +38,10 @@ fn header<'t>(file: &File<'t>) -> Option<[Line<'t>; 2]> {
 fn component(file: &File<'_>) -> Option<Component> {
     let [names, _] = header(file)?;
     let name = names.pieces().nth(1)?;
-    Some(Component {
-        name: String::from_utf8_lossy(name).into_owned(),
-        place: Place::Line(names.number),
-    })
+    Some(Component::new(
+        String::from_utf8_lossy(name).into_owned(),
+        Place::Line(names.number),
+    ))
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {

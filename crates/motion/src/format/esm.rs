@@ -1,6 +1,7 @@
 //! ESM and ITACA ASC: 64 lines of a key and a value, then a value to a line.
 
-use super::columns::{Largest, decimal, leading_data};
+use super::columns::{decimal, leading_data};
+use super::numbers::Values;
 use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title};
 use crate::line::{Line, number};
 use crate::{Place, ReadError};
@@ -30,10 +31,7 @@ fn value<'t>(file: &File<'t>, key: &'static str) -> Result<(Line<'t>, String), R
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let (line, name) = value(file, "STREAM:")?;
-    Ok(vec![Component {
-        name,
-        place: Place::Line(line.number),
-    }])
+    Ok(vec![Component::new(name, Place::Line(line.number))])
 }
 
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
@@ -51,19 +49,15 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let (step_line, step) = value(file, "SAMPLING_INTERVAL_S:")?;
     let (unit_line, unit) = value(file, "UNITS:")?;
     let peak = header.iter().find(|line| line.bytes.starts_with(b"PGA_"));
-    let mut values = Vec::new();
-    let mut largest = Largest::default();
-    let mut end = last;
+    let mut values = Values::default();
     for line in leading_data(&file.lines[header.len()..]) {
-        let value = decimal(*line, 1, line.bytes)?;
-        largest.see(value, line.bytes);
-        values.push(value);
-        end = *line;
+        values.push(*line, decimal(*line, 1, line.bytes)?, line.bytes)?;
     }
+    let numbers = values.finish(last);
     Ok(Draft {
-        values,
-        end: Place::Line(end.number),
-        digit: largest.digit(),
+        values: numbers.values,
+        end: numbers.end,
+        digit: numbers.digit,
         count: Some(title::count(count_line, &count)?),
         time_step: Some(Spacing::Even(title::time_step(
             step_line,

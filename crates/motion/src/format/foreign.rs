@@ -64,7 +64,7 @@ pub(super) fn refusal(file: &File<'_>) -> Option<ReadError> {
             advice: "save it again as UTF-8 (an editor's \"Save as\", or `iconv -f UTF-16 -t UTF-8`)",
         });
     }
-    let begin = file.first()?.bytes.trim_ascii().to_ascii_lowercase();
+    let begin = file.first()?.head().trim_ascii().to_ascii_lowercase();
     let is_page = [&b"<!doctype html"[..], b"<html"]
         .iter()
         .any(|tag| begin.starts_with(tag));

@@ -46,10 +46,7 @@ fn components(file: &File<'_>) -> Vec<Component> {
             _ => 1,
         };
         let name = words[..n_words.min(words.len())].join(" ");
-        Component {
-            name,
-            place: Place::Line(line.number),
-        }
+        Component::new(name, Place::Line(line.number))
     };
     channels(file).into_iter().map(component).collect()
 }

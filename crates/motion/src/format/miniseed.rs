@@ -48,10 +48,9 @@ fn streams(records: &[Record<'_>]) -> Vec<Component> {
     }
     let mut streams: Vec<(String, (usize, usize))> = seen.into_iter().collect();
     streams.sort_by_key(|(_, (number, _))| *number);
-    let streams = streams.into_iter().map(|(name, (_, at))| Component {
-        name,
-        place: Place::Byte(at + 1),
-    });
+    let streams = streams
+        .into_iter()
+        .map(|(name, (_, at))| Component::new(name, Place::Byte(at + 1)));
     streams.collect()
 }
 

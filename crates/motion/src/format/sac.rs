@@ -4,7 +4,7 @@
 //! the values are accelerations, but not their unit. A step in single precision is taken as the
 //! shortest decimal that it stands for, 0.02 and not 0.01999999955.
 
-use super::columns::is_mark;
+use super::numbers::{at_most, is_mark};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated, reading};
 use crate::{Direction, Place, ReadError};
 
@@ -115,7 +115,7 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     } else {
         channel.map(|channel| (channel, byte(CHANNEL)))
     };
-    let component = name.map(|(name, place)| Component { name, place });
+    let component = name.map(|(name, place)| Component::new(name, place));
     Ok(component.into_iter().collect())
 }
 
@@ -181,6 +181,7 @@ fn values(sac: &Sac<'_>) -> Result<(Vec<f64>, Place), ReadError> {
     let data = &sac.bytes[HEADER..];
     let footer = if sac.whole(VERSION) == 7 { FOOTER } else { 0 };
     let n_values = data.len().saturating_sub(footer) / 4;
+    at_most(n_values)?;
     let mut values = Vec::with_capacity(n_values);
     for index in 0..n_values {
         let at = HEADER + 4 * index;

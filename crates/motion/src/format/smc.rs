@@ -5,7 +5,8 @@
 //! second; they begin with the marks of what is missing. Where no rate is given the values are pairs of time and value. The
 //! format fixes the unit.
 
-use super::columns::{Columns, is_mark, leading_data};
+use super::columns::{Columns, leading_data};
+use super::numbers::is_mark;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Peak, Reader, Scale, Spacing, Stated};
@@ -40,16 +41,15 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
         let name = title::words(title::after(&text, "COMPONENT=")?);
         Some(name).filter(|name| !name.is_empty())
     });
-    let component = |name: String, line: usize| Component {
-        name,
-        place: Place::Line(line),
-    };
+    let component = |name: String, line: usize| Component::new(name, Place::Line(line));
     // A number would be the azimuth of an upright sensor.
     let stated = stated.filter(|name| !upright || number(name.as_bytes()).is_none());
-    let line = line.map_or(TITLES, |line| line.number);
+    let line = line.or(titles.last().copied());
+    let line = line.map_or(1, |line| line.number);
+    let of_angle = whole.map_or(line, |lines| lines[1].number);
     Ok(match stated {
         Some(name) => vec![component(name, line)],
-        None if upright => vec![component("UP".to_owned(), TITLES + 2)],
+        None if upright => vec![component("UP".to_owned(), of_angle)],
         None => Vec::new(),
     })
 }

@@ -37,10 +37,10 @@ fn components(file: &File<'_>) -> Vec<Component> {
     let component = |block: &[Line<'_>]| {
         let line = title::line_with(&block[..TITLES], "COMPONENT=").unwrap_or(block[1]);
         let text = line.text();
-        Component {
-            name: title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
-            place: Place::Line(line.number),
-        }
+        Component::new(
+            title::words(title::after(&text, "COMPONENT=").unwrap_or(&text)),
+            Place::Line(line.number),
+        )
     };
     channels(file).into_iter().map(component).collect()
 }

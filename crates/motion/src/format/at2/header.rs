@@ -65,10 +65,7 @@ pub(super) fn component(lines: &[Line<'_>]) -> Option<Component> {
     if !words.all(|word| word.bytes().all(|byte| byte.is_ascii_digit())) {
         return None;
     }
-    Some(Component {
-        name: word.to_owned(),
-        place: Place::Line(line.number),
-    })
+    Some(Component::new(word.to_owned(), Place::Line(line.number)))
 }
 
 /// Index of the line with NPTS and DT.
@@ -79,11 +76,7 @@ fn count_line(lines: &[Line<'_>]) -> Option<usize> {
     header.iter().rposition(named).or_else(|| {
         let titles = header.get(..COUNT_LINE - 1)?;
         let bare = header.get(COUNT_LINE - 1)?;
-        let fields: Vec<&[u8]> = bare
-            .bytes
-            .split(u8::is_ascii_whitespace)
-            .filter(|field| !field.is_empty())
-            .collect();
+        let fields: Vec<&[u8]> = bare.pieces().take(3).collect();
         let is_pair = fields.len() == 2
             && fields[0].iter().all(u8::is_ascii_digit)
             && number(fields[1]).is_some_and(f64::is_finite);

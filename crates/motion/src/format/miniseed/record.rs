@@ -1,5 +1,6 @@
 //! One record: what its header says of stream, start, step and packing.
 
+use super::super::numbers::at_most;
 use super::samples;
 use crate::{Place, ReadError};
 
@@ -185,6 +186,7 @@ impl<'t> Record<'t> {
             let found = "packed differences that do not lead to the last value".to_owned();
             self.refused(found, "the last value that the first frame repeats")
         })?;
+        at_most(values.len() + found.len())?;
         values.extend(found);
         if values.len() - before != self.n_samples {
             return Err(ReadError::SampleCount {

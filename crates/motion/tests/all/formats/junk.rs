@@ -28,6 +28,7 @@ fn declared(per_count: Option<f64>) -> Declared {
         component: Some("1".to_owned()),
         per_count,
         acceleration: true,
+        in_rows: false,
     }
 }
 

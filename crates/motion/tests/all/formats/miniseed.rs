@@ -219,7 +219,9 @@ fn turned(mut bytes: Vec<u8>, encoding: EncodingFormat) -> Vec<u8> {
 #[test]
 fn issue_steim_in_the_other_order_of_bytes() {
     let small: Vec<i32> = vec![0, 1, 3, 6, 10, 15, 21, 28];
-    let mixed: Vec<i32> = vec![5, 300, -400, 20_000, 19_999, 20_001, 20_004, 20_000, -500, 90_000];
+    let mixed: Vec<i32> = vec![
+        5, 300, -400, 20_000, 19_999, 20_001, 20_004, 20_000, -500, 90_000,
+    ];
     for samples in [small, mixed] {
         let expected: Vec<f64> = samples.iter().map(|one| f64::from(*one) * 0.5).collect();
         for encoding in [EncodingFormat::Steim1, EncodingFormat::Steim2] {

@@ -10,9 +10,12 @@ mod junk;
 mod knet;
 mod lists;
 mod miniseed;
+mod no_motion;
 mod plain;
 mod real_files;
+mod rows;
 mod sac;
+mod said;
 mod smc;
 mod tables;
 
@@ -56,4 +59,13 @@ fn readings(found: &Accelerogram) -> String {
         None => format!("{}: {}", reading.what, reading.found),
     });
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Values that shake to and fro, the largest below one.
+fn wave(n_values: usize) -> Vec<f64> {
+    let value = |step: usize| {
+        let step = f64::from(u32::try_from(step).expect("few values"));
+        0.9 * (0.37 * step).sin() * (0.011 * step).cos()
+    };
+    (0..n_values).map(value).collect()
 }

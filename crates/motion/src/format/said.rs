@@ -1,0 +1,499 @@
+//! What comments and titles of a text say of the numbers below: step or rate, number, unit, component, station, event, time.
+//!
+//! One reader for `key: value`, `key = value` and a few phrases, as networks, programs and people write them. It takes what it
+//! is sure of and passes over the rest: the values are then held against it, and so is what a caller declares.
+
+use super::stamp;
+use super::title::{unit_in, unit_of};
+use super::{Component, Stated};
+use crate::line::{Line, number};
+use crate::{AccelerationUnit, Direction, Place};
+
+/// Lines above the numbers in which something is looked for.
+const MOST_LINES: usize = 200;
+
+/// Keys of a time step \[s\], or of a rate \[Hz\] where the unit behind the number says so.
+const STEP: [&str; 15] = [
+    "dt",
+    "delta t",
+    "time step",
+    "timestep",
+    "time interval",
+    "time increment",
+    "sampling interval",
+    "sampling period",
+    "sampling step",
+    "sample interval",
+    "sample spacing",
+    "spacing of",
+    "spaced at",
+    "intervalo de muestreo",
+    "paso de tiempo",
+];
+
+/// Keys of a rate \[Hz\], or of a step.
+const RATE: [&str; 11] = [
+    "sampling rate",
+    "sampling frequency",
+    "sampling freq",
+    "sample rate",
+    "sample frequency",
+    "samplingrate",
+    "samplerate",
+    "samples/sec",
+    "fs",
+    "tasa de muestreo",
+    "frecuencia de muestreo",
+];
+
+/// Keys of the number of samples.
+const COUNT: [&str; 15] = [
+    "npts",
+    "npoints",
+    "nsamples",
+    "ndata",
+    "sample count",
+    "number of points",
+    "number of samples",
+    "number of values",
+    "number of data",
+    "number of data points",
+    "no. of points",
+    "no of points",
+    "total de muestras",
+    "numero de muestras",
+    "nombre de points",
+];
+
+/// Keys of a unit.
+const UNIT: [&str; 7] = [
+    "unit",
+    "units",
+    "field unit",
+    "amplitude unit",
+    "amplitudeunit",
+    "unidad",
+    "unidades",
+];
+
+/// Keys of a component.
+const COMPONENT: [&str; 9] = [
+    "component",
+    "comp",
+    "componente",
+    "channel",
+    "sid",
+    "orientation",
+    "direction",
+    "dir",
+    "canal",
+];
+
+/// Keys of a station, an event and a time.
+const STATION: [&str; 6] = [
+    "station code",
+    "station name",
+    "station",
+    "estacion",
+    "stat",
+    "code",
+];
+const EVENT: [&str; 4] = ["event id", "event name", "earthquake", "event"];
+const TIME: [&str; 7] = [
+    "origin time",
+    "origintime",
+    "event time",
+    "tiempo de origen",
+    "start time",
+    "datetime of first sample",
+    "time of first sample",
+];
+
+/// Words in front of a unit that are part of the same phrase, such as `acceleration time history in units of`.
+const BETWEEN: [&str; 15] = [
+    "in",
+    "units",
+    "unit",
+    "of",
+    "time",
+    "history",
+    "histories",
+    "series",
+    "data",
+    "values",
+    "is",
+    "are",
+    "record",
+    "the",
+    "given",
+];
+
+/// What a text says of its numbers.
+#[derive(Debug, Default)]
+pub(super) struct Said {
+    /// Time steps \[s\], above zero.
+    pub(super) steps: Vec<Stated<f64>>,
+    /// Numbers of samples, above zero.
+    pub(super) counts: Vec<Stated<usize>>,
+    pub(super) units: Vec<Stated<AccelerationUnit>>,
+    /// Another quantity than an acceleration.
+    pub(super) other: Option<Stated<Other>>,
+    pub(super) component: Option<Component>,
+    pub(super) station: Option<String>,
+    pub(super) event: Option<String>,
+    pub(super) time: Option<String>,
+}
+
+/// Another quantity than an acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Other {
+    Velocity,
+    Displacement,
+    /// Counts of a digitiser.
+    Counts,
+}
+
+impl Other {
+    /// The quantity of a unit that is none of an acceleration.
+    pub(super) fn of_unit(unit: &str) -> Option<Self> {
+        match unit.trim() {
+            "cm/s" | "m/s" | "mm/s" | "cm/sec" | "m/sec" | "mm/sec" | "in/s" | "in/sec"
+            | "cm/seg" | "m/seg" => Some(Self::Velocity),
+            "cm" | "m" | "mm" | "in" => Some(Self::Displacement),
+            "count" | "counts" | "cuentas" => Some(Self::Counts),
+            _ => None,
+        }
+    }
+}
+
+impl Said {
+    /// Reads the lines above the numbers, but for one of this number that names columns.
+    pub(super) fn new(titles: &[Line<'_>], names: Option<usize>) -> Self {
+        let mut said = Self::default();
+        let titles = titles.iter().filter(|line| Some(line.number) != names);
+        for line in titles.take(MOST_LINES) {
+            said.read(*line);
+        }
+        said
+    }
+
+    fn read(&mut self, line: Line<'_>) {
+        let text = spelt(&line.text());
+        let stated = |value| Stated {
+            value,
+            place: Place::Line(line.number),
+            text: line.excerpt(),
+        };
+        let steps = steps(&text);
+        self.steps.extend(steps.into_iter().map(stated));
+        let counts = counts(&text);
+        let stated = |value| Stated {
+            value,
+            place: Place::Line(line.number),
+            text: line.excerpt(),
+        };
+        self.counts.extend(counts.into_iter().map(stated));
+        self.read_unit(line, &text);
+        self.read_names(line, &text);
+        self.read_time_series(line);
+    }
+
+    fn read_unit(&mut self, line: Line<'_>, text: &str) {
+        let place = Place::Line(line.number);
+        let named = UNIT.iter().find_map(|key| {
+            let (before, behind) = around(text, key).next()?;
+            Some((before, behind.trim_start_matches([' ', ':', '=', ','])))
+        });
+        let known = named
+            .and_then(|(_, behind)| unit_in(behind))
+            .or_else(|| unit_of_accelerations(text));
+        if let Some((value, word)) = known {
+            let text = word.to_owned();
+            self.units.push(Stated { value, place, text });
+            return;
+        }
+        // Other quantities than that of the values have units, too, and then a word before.
+        let is_of_values =
+            |before: &str| matches!(before.trim(), "" | "field" | "data" | "amplitude");
+        let other = named
+            .filter(|(before, _)| is_of_values(before))
+            .and_then(|(_, behind)| behind.split([',', ';', ' ']).find_map(Other::of_unit));
+        let is_new = self.other.is_none();
+        if let Some(value) = other.filter(|_| is_new) {
+            let text = line.excerpt();
+            self.other = Some(Stated { value, place, text });
+        }
+    }
+
+    fn read_names(&mut self, line: Line<'_>, text: &str) {
+        let word_of = |keys: &[&str]| {
+            let mut found = keys.iter().filter_map(|key| around(text, key).next());
+            let (_, behind) = found.next()?;
+            let behind = behind.trim_start_matches([' ', ':', '=', ',', '(']);
+            let word = behind.split([' ', ',', ';', ')', '\t']).next()?;
+            (!word.is_empty()).then(|| word.to_ascii_uppercase())
+        };
+        if self.component.is_none() {
+            // The names of a stream are parted by blanks here: the channel is the last of `XX TEST 00 HNZ`.
+            let stream = around(text, "sid").next();
+            let stream = stream.and_then(|(_, behind)| behind.split_whitespace().next_back());
+            let word = stream
+                .map(str::to_ascii_uppercase)
+                .or_else(|| word_of(&COMPONENT));
+            let word = word
+                .filter(|word| word.len() > 1 || !word.bytes().all(|byte| byte.is_ascii_digit()));
+            self.component = word
+                .filter(|word| Direction::of_component(word).is_some())
+                .map(|name| Component::new(name, Place::Line(line.number)));
+        }
+        self.station = self.station.take().or_else(|| word_of(&STATION));
+        let rest_of = |keys: &[&str]| {
+            let (_, behind) = keys.iter().find_map(|key| {
+                let (before, behind) = around(text, key).next()?;
+                before.trim().is_empty().then_some((before, behind))
+            })?;
+            let rest = behind.trim_matches([' ', ':', '=', ',', '-']);
+            (!rest.is_empty()).then(|| stamp::normal(&rest.to_ascii_uppercase()))
+        };
+        self.event = self.event.take().or_else(|| rest_of(&EVENT));
+        self.time = self.time.take().or_else(|| rest_of(&TIME));
+    }
+
+    /// The line of a time series of the IRIS web services: `TIMESERIES XX_TEST__HNE_D, 4000 samples, 200 sps, 2020-01-01T00:00:00,
+    /// SLIST, FLOAT, M/S**2`.
+    fn read_time_series(&mut self, line: Line<'_>) {
+        let text = line.text();
+        let Some(behind) = text
+            .trim_start_matches(['#', ' '])
+            .strip_prefix("TIMESERIES ")
+        else {
+            return;
+        };
+        let fields: Vec<&str> = behind.split(',').map(str::trim).collect();
+        let place = Place::Line(line.number);
+        let names: Vec<&str> = fields[0].split('_').collect();
+        if let [network, station, .., channel, _quality] = names[..] {
+            self.station = Some(format!("{network}.{station}"));
+            self.component = Some(Component::new(channel.to_owned(), place));
+        }
+        self.time = fields.get(3).map(|time| stamp::normal(time));
+        let unit = fields.last().copied().unwrap_or_default();
+        let text = unit.to_owned();
+        if let Some((value, _)) = unit_in(unit) {
+            self.units.push(Stated { value, place, text });
+        } else if let Some(value) = Other::of_unit(&unit.to_ascii_lowercase()) {
+            self.other = Some(Stated { value, place, text });
+        }
+    }
+}
+
+/// Small letters without accents, quotes, underscores and marks of comments.
+fn spelt(text: &str) -> String {
+    let letter = |letter: char| match letter {
+        'á' | 'Á' => 'a',
+        'é' | 'É' | 'è' => 'e',
+        'í' | 'Í' => 'i',
+        'ó' | 'Ó' => 'o',
+        'ú' | 'Ú' => 'u',
+        'Δ' | 'δ' => 'd',
+        '_' | '"' | '\t' => ' ',
+        other => other.to_ascii_lowercase(),
+    };
+    let text: String = text.chars().map(letter).collect();
+    text.trim_start_matches(['#', '%', '!', '/', ' '])
+        .to_owned()
+}
+
+/// What stands before and behind each place of a key that is a word of its own.
+fn around<'t>(text: &'t str, key: &str) -> impl Iterator<Item = (&'t str, &'t str)> {
+    let length = key.len();
+    text.match_indices(key).filter_map(move |(at, _)| {
+        let (before, behind) = (&text[..at], &text[at + length..]);
+        let cuts = before.ends_with(|letter: char| letter.is_alphanumeric())
+            || behind.starts_with(|letter: char| letter.is_alphabetic());
+        (!cuts).then_some((before, behind))
+    })
+}
+
+/// A number and the unit before or behind it.
+struct Printed<'t> {
+    value: f64,
+    unit: &'t str,
+}
+
+/// The number that a key states: between them may stand a unit and signs, as in ` (Hz) = 200`, ` is 0.005 s` or `s: 0.005`.
+fn printed(behind: &str) -> Option<Printed<'_>> {
+    let mut rest = behind;
+    let mut unit = "";
+    loop {
+        rest = rest.trim_start_matches([' ', ':', '=', ',']);
+        let word_end = rest
+            .find(|letter: char| !letter.is_ascii_alphabetic())
+            .unwrap_or(rest.len());
+        let (word, after) = rest.split_at(word_end);
+        match word {
+            "" => {}
+            "is" | "are" | "of" | "in" => {
+                rest = after;
+                continue;
+            }
+            _ if is_of_time(word) => {
+                (unit, rest) = (word, after);
+                continue;
+            }
+            _ => return None,
+        }
+        let Some(inside) = rest.strip_prefix(['(', '[']) else {
+            break;
+        };
+        (unit, rest) = inside.split_once([')', ']'])?;
+    }
+    let number_end =
+        rest.find(|letter: char| !(letter.is_ascii_digit() || "+-.e".contains(letter)));
+    let (digits, after) = rest.split_at(number_end.unwrap_or(rest.len()));
+    let mut value = number(digits.trim_end_matches(['.', 'e']).as_bytes())?;
+    let mut after = after;
+    // A step may be printed as a fraction, `1/200 s`.
+    if let Some(fraction) = after.strip_prefix('/') {
+        let end = fraction
+            .find(|letter: char| !letter.is_ascii_digit())
+            .unwrap_or(fraction.len());
+        if let Some(divisor) = number(fraction[..end].as_bytes()) {
+            value /= divisor;
+            after = &fraction[end..];
+        }
+    }
+    let after = after.trim_start_matches([' ', '(', '[']);
+    let end = after.find(|letter: char| !(letter.is_ascii_alphabetic() || letter == '/'));
+    let behind = &after[..end.unwrap_or(after.len())];
+    Some(Printed {
+        value,
+        unit: if unit.is_empty() { behind } else { unit.trim() },
+    })
+}
+
+/// Whether a word is a unit of a step or a rate.
+fn is_of_time(word: &str) -> bool {
+    is_seconds(word) || is_milliseconds(word) || matches!(word, "hz" | "hertz" | "sps")
+}
+
+fn is_seconds(word: &str) -> bool {
+    matches!(
+        word,
+        "s" | "sec" | "secs" | "second" | "seconds" | "seg" | "segundos"
+    )
+}
+
+fn is_milliseconds(word: &str) -> bool {
+    matches!(
+        word,
+        "ms" | "msec" | "msecs" | "millisecond" | "milliseconds"
+    )
+}
+
+/// The time steps \[s\] that a line states.
+fn steps(text: &str) -> Vec<f64> {
+    let found = |keys: &'static [&'static str]| {
+        let places = keys.iter().flat_map(|key| around(text, key));
+        places.filter_map(|(_, behind)| printed(behind))
+    };
+    let step = |one: Printed<'_>| match one.unit {
+        unit if is_milliseconds(unit) => one.value / 1000.0,
+        "hz" | "hertz" | "sps" => 1.0 / one.value,
+        _ => one.value,
+    };
+    let rate = |one: Printed<'_>| match one.unit {
+        unit if is_milliseconds(unit) => one.value / 1000.0,
+        "hz" | "hertz" | "sps" => 1.0 / one.value,
+        unit if is_seconds(unit) || one.value < 1.0 => one.value,
+        _ => 1.0 / one.value,
+    };
+    let by_words = words_behind_numbers(text).filter(|(_, words)| {
+        [
+            "sps",
+            "samples/s",
+            "samples per s",
+            "pts/s",
+            "points per s",
+            "muestras/s",
+        ]
+        .iter()
+        .any(|start| words.starts_with(start))
+    });
+    found(&STEP)
+        .map(step)
+        .chain(found(&RATE).map(rate))
+        .chain(by_words.map(|(rate, _)| 1.0 / rate))
+        .filter(|step| super::spacing::POSSIBLE.contains(step))
+        .collect()
+}
+
+/// The numbers of samples that a line states.
+fn counts(text: &str) -> Vec<usize> {
+    let named = COUNT.iter().flat_map(|key| around(text, key));
+    let named = named
+        .filter_map(|(_, behind)| printed(behind))
+        .map(|one| one.value);
+    // `4000 samples,` and `1559 points at`, but not `8 points across`.
+    let by_words = words_behind_numbers(text).filter(|(_, words)| {
+        let what = [
+            "samples",
+            "points",
+            "data points",
+            "pts",
+            "muestras",
+            "values",
+        ];
+        let rest = what.iter().find_map(|what| words.strip_prefix(what));
+        rest.is_some_and(|rest| {
+            let rest = rest.trim_start();
+            ["at ", "equally", "of data", ",", ";", "."]
+                .iter()
+                .any(|next| rest.starts_with(next))
+                || rest.is_empty()
+        })
+    });
+    named
+        .chain(by_words.map(|(count, _)| count))
+        .filter_map(|count| format!("{count}").parse().ok())
+        .filter(|count| *count > 0)
+        .collect()
+}
+
+/// The numbers of a line that stand by themselves, each with the words behind it.
+fn words_behind_numbers(text: &str) -> impl Iterator<Item = (f64, &str)> {
+    let starts = text.match_indices(|letter: char| letter.is_ascii_digit());
+    starts.filter_map(|(at, _)| {
+        let is_start =
+            !text[..at].ends_with(|letter: char| letter.is_alphanumeric() || letter == '.');
+        let rest = &text[at..];
+        let end = rest.find([' ', '\t'])?;
+        let value = number(&rest.as_bytes()[..end]).filter(|_| is_start)?;
+        Some((value, rest[end..].trim_start()))
+    })
+}
+
+/// The unit behind a word for accelerations, as in `acceleration in cm/s2` or `acc (g)`.
+fn unit_of_accelerations(text: &str) -> Option<(AccelerationUnit, &str)> {
+    let mut starts = text.match_indices("acc").chain(text.match_indices("acel"));
+    starts.find_map(|(at, _)| {
+        let (before, behind) = text.split_at(at);
+        let of_peak = ["max", "peak", "pga", "pk"]
+            .iter()
+            .any(|word| before.contains(word));
+        let is_word = !before.ends_with(|letter: char| letter.is_alphanumeric());
+        if of_peak || !is_word {
+            return None;
+        }
+        let end = behind.find(|letter: char| !letter.is_ascii_alphabetic())?;
+        let separates =
+            |letter: char| matches!(letter, ' ' | '(' | '[' | ')' | ']' | ',' | ':' | '=');
+        let mut words = behind[end..]
+            .split(separates)
+            .filter(|word| !word.is_empty());
+        let word = words
+            .find(|word| !BETWEEN.contains(word))?
+            .trim_end_matches('.');
+        Some((unit_of(word)?, word))
+    })
+}
