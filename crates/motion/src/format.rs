@@ -22,6 +22,7 @@ mod eqsig;
 mod esm;
 mod foreign;
 mod geonet;
+mod identity;
 mod knet;
 mod miniseed;
 mod numbers;
@@ -29,6 +30,7 @@ mod plain;
 mod renadic;
 mod sac;
 mod said;
+mod simcenter;
 mod smc;
 mod spacing;
 mod stamp;
@@ -41,7 +43,9 @@ mod usgs_text;
 mod values;
 
 use crate::line::{Line, lines};
-use crate::{Accelerogram, Declared, Format, Place, ReadError};
+use crate::{
+    Accelerogram, Channel, Contents, Declared, Direction, Format, Identity, Place, ReadError, Site,
+};
 use component::{Component, chosen};
 use draft::{Draft, Peak, Scale, Stated, reading};
 use spacing::Spacing;
@@ -66,12 +70,14 @@ struct Reader {
     components: fn(&File<'_>) -> Result<Vec<Component>, ReadError>,
     /// The component of that index, 0 where none has a name.
     read: fn(&File<'_>, usize) -> Result<Draft, ReadError>,
+    /// What it says of where and when its motion was recorded.
+    identity: fn(&File<'_>) -> Identity,
 }
 
 /// The readers; the first that recognises a file reads it.
 ///
 /// CSV comes first: its header cannot be mistaken, and its comments may hold the header of any other format.
-const READERS: [Reader; 25] = [
+const READERS: [Reader; 26] = [
     csv::READER,
     sac::READER,
     miniseed::READER,
@@ -96,6 +102,7 @@ const READERS: [Reader; 25] = [
     at2::READER,
     emod3d::READER,
     eqsig::READER,
+    simcenter::READER,
     plain::READER,
 ];
 
@@ -157,6 +164,36 @@ pub fn components(bytes: &[u8]) -> Result<Vec<String>, ReadError> {
     Ok(names(components))
 }
 
+/// Returns what a file holds, before a component is chosen: its components, how they lie and where their sensors are, and
+/// where and when they were recorded.
+///
+/// # Errors
+/// Refuses a file of no known format, and one whose components are not found; see [`ReadError`].
+pub fn contents(bytes: &[u8]) -> Result<Contents, ReadError> {
+    let (text, _) = commas::with_points(bytes);
+    let file = File::new(&text)?;
+    let reader = reader(&file)?;
+    let channel = |component: Component| Channel {
+        direction: Direction::of_component(&component.name),
+        name: Some(component.name),
+        site: component.site,
+    };
+    let components = (reader.components)(&file)?;
+    let mut channels: Vec<Channel> = components.into_iter().map(channel).collect();
+    if channels.is_empty() {
+        channels.push(Channel {
+            name: None,
+            direction: None,
+            site: Site::Ground,
+        });
+    }
+    Ok(Contents {
+        format: reader.format,
+        channels,
+        identity: (reader.identity)(&file),
+    })
+}
+
 fn names(components: impl IntoIterator<Item = Component>) -> Vec<String> {
     components
         .into_iter()
@@ -178,6 +215,11 @@ fn blocks<'l, 't>(lines: &'l [Line<'t>], begins: impl Fn(usize) -> bool) -> Vec<
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all formats")]
 fn one_component(_: &File<'_>) -> Result<Vec<Component>, ReadError> {
     Ok(Vec::new())
+}
+
+/// For the formats whose files do not say where and when.
+fn no_identity(_: &File<'_>) -> Identity {
+    Identity::default()
 }
 
 fn reader(file: &File<'_>) -> Result<&'static Reader, ReadError> {

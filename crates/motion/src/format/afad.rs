@@ -6,9 +6,9 @@
 
 use super::table::Table;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError};
 
 /// Lines of titles; the 13th has the number of values, the 14th their step.
 const TITLES: usize = 18;
@@ -26,6 +26,17 @@ pub(super) const READER: Reader = Reader {
     },
     components: |file| Ok(components(file)),
     read,
+    identity: |file| {
+        let said = |word: &str| {
+            let line = title::line_with(&file.lines[..file.lines.len().min(TITLES)], word)?;
+            Some(behind_colon(line))
+        };
+        Identity {
+            station: said("STATION ID").as_deref().and_then(identity::text),
+            time: said("EARTHQUAKE DATE").as_deref().and_then(identity::time),
+            ..Identity::default()
+        }
+    },
 };
 
 fn components(file: &File<'_>) -> Vec<Component> {

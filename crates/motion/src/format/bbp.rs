@@ -3,6 +3,7 @@
 //! The comments say `cm/s` of velocities and, in some files, of accelerations too: such files are taken for
 //! velocities unless the caller says otherwise, and leave the unit to the caller.
 
+use super::said::Said;
 use super::table::Table;
 use super::title::{self, needed};
 use super::{Component, Draft, File, Format, Reader, Scale, Stated};
@@ -30,6 +31,7 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| columns(file).is_some(),
     components: |file| Ok(components(file)),
     read,
+    identity: |file| Said::new(comments(file), None).identity(),
 };
 
 /// One of the three components.

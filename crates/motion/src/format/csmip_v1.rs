@@ -6,7 +6,7 @@
 //! a title such as `UNITS ARE SEC AND G/10`; without it their unit must be declared.
 
 use super::columns::{Columns, decimal, leading_data};
-use super::csmip_v2::component;
+use super::csmip_v2::{component, identity_in};
 use super::numbers::Values;
 use super::time_column::TimeColumn;
 use super::title::{self, needed};
@@ -26,6 +26,7 @@ pub(super) const READER: Reader = Reader {
     recognises,
     components,
     read,
+    identity: |file| identity_in(titles(file), 1),
 };
 
 pub(super) fn recognises(file: &File<'_>) -> bool {

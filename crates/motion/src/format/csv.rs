@@ -1,8 +1,9 @@
 //! Two-column CSV: a time and an acceleration to a line, comments after `#`.
 
 use super::numbers::Values;
+use super::plain::has_unit;
 use super::time_column::TimeColumn;
-use super::{Draft, File, Format, Reader, Scale, Stated, one_component};
+use super::{Draft, File, Format, Reader, Scale, Stated, no_identity, one_component};
 use crate::line::Line;
 use crate::{AccelerationUnit, Place, ReadError};
 
@@ -11,17 +12,32 @@ pub(super) const READER: Reader = Reader {
     recognises,
     components: one_component,
     read: |file, _| read(file),
+    identity: no_identity,
 };
+
+/// Names of the second column, and the units that they tell.
+const OURS: [(&str, AccelerationUnit); 2] = [
+    ("acceleration_g", AccelerationUnit::StandardGravity),
+    (
+        "acceleration_m_per_s2",
+        AccelerationUnit::MetrePerSecondSquared,
+    ),
+];
 
 /// Two words and a comma, the first of which begins like the header: what is wrong with the rest
 /// is told, and not taken for the titles of plain text.
 fn recognises(file: &File<'_>) -> bool {
     file.first().is_some_and(|line| {
         let mut fields = fields(line);
-        fields
+        let is_time = fields
             .next()
-            .is_some_and(|word| word.starts_with(b"time_s"))
-            && fields.count() == 1
+            .is_some_and(|word| word.starts_with(b"time_s"));
+        let value = fields.next().map(String::from_utf8_lossy);
+        // The header of another program, in a unit that its name tells.
+        let is_other = value
+            .as_deref()
+            .is_some_and(|value| !OURS.iter().any(|(name, _)| *name == value) && has_unit(value));
+        is_time && value.is_some() && fields.next().is_none() && !is_other
     })
 }
 
@@ -90,14 +106,15 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
 }
 
 fn unit(line: Line<'_>) -> Result<AccelerationUnit, ReadError> {
-    match fields(line).nth(1) {
-        Some(b"acceleration_g") => Ok(AccelerationUnit::StandardGravity),
-        Some(b"acceleration_m_per_s2") => Ok(AccelerationUnit::MetrePerSecondSquared),
-        _ => Err(ReadError::Columns {
+    let name = fields(line).nth(1).map(String::from_utf8_lossy);
+    let ours = OURS
+        .iter()
+        .find(|(known, _)| name.as_deref() == Some(known));
+    ours.map(|(_, unit)| *unit)
+        .ok_or_else(|| ReadError::Columns {
             line: line.number,
             found: line.excerpt(),
-        }),
-    }
+        })
 }
 
 fn comment(line: Line<'_>) -> String {

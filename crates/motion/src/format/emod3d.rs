@@ -1,9 +1,9 @@
 //! EMOD3D, as processed and simulated records of New Zealand have it: station and component, then number of values, time step
 //! and six numbers more, then values in columns. The unit is not in the file.
 
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, title, values};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, identity, title, values};
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Identity, Place, ReadError};
 
 /// Numbers of the second line.
 const NUMBERS: usize = 8;
@@ -13,6 +13,14 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| header(file).is_some(),
     components: |file| Ok(component(file).into_iter().collect()),
     read: |file, _| read(file),
+    identity: |file| {
+        let station = header(file).and_then(|[names, _]| names.pieces().next());
+        let station = station.map(String::from_utf8_lossy);
+        Identity {
+            station: station.as_deref().and_then(identity::text),
+            ..Identity::default()
+        }
+    },
 };
 
 /// The line with station and component, and the line of numbers.

@@ -1,15 +1,17 @@
 //! eqsig: a title, a line with the number of values and the time step, then a value to a line.
 
 use super::numbers::Values;
-use super::{Draft, File, Format, Reader, Scale, Spacing, one_component, title};
+use super::said::Said;
+use super::{Draft, File, Format, Reader, Spacing, title};
 use crate::ReadError;
 use crate::line::number;
 
 pub(super) const READER: Reader = Reader {
     format: Format::Eqsig,
     recognises,
-    components: one_component,
+    components: |file| Ok(said(file).component.into_iter().collect()),
     read: |file, _| read(file),
+    identity: |file| said(file).identity(),
 };
 
 /// `4684 0.0100` on line 2, and one number on line 3.
@@ -30,6 +32,11 @@ fn recognises(file: &File<'_>) -> bool {
         && values.next().is_none()
 }
 
+/// What the title says.
+fn said(file: &File<'_>) -> Said {
+    Said::new(&file.lines[..1], None)
+}
+
 fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     let line = file.lines[1];
     let text = line.text();
@@ -47,7 +54,7 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
         digit: numbers.digit,
         count: Some(count),
         time_step: Some(Spacing::Even(title::time_step(line, step)?)),
-        scale: Scale::Unknown,
+        scale: said(file).scale(),
         peak: None,
         provenance: title::provenance(&file.lines[..1]),
         remarks: Vec::new(),

@@ -8,9 +8,11 @@
 //! description and programs that read it.
 
 use super::numbers::Values;
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading, title};
+use super::{
+    Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading, title,
+};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError, Site};
 
 /// Lines in which keys are looked for.
 const HEADER: usize = 40;
@@ -24,14 +26,26 @@ pub(super) const READER: Reader = Reader {
     },
     components,
     read: |file, _| read(file),
+    identity: identity_of,
 };
 
 fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
     let (line, stated) = value(file, "Dir.")?;
-    Ok(vec![Component::new(
-        direction(stated),
-        Place::Line(line.number),
-    )])
+    let site = match stated.as_str() {
+        "1" | "2" | "3" => Site::Borehole(format!("Dir. {stated}, of KiK-net's borehole")),
+        _ => Site::Ground,
+    };
+    let component = Component::new(direction(stated), Place::Line(line.number));
+    Ok(vec![component.at(site)])
+}
+
+fn identity_of(file: &File<'_>) -> Identity {
+    let value = |key| value(file, key).ok().map(|(_, value)| value);
+    Identity {
+        station: value("Station Code").as_deref().and_then(identity::text),
+        time: value("Origin Time").as_deref().and_then(identity::time),
+        ..Identity::default()
+    }
 }
 
 /// The direction as stated, and in words where it is a number of KiK-net: `6: UP`.

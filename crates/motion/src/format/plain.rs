@@ -28,7 +28,16 @@ pub(super) const READER: Reader = Reader {
     recognises: |file| first_row(&file.lines).is_some(),
     components: |file| Ok(components(Layout::new(file)?)),
     read: |file, index| read(&Layout::new(file)?, index),
+    identity: |file| {
+        let titles = first_row(&file.lines).unwrap_or_default();
+        Said::new(&file.lines[..titles], None).identity()
+    },
 };
+
+/// Whether the name of a column tells the unit of an acceleration.
+pub(super) fn has_unit(name: &str) -> bool {
+    names::unit_at_end(name).is_some()
+}
 
 /// The columns of values where there are several; else the one that a title or a name tells.
 fn components(layout: Layout<'_, '_>) -> Vec<Component> {
@@ -240,7 +249,7 @@ fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
         };
         (name, place, text)
     });
-    let mut units = said.units.clone();
+    let mut units = Vec::new();
     if let Some((name, place, text)) = of_name {
         let stated = Stated {
             value: (),
@@ -248,36 +257,17 @@ fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
             text: text.clone(),
         };
         match (name.acceleration_unit(), name.other()) {
-            (Some(value), _) => units.insert(0, Stated { value, place, text }),
+            (Some(value), _) => units.push(Stated { value, place, text }),
             (None, Some(Other::Displacement)) => return Scale::Displacement(stated),
             (None, Some(Other::Velocity)) => return Scale::Velocity(stated),
             _ => {}
         }
     }
-    if let Some(first) = units.first().cloned() {
-        let is_one = units.iter().all(|unit| unit.value == first.value);
-        return if is_one {
-            Scale::Unit(first)
-        } else {
-            Scale::Several(units)
-        };
-    }
-    if let Some(other) = &said.other {
-        let stated = Stated {
-            value: (),
-            place: other.place,
-            text: other.text.clone(),
-        };
-        return match other.value {
-            Other::Velocity => Scale::Velocity(stated),
-            Other::Displacement => Scale::Displacement(stated),
-            Other::Counts => Scale::Counts(stated),
-        };
-    }
-    if name.is_some_and(Name::says_acceleration) {
+    let scale = said.scale_with(units);
+    if matches!(scale, Scale::Unknown) && name.is_some_and(Name::says_acceleration) {
         Scale::Acceleration
     } else {
-        Scale::Unknown
+        scale
     }
 }
 

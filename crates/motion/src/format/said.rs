@@ -5,9 +5,9 @@
 
 use super::stamp;
 use super::title::{unit_in, unit_of};
-use super::{Component, Stated};
+use super::{Component, Scale, Stated};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Direction, Place};
+use crate::{AccelerationUnit, Direction, Identity, Place};
 
 /// Lines above the numbers in which something is looked for.
 const MOST_LINES: usize = 200;
@@ -77,12 +77,11 @@ const UNIT: [&str; 7] = [
 ];
 
 /// Keys of a component.
-const COMPONENT: [&str; 9] = [
+const COMPONENT: [&str; 8] = [
     "component",
     "comp",
     "componente",
     "channel",
-    "sid",
     "orientation",
     "direction",
     "dir",
@@ -177,6 +176,47 @@ impl Said {
         said
     }
 
+    /// What the values are.
+    pub(super) fn scale(&self) -> Scale {
+        self.scale_with(Vec::new())
+    }
+
+    /// What the values are, where other places state units, too.
+    pub(super) fn scale_with(&self, mut units: Vec<Stated<AccelerationUnit>>) -> Scale {
+        units.extend(self.units.iter().cloned());
+        if let Some(first) = units.first().cloned() {
+            let is_one = units.iter().all(|unit| unit.value == first.value);
+            return if is_one {
+                Scale::Unit(first)
+            } else {
+                Scale::Several(units)
+            };
+        }
+        let Some(other) = &self.other else {
+            return Scale::Unknown;
+        };
+        let stated = Stated {
+            value: (),
+            place: other.place,
+            text: other.text.clone(),
+        };
+        match other.value {
+            Other::Velocity => Scale::Velocity(stated),
+            Other::Displacement => Scale::Displacement(stated),
+            Other::Counts => Scale::Counts(stated),
+        }
+    }
+
+    /// Where and when the values were recorded.
+    pub(super) fn identity(self) -> Identity {
+        Identity {
+            station: self.station,
+            event: self.event,
+            time: self.time,
+            ..Identity::default()
+        }
+    }
+
     fn read(&mut self, line: Line<'_>) {
         let text = spelt(&line.text());
         let stated = |value| Stated {
@@ -233,13 +273,18 @@ impl Said {
             let word = behind.split([' ', ',', ';', ')', '\t']).next()?;
             (!word.is_empty()).then(|| word.to_ascii_uppercase())
         };
+        // The names of a stream are parted by blanks here: the channel is the last of `XX TEST 00 HNZ`.
+        let stream = around(text, "sid").next();
+        let stream: Option<Vec<String>> = stream.map(|(_, behind)| {
+            let names = behind.split([' ', ':']).filter(|name| !name.is_empty());
+            names.map(str::to_ascii_uppercase).collect()
+        });
+        if let Some([station @ .., _channel]) = stream.as_deref() {
+            self.station = Some(station.join("."));
+        }
         if self.component.is_none() {
-            // The names of a stream are parted by blanks here: the channel is the last of `XX TEST 00 HNZ`.
-            let stream = around(text, "sid").next();
-            let stream = stream.and_then(|(_, behind)| behind.split_whitespace().next_back());
-            let word = stream
-                .map(str::to_ascii_uppercase)
-                .or_else(|| word_of(&COMPONENT));
+            let word = stream.and_then(|mut names| names.pop());
+            let word = word.or_else(|| word_of(&COMPONENT));
             let word = word
                 .filter(|word| word.len() > 1 || !word.bytes().all(|byte| byte.is_ascii_digit()));
             self.component = word

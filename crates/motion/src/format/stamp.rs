@@ -53,6 +53,28 @@ impl Stamp {
         })
     }
 
+    /// A year, a day in it from 1, an hour, a minute and a second of binary headers.
+    pub(super) fn of_day([year, day, hour, minute, second]: [i32; 5]) -> Self {
+        let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+        let february = if is_leap { 29 } else { 28 };
+        let lengths = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+        let (mut month, mut rest) = (0, day.max(1));
+        while month < 11 && rest > lengths[month] {
+            rest -= lengths[month];
+            month += 1;
+        }
+        let small = |number: i32| u16::try_from(number).unwrap_or(0);
+        Self {
+            date: [
+                small(year),
+                u16::try_from(month + 1).unwrap_or(0),
+                small(rest),
+            ],
+            clock: [hour, minute, second].map(small),
+            decimals: String::new(),
+        }
+    }
+
     /// Number of decimals of the second.
     pub(super) fn n_decimals(&self) -> usize {
         self.decimals.len()
@@ -149,6 +171,17 @@ mod tests {
         );
         assert_eq!(since("2019-12-31T23:59:59", "2020-01-01T00:00:00"), 1.0);
         assert_eq!(since("1900-02-28T00:00:00", "1900-03-01T00:00:00"), 86400.0);
+    }
+
+    #[test]
+    fn reference_days_of_the_year() {
+        let day = |year, day| Stamp::of_day([year, day, 1, 2, 3]).to_string();
+        assert_eq!(day(2019, 1), "2019-01-01T01:02:03");
+        assert_eq!(day(2019, 59), "2019-02-28T01:02:03");
+        assert_eq!(day(2019, 60), "2019-03-01T01:02:03");
+        assert_eq!(day(2020, 60), "2020-02-29T01:02:03");
+        assert_eq!(day(2019, 365), "2019-12-31T01:02:03");
+        assert_eq!(day(2020, 366), "2020-12-31T01:02:03");
     }
 
     #[test]

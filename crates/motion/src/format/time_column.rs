@@ -53,7 +53,12 @@ impl TimeColumn {
         self.times.is_sorted() && self.times.first() < self.times.last()
     }
 
-    /// The times as they are, where some are printed like the one before.
+    /// Whether some times are printed like the one before.
+    pub(super) fn have_ties(&self) -> bool {
+        self.times.windows(2).any(|pair| pair[0] >= pair[1])
+    }
+
+    /// The times as they are, which have ties.
     pub(super) fn into_uneven(self) -> Spacing {
         Spacing::Uneven(Uneven {
             place: Place::Line(self.lines[0]),

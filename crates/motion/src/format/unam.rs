@@ -6,9 +6,9 @@
 
 use super::table::Table;
 use super::title::{self, needed};
-use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, reading};
+use super::{Component, Draft, File, Format, Reader, Scale, Spacing, Stated, identity, reading};
 use crate::line::{Line, number};
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Identity, Place, ReadError};
 
 /// Lines in which the mark of the format is looked for, and keys.
 const MARK: usize = 10;
@@ -22,6 +22,7 @@ pub(super) const READER: Reader = Reader {
     },
     components,
     read,
+    identity: identity_of,
 };
 
 /// What a key gives for each channel.
@@ -59,6 +60,23 @@ fn components(file: &File<'_>) -> Result<Vec<Component>, ReadError> {
         .into_iter()
         .map(|name| Component::new(name, place));
     Ok(components.collect())
+}
+
+/// Station and event, of which date and hour stand on two lines.
+fn identity_of(file: &File<'_>) -> Identity {
+    let said = |key: &'static str| {
+        let header = &file.lines[..file.lines.len().min(HEADER)];
+        let text = title::line_with(header, key)?.text().into_owned();
+        Some(text.split_once(':')?.1.trim().to_owned())
+    };
+    let time = [said("FECHA DEL SISMO"), said("HORA EPICENTRO")].map(Option::unwrap_or_default);
+    Identity {
+        station: said("CLAVE DE LA ESTACION")
+            .as_deref()
+            .and_then(identity::text),
+        time: identity::time(&time.join(" ")),
+        ..Identity::default()
+    }
 }
 
 fn read(file: &File<'_>, index: usize) -> Result<Draft, ReadError> {

@@ -69,13 +69,7 @@ impl Name<'_> {
 
     /// The unit of an acceleration in the brackets, or at the end of the name.
     pub(super) fn acceleration_unit(&self) -> Option<AccelerationUnit> {
-        let of_end = || {
-            let name = self.capitals();
-            let (first, end) = name.split_once(['_', ' '])?;
-            let known = ENDS.iter().find(|(known, _)| *known == end);
-            let unit = known.map(|(_, unit)| *unit).or_else(|| unit_of(end))?;
-            (first.starts_with("ACC") || first == "A").then_some(unit)
-        };
+        let of_end = || unit_at_end(&self.text);
         unit_in(&self.unit).map(|(unit, _)| unit).or_else(of_end)
     }
 
@@ -116,6 +110,15 @@ impl Name<'_> {
         let first = words.next().unwrap_or_default();
         SPECTRAL.contains(&first) || first.starts_with("SAROT") || name.contains("SPECTR")
     }
+}
+
+/// The unit at the end of a name such as `acc_g` or `Acceleration m_per_s2`.
+pub(super) fn unit_at_end(name: &str) -> Option<AccelerationUnit> {
+    let name = name.to_ascii_uppercase();
+    let (first, end) = name.split_once(['_', ' '])?;
+    let known = ENDS.iter().find(|(known, _)| *known == end);
+    let unit = known.map(|(_, unit)| *unit).or_else(|| unit_of(end))?;
+    (first.starts_with("ACC") || first == "A").then_some(unit)
 }
 
 /// What kind of spectrum the columns of these names are.

@@ -2,6 +2,7 @@
 //!
 //! The files are made by hand in the layouts of the networks, with invented values.
 
+mod contents;
 mod cosmos;
 mod csmip;
 mod declared;

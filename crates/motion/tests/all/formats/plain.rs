@@ -98,7 +98,7 @@ fn extreme_lines() {
 
 #[test]
 fn extreme_unknown_format() {
-    assert_snapshot!(refusal("\nSome words\nand others\n", &IN_G), @"line 2 begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, BHRC, CSMNC, DYNA, EMOD3D, USGS text, SAC, miniSEED, eqsig, plain text; fetch the file again in one of them, or write one number to a line");
+    assert_snapshot!(refusal("\nSome words\nand others\n", &IN_G), @"line 2 begins none of the formats known: CSV, PEER AT2, CSMIP V1, CSMIP V2, COSMOS 1.2, USGS SMC, USC V2, K-NET, ESM ASC, GeoNet, RENADIC V1, CWB, AFAD, UNAM, SCEC BBP, BHRC, CSMNC, DYNA, EMOD3D, USGS text, SAC, miniSEED, eqsig, SimCenter JSON, plain text; fetch the file again in one of them, or write one number to a line");
     assert_snapshot!(refusal("# words alone\n \n", &IN_G), @"the text holds nothing but blank lines and comments; give a header followed by numbers");
     assert_snapshot!(refusal(b"\xff\xfe\x00\x01 binary", &IN_G), @r#"the file is text in UTF-16, allowed is a record as text, SAC or miniSEED; save it again as UTF-8 (an editor's "Save as", or `iconv -f UTF-16 -t UTF-8`)"#);
 }

@@ -61,7 +61,7 @@ fn reference_cwb_in_fixed_columns() {
     assert_snapshot!(refused("(sec): 0.02", "(sec): 0.2"), @r##"line 3 reads "#RecordLength(sec): 0.2", but the duration of the values that follow should stand there; fetch the file again"##);
     assert_snapshot!(refused("(Hz): 100", "(Hz): 50"), @r##"line 3 reads "#RecordLength(sec): 0.02", but the duration of the values that follow should stand there; fetch the file again"##);
     assert_snapshot!(refused("(Hz): 100", "(Hz): many"), @r##"line 4 reads "#SampleRate(Hz): many", but a number above 0 should stand there; fetch the file again"##);
-    assert_snapshot!(refused("#SampleRate", "#Sampling"), @r##"no line of the header begins with "#SampleRate"; fetch the file again"##);
+    assert_snapshot!(refused("#SampleRate", "#Sampling"), @r#"no line of the header begins with "SampleRate(Hz):"; fetch the file again"#);
     assert_snapshot!(refused("     0.250     0.125", ""), @"line 9 has 2 field(s), allowed are 4; fetch the file again");
     assert_snapshot!(refused("gal. DC", "counts. DC"), @r##"line 5 reads "#AmplitudeUnit:  counts. DCoffset(corr)" and names no unit of an acceleration that is known, such as g, g/10, mg, gal, cm/s/s, mm/s/s or m/s/s; if one of them is meant, write it there"##);
 }
