@@ -199,7 +199,7 @@ fn is_level_end(word: &str) -> bool {
 }
 
 /// Whether a word is the channel code of an instrument that measures in one of these directions.
-fn is_channel_end(word: &str, ends: &str) -> bool {
+pub(crate) fn is_channel_end(word: &str, ends: &str) -> bool {
     let instrument = word.chars().nth(1);
     instrument.is_some_and(|letter| "NLGH".contains(letter))
         && end_of_code(word).is_some_and(|end| ends.contains(end))
