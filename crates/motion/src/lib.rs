@@ -77,7 +77,7 @@ pub use layout::Format;
 pub use measures::{Interval, Measures};
 pub use named_file::{NamedFile, Quantity};
 pub use pulses::{HalfSinePulse, RickerPulse};
-pub use read_error::ReadError;
+pub use read_error::{ReadError, RowError};
 pub use reading::{Place, Reading};
 pub use record::Record;
 pub use site::Site;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::ReadError;
+use crate::{ReadError, RowError};
 
 /// Longest piece of a text that a message repeats, in characters.
 const EXCERPT: usize = 60;
@@ -65,16 +65,18 @@ impl<'a> Line<'a> {
     pub(crate) fn finite(self, field: usize, bytes: &[u8]) -> Result<f64, ReadError> {
         let line = self.number;
         match number(bytes) {
-            None => Err(ReadError::NotANumber {
+            None => Err(RowError::NotANumber {
                 line,
                 field,
                 found: excerpt(bytes),
-            }),
-            Some(value) if !value.is_finite() => Err(ReadError::NotFinite {
+            }
+            .into()),
+            Some(value) if !value.is_finite() => Err(RowError::NotFinite {
                 line,
                 field,
                 found: excerpt(bytes),
-            }),
+            }
+            .into()),
             Some(value) => Ok(value),
         }
     }

@@ -241,71 +241,74 @@ fn rsn(name: &str) -> Option<u32> {
     behind[..end.unwrap_or(behind.len())].parse().ok()
 }
 
-/// The word for the direction: the code of a channel between points, the ending, or the end of what stands before it and before
-/// words for a quantity.
-fn find(name: &str) -> Option<Found<'_>> {
-    let found = |at: usize, length: usize, word: &str, direction, azimuth| Found {
-        around: [&name[..at], &name[at + length..]],
+/// A word at a place of a name.
+fn found<'n>(
+    name: &'n str,
+    at: usize,
+    word: &str,
+    direction: Option<Direction>,
+    azimuth: Option<u16>,
+) -> Found<'n> {
+    Found {
+        around: [&name[..at], &name[at + word.len()..]],
         word: word.to_ascii_uppercase(),
         direction,
         azimuth,
-    };
+    }
+}
+
+/// The word for the direction: the code of a channel between points, the ending, or the end of what stands before it and before
+/// words for a quantity.
+fn find(name: &str) -> Option<Found<'_>> {
     let pieces = pieces(name);
-    let (last, others) = pieces.split_last()?;
     let between_points = |&&(at, piece): &&(usize, &str)| {
         let end = at + piece.len();
         let is_point = |letter: Option<char>| letter.is_none_or(|letter| letter == '.');
         at > 0 && is_point(name[..at].chars().next_back()) && is_point(name[end..].chars().next())
     };
-    let code = pieces
-        .iter()
-        .rev()
-        .filter(between_points)
-        .find_map(|&(at, piece)| {
-            let direction = of_code(piece)?;
-            Some(found(at, piece.len(), piece, Some(direction), None))
-        });
+    let mut codes = pieces.iter().rev().filter(between_points);
+    let code =
+        codes.find_map(|&(at, piece)| Some(found(name, at, piece, Some(of_code(piece)?), None)));
     if code.is_some() {
         return code;
     }
-    let (at, ending) = *last;
+    let (&(at, ending), others) = pieces.split_last()?;
     let has_ending = name[..at].ends_with('.');
-    if has_ending {
-        if let Some((start, word, direction)) = of_ending(ending) {
-            let azimuth = azimuth(word).filter(|_| direction.is_none());
-            return Some(found(at + start, word.len(), word, direction, azimuth));
-        }
+    if has_ending && let Some((start, word, direction)) = of_ending(ending) {
+        let azimuth = azimuth(word).filter(|_| direction.is_none());
+        return Some(found(name, at + start, word, direction, azimuth));
     }
     let before = if has_ending { others } else { &pieces[..] };
-    let (at, piece) = *before
-        .iter()
-        .rev()
-        .find(|(_, piece)| quantity_of(piece).is_none())?;
-    if at > 0 {
-        if let Some(direction) = of_word(piece) {
-            return Some(found(at, piece.len(), piece, Some(direction), None));
-        }
-        if piece.eq_ignore_ascii_case("U") {
-            return Some(found(at, 1, piece, None, None));
-        }
-        // `FER-L1` and `FER-T1`.
-        if let Some(letter) = piece.get(..1)
-            && piece.len() == 2
-            && piece.as_bytes()[1].is_ascii_digit()
-            && "LT".contains(&letter.to_ascii_uppercase())
-        {
-            return Some(found(at, 1, letter, Some(Direction::Horizontal), None));
-        }
-        if piece.len() > 1
-            && let Some(azimuth) = azimuth(piece)
-        {
-            return Some(found(at, piece.len(), piece, None, Some(azimuth)));
-        }
+    let is_other = |(_, piece): &&(usize, &str)| quantity_of(piece).is_none();
+    let &(at, piece) = before.iter().rev().find(is_other)?;
+    let apart = of_piece(piece).filter(|_| at > 0);
+    if let Some((word, direction, azimuth)) = apart {
+        return Some(found(name, at, word, direction, azimuth));
     }
     let is_smc = has_ending && ending.eq_ignore_ascii_case("smc");
     let (start, word, direction) = glued(piece, is_smc)?;
     let degrees = azimuth(word.trim_start_matches(|letter: char| letter.is_ascii_alphabetic()));
-    Some(found(at + start, word.len(), word, direction, degrees))
+    Some(found(name, at + start, word, direction, degrees))
+}
+
+/// A word for a direction that stands apart: `UP`, `N`, an azimuth of two digits or three, or a letter that is counted, as in
+/// `FER-L1` and `FER-T1`.
+fn of_piece(piece: &str) -> Option<(&str, Option<Direction>, Option<u16>)> {
+    if let Some(direction) = of_word(piece) {
+        return Some((piece, Some(direction), None));
+    }
+    if piece.eq_ignore_ascii_case("U") {
+        return Some((piece, None, None));
+    }
+    if let Some(azimuth) = azimuth(piece) {
+        return Some((piece, None, Some(azimuth)));
+    }
+    let (letter, number) = piece.split_at_checked(1)?;
+    let is_counted = number.len() == 1 && number.as_bytes()[0].is_ascii_digit();
+    let is_letter = ["L", "T"]
+        .iter()
+        .any(|known| known.eq_ignore_ascii_case(letter));
+    (is_counted && is_letter).then_some((letter, Some(Direction::Horizontal), None))
 }
 
 /// How the instrument of a channel lies: HNZ, BHE, HN1.

@@ -33,7 +33,7 @@ fn channels<'l, 't>(file: &'l File<'t>) -> Vec<&'l [Line<'t>]> {
 /// The time stands behind a key, the station on a line with its coordinates.
 fn identity_of(lines: &[Line<'_>]) -> Identity {
     let titles = &lines[..lines.len().min(TITLES)];
-    let station = title::line_with(titles, "STATION").map(|line| line.text());
+    let station = title::line_with(titles, "STATION").map(Line::text);
     let time = identity::behind(titles, "Origin Time");
     Identity {
         station: station.and_then(|text| identity::text(title::before(&text, "STATION"))),

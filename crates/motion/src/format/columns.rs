@@ -5,8 +5,8 @@
 use std::fmt;
 
 use super::numbers::{Numbers, Values, is_mark};
-use crate::ReadError;
 use crate::line::{Line, excerpt, number};
+use crate::{ReadError, RowError};
 
 /// Most fields of a line and bytes of a field that a format may ask for.
 const WIDEST: usize = 1000;
@@ -134,11 +134,12 @@ pub(super) fn decimal(line: Line<'_>, field: usize, bytes: &[u8]) -> Result<f64,
     if bytes.contains(&b'.') {
         return Ok(value);
     }
-    Err(ReadError::NotANumber {
+    Err(RowError::NotANumber {
         line: line.number,
         field,
         found: excerpt(bytes),
-    })
+    }
+    .into())
 }
 
 /// Refuses a mark that stands for a value that is missing.
@@ -150,11 +151,12 @@ fn check_present(
 ) -> Result<(), ReadError> {
     let value = number(bytes);
     if value.is_some_and(|value| missing.iter().any(|mark| is_mark(value, *mark))) {
-        return Err(ReadError::Missing {
+        return Err(RowError::Missing {
             line: line.number,
             field,
             found: excerpt(bytes),
-        });
+        }
+        .into());
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Texts with decimal commas, as programs write them in many countries: `0,01;0,25`, or `0,01 0,25`.
 //!
 //! Where semicolons or blanks part the numbers there is no doubt, and points are put in their place, byte for byte, so that every
-//! line and column stays where it is. Where nothing but commas stands, there is: see `ReadError::DecimalComma`.
+//! line and column stays where it is. Where nothing but commas stands, there is: see `RowError::DecimalComma`.
 
 use std::borrow::Cow;
 
@@ -45,15 +45,12 @@ pub(super) fn with_points(bytes: &[u8]) -> (Cow<'_, [u8]>, Option<usize>) {
 fn parted(line: &[u8]) -> Option<Parted> {
     let has = |byte: u8| memchr::memchr(byte, line).is_some();
     let is_number = |field: &[u8]| {
-        let mut field = field.trim_ascii().to_vec();
-        let n_commas = field.iter().filter(|byte| **byte == b',').count();
-        let is_inside = !(field.starts_with(b",") && field.len() == 1) && !field.ends_with(b",");
-        field.iter_mut().for_each(|byte| {
-            if *byte == b',' {
-                *byte = b'.';
-            }
-        });
-        n_commas < 2 && is_inside && number(&field).is_some()
+        let field = field.trim_ascii();
+        let point = |byte: &u8| if *byte == b',' { b'.' } else { *byte };
+        let with_point: Vec<u8> = field.iter().map(point).collect();
+        let is_bare = field == b"," || field.ends_with(b",");
+        let n_commas = memchr::memchr_iter(b',', field).count();
+        n_commas < 2 && !is_bare && number(&with_point).is_some()
     };
     if has(b';') {
         let line = line.trim_ascii();

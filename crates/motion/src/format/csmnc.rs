@@ -51,7 +51,7 @@ fn component(file: &File<'_>) -> Option<Component> {
 fn identity_of(file: &File<'_>) -> Identity {
     let titles = titles(file);
     let station = identity::behind(titles, "STATION:");
-    let event = title::line_with(titles, "EARTHQUAKE").map(|line| line.text());
+    let event = title::line_with(titles, "EARTHQUAKE").map(Line::text);
     let time = titles
         .iter()
         .find_map(|line| identity::first_time(&line.text()));

@@ -5,7 +5,7 @@ use super::plain::has_unit;
 use super::time_column::TimeColumn;
 use super::{Draft, File, Format, Reader, Scale, Stated, no_identity, one_component};
 use crate::line::Line;
-use crate::{AccelerationUnit, Place, ReadError};
+use crate::{AccelerationUnit, Place, ReadError, RowError};
 
 pub(super) const READER: Reader = Reader {
     format: Format::Csv,
@@ -75,10 +75,11 @@ fn read(file: &File<'_>) -> Result<Draft, ReadError> {
     for line in rows {
         let mut row = fields(line);
         let (Some(time), Some(value), None) = (row.next(), row.next(), row.next()) else {
-            return Err(ReadError::FieldCount {
+            return Err(RowError::FieldCount {
                 line: line.number,
                 found: fields(line).count(),
-            });
+            }
+            .into());
         };
         times.push(line, time)?;
         values.push(line, line.finite(2, value)?, value)?;

@@ -2,7 +2,7 @@
 
 use super::File;
 use crate::line::{excerpt, number};
-use crate::{Place, ReadError};
+use crate::{Place, ReadError, RowError};
 
 /// The same error, or one that names the field where the values stopped.
 pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
@@ -26,11 +26,12 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     let of_numbers = line.pieces().all(is_like_a_number);
     let bad = line.pieces().enumerate().find(|(_, piece)| is_bad(piece));
     match bad {
-        Some((index, piece)) if of_numbers => ReadError::NotANumber {
+        Some((index, piece)) if of_numbers => RowError::NotANumber {
             line: line.number,
             field: index + 1,
             found: excerpt(piece),
-        },
+        }
+        .into(),
         _ => ReadError::SampleCount {
             place: Place::Line(last),
             found,

@@ -75,34 +75,10 @@ impl Draft {
         let velocity = self.velocity(component);
         readings.extend(component.map(|one| reading("component", Some(one.place), &one.name)));
         readings.extend(self.count()?);
-        if let Some(stated) = velocity.as_ref().filter(|_| !declared.acceleration) {
-            return Err(ReadError::Velocity {
-                place: stated.place,
-                found: stated.text.clone(),
-            });
-        }
-        if let Scale::Displacement(stated) = &self.scale {
-            return Err(ReadError::NotAcceleration {
-                place: stated.place,
-                found: stated.text.clone(),
-                instead: "the accelerations of the record, these are displacements",
-            });
-        }
+        self.check_quantity(velocity.as_ref(), declared)?;
         let mut values = std::mem::take(&mut self.values);
         let largest = spacing::peak(&values);
-        let is_told = !matches!(self.scale, Scale::Unknown)
-            || !matches!(format, Format::Plain | Format::Eqsig)
-            || declared.acceleration;
-        let one_signed = shape::one_signed(&values);
-        if let Some(Unusual::OneSigned { found, rises }) = one_signed
-            && !is_told
-        {
-            return Err(ReadError::OneSigned {
-                place: self.end,
-                found,
-                rises,
-            });
-        }
+        let one_signed = self.one_signed(&values, format, declared)?;
         let settled = spacing::settled(self.time_step.as_ref(), declared, &mut values)?;
         let time_step = settled.time_step;
         readings.extend(settled.readings);
@@ -140,6 +116,51 @@ impl Draft {
             readings,
             unusual,
         })
+    }
+
+    /// Refuses velocities that are not declared to be accelerations, and displacements.
+    fn check_quantity(
+        &self,
+        velocity: Option<&Stated<()>>,
+        declared: &Declared,
+    ) -> Result<(), ReadError> {
+        if let Some(stated) = velocity.filter(|_| !declared.acceleration) {
+            return Err(ReadError::Velocity {
+                place: stated.place,
+                found: stated.text.clone(),
+            });
+        }
+        if let Scale::Displacement(stated) = &self.scale {
+            return Err(ReadError::NotAcceleration {
+                place: stated.place,
+                found: stated.text.clone(),
+                instead: "the accelerations of the record, these are displacements",
+            });
+        }
+        Ok(())
+    }
+
+    /// Refuses values of one sign in a plain text that does not say that they are accelerations; elsewhere they are unusual.
+    fn one_signed(
+        &self,
+        values: &[f64],
+        format: Format,
+        declared: &Declared,
+    ) -> Result<Option<Unusual>, ReadError> {
+        let is_told = !matches!(self.scale, Scale::Unknown)
+            || !matches!(format, Format::Plain | Format::Eqsig)
+            || declared.acceleration;
+        let one_signed = shape::one_signed(values);
+        if let Some(Unusual::OneSigned { found, rises }) = one_signed
+            && !is_told
+        {
+            return Err(ReadError::OneSigned {
+                place: self.end,
+                found,
+                rises,
+            });
+        }
+        Ok(one_signed)
     }
 
     /// What speaks for velocities, where the file does not say that the values are accelerations: its header, or the code of

@@ -27,7 +27,7 @@ pub(super) fn at_most(n_values: usize) -> Result<(), ReadError> {
 /// Values that are read one after the other.
 #[derive(Default)]
 pub(super) struct Values<'t> {
-    values: Vec<f64>,
+    found: Vec<f64>,
     largest: Largest<'t>,
     last_line: Option<usize>,
 }
@@ -40,9 +40,9 @@ impl<'t> Values<'t> {
         value: f64,
         field: &'t [u8],
     ) -> Result<(), ReadError> {
-        at_most(self.values.len() + 1)?;
+        at_most(self.found.len() + 1)?;
         self.largest.see(value, field);
-        self.values.push(value);
+        self.found.push(value);
         self.last_line = Some(line.number);
         Ok(())
     }
@@ -52,7 +52,7 @@ impl<'t> Values<'t> {
         Numbers {
             digit: self.largest.digit(),
             end: Place::Line(self.last_line.unwrap_or(header.number)),
-            values: self.values,
+            values: self.found,
         }
     }
 }

@@ -17,7 +17,7 @@ use super::said::{Other, Said};
 use super::spacing::Spacing;
 use super::{Component, Draft, Format, Reader, Scale, Stated, reading, values};
 use crate::line::Line;
-use crate::{Place, ReadError, Reading};
+use crate::{Place, ReadError, Reading, RowError};
 use clock::Clock;
 use layout::{Kind, Layout};
 use names::Name;
@@ -132,17 +132,19 @@ fn unknown(layout: &Layout<'_, '_>, reason: &'static str) -> ReadError {
     let rows = &layout.rows;
     match rows.other {
         Some(other) if !rows.touch && (rows.n_columns < 3 || !rows.is_short()) => {
-            ReadError::PlainColumns {
+            RowError::PlainColumns {
                 line: other.number,
                 found: other.fields().count(),
                 allowed: Some(rows.n_columns),
             }
+            .into()
         }
-        _ => ReadError::Rows {
+        _ => RowError::Rows {
             line: rows.first().number,
             found: rows.n_columns,
             reason,
-        },
+        }
+        .into(),
     }
 }
 
@@ -214,9 +216,10 @@ fn table(
         let found = clock.read(rows)?.into_step_from_anywhere(&mut held.values);
         let (spacing, rest) = found.map_err(|error| header_above(layout).unwrap_or(error))?;
         held.remarks.extend(rest);
-        held.spacing = Some(match spacing {
-            Spacing::Even(step) if !clock.labelled => Spacing::Unlabelled(step),
-            other => other,
+        held.spacing = Some(if clock.labelled {
+            spacing
+        } else {
+            spacing.unlabelled()
         });
     }
     Ok(held)
@@ -227,15 +230,18 @@ fn header_above(layout: &Layout<'_, '_>) -> Option<ReadError> {
     let rows = &layout.rows;
     let n_rows = (1..=2).find(|n_rows| {
         rows.behind(*n_rows)
-            .is_some_and(|rows| rows.n_rows > 2 && rows.is_time())
+            .is_some_and(|rows| rows.len > 2 && rows.is_time())
     })?;
     let head: Vec<Line<'_>> = rows.iter().take(n_rows).collect();
     let found: Vec<String> = head.iter().map(|line| line.excerpt()).collect();
-    Some(ReadError::HeaderNumbers {
-        lines: [head[0].number, head[n_rows - 1].number],
-        found: found.join("; "),
-        what: "no pairs of time and value",
-    })
+    Some(
+        RowError::HeaderNumbers {
+            lines: [head[0].number, head[n_rows - 1].number],
+            found: found.join("; "),
+            what: "no pairs of time and value",
+        }
+        .into(),
+    )
 }
 
 /// What the values are, by the name of their column and by titles.
@@ -274,10 +280,11 @@ fn scale(name: Option<&Name<'_>>, said: &Said) -> Scale {
 /// Refuses a number of values that stands above them like one of them.
 fn check_first(line: Line<'_>, values: &[f64]) -> Result<(), ReadError> {
     if values.len() > 2 && is_mark(values[0], (values.len() - 1) as f64) {
-        return Err(ReadError::CountAsValue {
+        return Err(RowError::CountAsValue {
             line: line.number,
             found: line.excerpt(),
-        });
+        }
+        .into());
     }
     Ok(())
 }

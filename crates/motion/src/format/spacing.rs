@@ -33,6 +33,14 @@ const ALIKE: f64 = 0.01;
 const LARGE: f64 = 1.0;
 
 impl Spacing {
+    /// The same step in a unit that nothing tells.
+    pub(super) fn unlabelled(self) -> Self {
+        match self {
+            Self::Even(step) => Self::Unlabelled(step),
+            Self::Unlabelled(_) | Self::Uneven(_) | Self::Several(_) => self,
+        }
+    }
+
     /// What the times of a column give, or else what comments say; where both do, or comments say several things, they must
     /// agree.
     pub(super) fn of(column: Option<Self>, mut said: Vec<Stated<f64>>) -> Option<Self> {

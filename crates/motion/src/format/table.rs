@@ -3,8 +3,8 @@
 use super::columns::decimal;
 use super::numbers::{Numbers, Values};
 use super::time_column::TimeColumn;
-use crate::ReadError;
 use crate::line::Line;
+use crate::{ReadError, RowError};
 
 /// Rows of as many numbers each.
 pub(super) struct Table<'l, 't, F> {
@@ -28,11 +28,12 @@ where
         for line in lines.iter().filter(|line| !line.is_blank()) {
             let found = fields(*line).count();
             if found != n_columns {
-                return Err(ReadError::RowFields {
+                return Err(RowError::RowFields {
                     line: line.number,
                     found,
                     allowed: n_columns,
-                });
+                }
+                .into());
             }
         }
         Ok(Self {

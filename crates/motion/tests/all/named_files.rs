@@ -157,7 +157,10 @@ fn reference_directions() {
     ] {
         assert_eq!(direction(name), None, "{name}");
     }
-    // Beside others a letter tells more.
+}
+
+#[test]
+fn reference_directions_that_names_tell_together() {
     let files = NamedFile::of_all(&[
         "CHY080E.AT2",
         "CHY080N.AT2",

@@ -3,7 +3,7 @@
 use super::super::Stated;
 use super::rows::Rows;
 use crate::line::{Line, number};
-use crate::{Place, ReadError};
+use crate::{Place, ReadError, RowError};
 
 /// Most that is a plausible step above values \[s\].
 const LONGEST: f64 = 0.1;
@@ -41,7 +41,7 @@ impl<'t> Above<'t> {
         let in_pairs = second.fields().count() == 2;
         // Were it the first row of times and values, the next time would be above the number.
         let is_time_above = in_pairs && number(second.fields().next()?)? > count as f64;
-        let counts = count == rows.n_numbers - 2 || (count == rows.n_rows - 1 && in_pairs);
+        let counts = count == rows.n_numbers - 2 || (count == rows.len - 1 && in_pairs);
         (counts && !is_time_above).then_some(Self {
             line,
             count: Some(count),
@@ -84,11 +84,12 @@ impl<'t> Above<'t> {
         }
         let is_factor = |factor: &f64| (one - factor).abs() < 1e-9 * factor;
         if is_one || FACTORS.iter().any(is_factor) {
-            return Err(ReadError::HeaderNumbers {
+            return Err(RowError::HeaderNumbers {
                 lines: [first.number, second.number],
                 found: format!("{}, {}", first.excerpt(), second.excerpt()),
                 what: "perhaps a scale and a time step",
-            });
+            }
+            .into());
         }
         Ok(None)
     }

@@ -4,8 +4,8 @@ use super::super::stamp::Stamp;
 use super::super::time_column::{self, TimeColumn};
 use super::names::Name;
 use super::rows::{Rows, stamp};
-use crate::ReadError;
 use crate::line::{Line, excerpt, number};
+use crate::{ReadError, RowError};
 
 /// A column of times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,7 +93,7 @@ impl Clock {
             let field = row.fields().nth(self.column).unwrap_or_default();
             match self.kind {
                 Kind::Stamps => {
-                    let moment = stamp(field).ok_or_else(|| ReadError::NotANumber {
+                    let moment = stamp(field).ok_or_else(|| RowError::NotANumber {
                         line: row.number,
                         field: self.column + 1,
                         found: excerpt(field),

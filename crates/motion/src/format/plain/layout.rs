@@ -7,7 +7,7 @@ use super::clock::Clock;
 use super::names::{Name, of_columns, spectrum};
 use super::rows::{Rows, first_row};
 use crate::line::Line;
-use crate::{Place, ReadError};
+use crate::{Place, ReadError, RowError};
 
 /// Rows of numbers and what is known of them.
 pub(super) struct Layout<'l, 't> {
@@ -87,9 +87,12 @@ impl<'l, 't> Layout<'l, 't> {
                 Kind::Unknown("the rows below have others")
             });
         }
-        let not_in_rows = |line: Line<'_>| ReadError::NotInRows {
-            place: Place::Line(line.number),
-            found: line.excerpt(),
+        let not_in_rows = |line: Line<'_>| -> ReadError {
+            RowError::NotInRows {
+                place: Place::Line(line.number),
+                found: line.excerpt(),
+            }
+            .into()
         };
         if let Some(names) = names {
             if in_rows {
@@ -97,7 +100,7 @@ impl<'l, 't> Layout<'l, 't> {
             }
             return Ok(Self::named(rows, names));
         }
-        let counted = |count: &usize| *count == rows.n_numbers || *count > rows.n_rows;
+        let counted = |count: &usize| *count == rows.n_numbers || *count > rows.len;
         let clock = Clock::first(rows);
         let is_list = counts.iter().any(counted) || (n_columns > 2 && rows.is_short());
         match clock {

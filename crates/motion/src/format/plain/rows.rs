@@ -2,14 +2,14 @@
 
 use super::super::stamp::Stamp;
 use super::super::time_column::TimeColumn;
-use crate::ReadError;
 use crate::line::{Line, number};
+use crate::{ReadError, RowError};
 
 /// Rows of numbers, at least one; between them may stand blank lines and comments.
 pub(super) struct Rows<'l, 't> {
     lines: &'l [Line<'t>],
     /// Number of rows, of the numbers in them, and of those in the first.
-    pub(super) n_rows: usize,
+    pub(super) len: usize,
     pub(super) n_numbers: usize,
     pub(super) n_columns: usize,
     /// The first row with another number of numbers.
@@ -74,7 +74,7 @@ impl<'l, 't> Rows<'l, 't> {
         let lines = &lines[..end];
         let mut rows = Self {
             lines,
-            n_rows: 0,
+            len: 0,
             n_numbers: 0,
             n_columns: 0,
             other: None,
@@ -82,13 +82,13 @@ impl<'l, 't> Rows<'l, 't> {
         };
         for row in rows_in(lines) {
             let n_numbers = row.fields().count();
-            if rows.n_rows == 0 {
+            if rows.len == 0 {
                 rows.n_columns = n_numbers;
             }
             if rows.other.is_none() && n_numbers != rows.n_columns {
                 rows.other = Some(row);
             }
-            rows.n_rows += 1;
+            rows.len += 1;
             rows.touch |= row.fields().any(is_touching);
             rows.n_numbers += n_numbers;
         }
@@ -131,7 +131,7 @@ impl<'l, 't> Rows<'l, 't> {
 
     /// Whether the first numbers of three rows or more rise in equal steps; a short last row is left out.
     pub(super) fn is_time(&self) -> bool {
-        let n_rows = self.n_rows - usize::from(self.is_short());
+        let n_rows = self.len - usize::from(self.is_short());
         if n_rows < 3 {
             return false;
         }
@@ -153,10 +153,11 @@ impl<'l, 't> Rows<'l, 't> {
         let mut before = f64::NEG_INFINITY;
         for row in self.iter() {
             let time = row.fields().next().and_then(number).unwrap_or(f64::NAN);
-            falls += usize::from(!(time > before));
+            let rises = time > before;
+            falls += usize::from(!rises);
             before = time;
         }
-        10 * falls <= self.n_rows
+        10 * falls <= self.len
     }
 
     /// Refuses rows of two whole numbers with a comma between, the second without a sign: a decimal comma looks so.
@@ -172,9 +173,10 @@ impl<'l, 't> Rows<'l, 't> {
             return Ok(());
         }
         let first = self.first();
-        Err(ReadError::DecimalComma {
+        Err(RowError::DecimalComma {
             line: first.number,
             found: first.excerpt(),
-        })
+        }
+        .into())
     }
 }

@@ -3,6 +3,7 @@
 //! The files are made by hand in the layouts of the networks, with invented values.
 
 mod contents;
+mod contradictions;
 mod cosmos;
 mod csmip;
 mod declared;
@@ -66,7 +67,15 @@ fn readings(found: &Accelerogram) -> String {
 fn wave(n_values: usize) -> Vec<f64> {
     let value = |step: usize| {
         let step = f64::from(u32::try_from(step).expect("few values"));
-        0.9 * (0.37 * step).sin() * (0.011 * step).cos()
+        0.9 * libm::sin(0.37 * step) * libm::cos(0.011 * step)
     };
     (0..n_values).map(value).collect()
+}
+
+/// A row for each value of a [wave], of its number and the value.
+fn rows_of(n_values: usize, row: impl Fn(f64, f64) -> String) -> String {
+    let values = wave(n_values).into_iter();
+    let numbered = (0..).map(f64::from).zip(values);
+    let rows: Vec<String> = numbered.map(|(number, value)| row(number, value)).collect();
+    rows.concat()
 }

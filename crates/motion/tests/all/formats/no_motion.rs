@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Accelerogram, Declared, Unusual, components};
 
-use super::{accelerogram, readings, refusal, wave};
+use super::{accelerogram, readings, refusal, rows_of};
 
 const IN_G: Declared = Declared {
     unit: Some(AccelerationUnit::StandardGravity),
@@ -72,11 +72,7 @@ fn issue_spectra_are_no_motion() {
     assert!(refusal(of_program, &IN_G).contains("this is a response spectrum"));
     // A time in capitals and the axis of a direction are none.
     for header in ["T (s),acc (g)", "time,SE (g)", "t,a"] {
-        let rows: String = wave(20)
-            .iter()
-            .enumerate()
-            .map(|(step, value)| format!("{:.2},{value:.4}\n", 0.01 * step as f64))
-            .collect();
+        let rows: String = rows_of(20, |step, value| format!("{:.2},{value:.4}\n", 0.01 * step));
         accelerogram(
             format!("{header}\n{rows}"),
             &Declared {
@@ -92,9 +88,7 @@ fn issue_spectra_are_no_motion() {
 fn issue_values_of_one_sign_are_asked_about() {
     let bare = spectrum("a spectrum of the code", " ");
     assert_snapshot!(refusal(&bare, &IN_G), @"the 40 values that end at line 41 never change their sign, as a spectrum or times do and no shaking does, and the file does not say that they are accelerations; take the record itself, or declare `acceleration` if they are");
-    let rising: String = (0..20)
-        .map(|step| format!("{}\n", f64::from(step) * 0.01 - 0.05))
-        .collect();
+    let rising = rows_of(20, |step, _| format!("{}\n", step * 0.01 - 0.05));
     assert_snapshot!(refusal(&rising, &LIST), @"the 20 values that end at line 20 only rise, as a spectrum or times do and no shaking does, and the file does not say that they are accelerations; take the record itself, or declare `acceleration` if they are");
     let declared = Declared {
         time_step: None,
@@ -119,10 +113,7 @@ fn issue_values_of_one_sign_are_asked_about() {
 /// A scale and a step above the values were the first two of them: the peak was 1.000 g at 0 s.
 #[test]
 fn issue_numbers_of_a_header_are_no_samples() {
-    let values: String = wave(40)
-        .iter()
-        .map(|value| format!("{:.6}\n", 0.3 * value))
-        .collect();
+    let values: String = rows_of(40, |_, value| format!("{:.6}\n", 0.3 * value));
     let scaled = accelerogram(format!("1\n0.01\n{values}"), &IN_G);
     assert_eq!(scaled.values().len(), 40);
     assert_snapshot!(readings(&scaled), @"
@@ -147,21 +138,14 @@ fn issue_numbers_of_a_header_are_no_samples() {
     );
     assert_snapshot!(refusal(format!("9.80665e+02\n0.01\n{values}"), &LIST), @"lines 1 to 2 read \"9.80665e+02, 0.01\", which are perhaps a scale and a time step and no row of values like those below; delete them, or put # before each");
     // Numbers in the style of the values may be values.
-    let coarse: String = wave(40)
-        .iter()
-        .map(|value| format!("{value:.2}\n"))
-        .collect();
+    let coarse: String = rows_of(40, |_, value| format!("{value:.2}\n"));
     assert_snapshot!(refusal(format!("1.00\n0.01\n{coarse}"), &LIST), @"lines 1 to 2 read \"1.00, 0.01\", which are perhaps a scale and a time step and no row of values like those below; delete them, or put # before each");
     assert_snapshot!(unusual(&accelerogram(format!("4.5\n0.01\n{values}"), &LIST)), @"
     found a peak of 4.5 g in the file, usual is 0.02 to 3 g; its unit decides it
     found a first value of 4.500 in the file, where no other is above 0.2686, usual is a motion that begins near zero; the first may be a number of the header
     found a second value of 0.01 in the file, which is the time step, usual is a step that stands above the values, not among them
     ");
-    let pairs: String = wave(40)
-        .iter()
-        .enumerate()
-        .map(|(step, value)| format!("{:.2} {value:.4}\n", 0.01 * step as f64))
-        .collect();
+    let pairs: String = rows_of(40, |step, value| format!("{:.2} {value:.4}\n", 0.01 * step));
     assert_snapshot!(refusal(format!("4000 2\n35.10 120.30\n{pairs}"), &IN_G), @r#"lines 1 to 2 read "4000 2; 35.10 120.30", which are no pairs of time and value and no row of values like those below; delete them, or put # before each"#);
 }
 

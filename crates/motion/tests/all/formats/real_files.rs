@@ -451,7 +451,7 @@ fn issue_pairs_behind_a_count_in_single_precision_and_from_anywhere() {
     assert_snapshot!(refusal(" 3  0.004\n 0.005 1.5\n 0.01 -2.5\n 0.015 3.5\n", &IN_GAL), @"the file gives more than one time step: 0.005 s (line 2), 0.004 s (line 1); declare the one that holds as `time_step`, or correct the file");
     let single = |step: u16| {
         let time = 240.0_f32 + 0.025 * f32::from(step);
-        let sign = if step % 2 == 0 { "" } else { "-" };
+        let sign = if step.is_multiple_of(2) { "" } else { "-" };
         format!("{time:.6} {sign}{step}.5\n")
     };
     let text: String = (0..40).map(single).collect();

@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, components};
 
-use super::{accelerogram, file, readings, refusal, wave};
+use super::{accelerogram, file, readings, refusal, rows_of, wave};
 
 fn list() -> Declared {
     Declared {
@@ -58,15 +58,10 @@ fn issue_values_in_rows() {
 #[test]
 fn issue_values_in_rows_that_touch() {
     let values = wave(40);
-    let touching: String = values
-        .chunks(8)
-        .map(|row| {
-            row.iter()
-                .map(|value| format!("{value:9.6}"))
-                .collect::<String>()
-                + "\n"
-        })
-        .collect();
+    let touching = rows_of(40, |step, value| {
+        let end = if (step + 1.0) % 8.0 < 0.5 { "\n" } else { "" };
+        format!("{value:9.6}{end}")
+    });
     let found = accelerogram(
         format!("ACCELEROGRAM FOR A PROGRAM\n{touching}"),
         &in_rows(),
@@ -152,7 +147,8 @@ fn issue_decimal_commas() {
             },
         );
         assert_eq!(found.values(), expected.values(), "{text}");
-        assert_eq!(found.time_step(), expected.time_step(), "{text}");
+        let steps = [&found, &expected].map(|one| one.time_step().to_string());
+        assert_eq!(steps[0], steps[1], "{text}");
         assert!(
             readings(&found).contains("decimal commas (line"),
             "{}",

@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 use pounding_motion::{AccelerationUnit, Declared, components};
 
-use super::{accelerogram, readings, refusal, wave};
+use super::{accelerogram, readings, refusal, rows_of, wave};
 
 fn nothing() -> Declared {
     Declared::default()
@@ -31,8 +31,7 @@ fn line(text: &str) -> String {
 
 /// A value to a line.
 fn column(n_values: usize) -> String {
-    let values = wave(n_values).into_iter();
-    values.map(|value| format!("{value:.6e}\n")).collect()
+    rows_of(n_values, |_, value| format!("{value:.6e}\n"))
 }
 
 /// Six values to a line.
@@ -106,11 +105,7 @@ fn issue_declared_against_comments() {
         refusal(&text, &declared(silent.unit(), 0.01));
     }
     // Times and the header must agree, too; a caller may say which holds.
-    let times: String = wave(30)
-        .iter()
-        .enumerate()
-        .map(|(step, value)| format!("{:.2} {value}\n", 0.01 * step as f64))
-        .collect();
+    let times: String = rows_of(30, |step, value| format!("{:.2} {value}\n", 0.01 * step));
     let both = format!("# dt = 0.02 s, acc in g\n{times}");
     assert_snapshot!(refusal(&both, &nothing()), @"the file gives more than one time step: 0.01 s (line 2), 0.02 s (line 1); declare the one that holds as `time_step`, or correct the file");
     let meant = Declared {
@@ -184,17 +179,13 @@ fn issue_dates_for_times() {
         + &stamped(", ");
     assert_snapshot!(line(&csv), @"HNZ, 120 values, 0.005 s, m/s²");
     assert_snapshot!(refusal(csv.replace("_hz: 200", "_hz: 100"), &nothing()), @"the file gives more than one time step: 0.005 s (line 10), 0.01 s (line 5); declare the one that holds as `time_step`, or correct the file");
-    let rows: String = wave(30)
-        .iter()
-        .enumerate()
-        .map(|(step, value)| {
-            format!(
-                "2011/03/11 14:46:00,{:.2},{value:.6},{:.6},0.0\n",
-                0.01 * step as f64,
-                -0.5 * value
-            )
-        })
-        .collect();
+    let rows: String = rows_of(30, |step, value| {
+        format!(
+            "2011/03/11 14:46:00,{:.2},{value:.6},{:.6},0.0\n",
+            0.01 * step,
+            -0.5 * value
+        )
+    });
     let knet = format!(
         "OriginTime,2011/03/11-14:46:00\nLatitude,38.103\nCode,ZZZ001\nOffset,0.00,0.00,0.00\nTime,RelativeTime(s),NS(gal),EW(gal),UD(gal)\n{rows}"
     );
@@ -215,11 +206,7 @@ fn issue_times_in_other_units() {
         let row = |(step, value): (usize, &f64)| format!("{},{value:.6e}\n", time(step));
         wave(40).iter().enumerate().map(row).collect::<String>()
     };
-    let step = |text: String| {
-        accelerogram(format!("{text}"), &nothing())
-            .time_step()
-            .to_string()
-    };
+    let step = |text: String| accelerogram(text, &nothing()).time_step().to_string();
     let milliseconds = rows(&|step| format!("{}", 5 * step));
     assert_eq!(step(format!("time (ms),acc (g)\n{milliseconds}")), "0.005");
     assert_eq!(step(format!("time_ms,acc_g\n{milliseconds}")), "0.005");
