@@ -1,8 +1,8 @@
-//! What a file holds, before a component is chosen.
+//! Contents of a file: components, places of sensors, and the record they belong to.
 
 use crate::{Direction, Format, Site};
 
-/// What a file holds, before a component is chosen.
+/// `Contents` lists the components of a file and tells which record they belong to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Contents {
     /// The format that the file was found to be in.
@@ -13,7 +13,7 @@ pub struct Contents {
     pub identity: Identity,
 }
 
-/// One component of a file.
+/// A `Channel` is one component of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
     /// Its name, by which a caller may choose it; `None` in a file of one that has no name.
@@ -24,10 +24,10 @@ pub struct Channel {
     pub site: Site,
 }
 
-/// What a file says of where and when its motion was recorded, each `None` if it does not say.
+/// An `Identity` tells where and when a motion was recorded; a field is `None` if the file does not say.
 ///
-/// Files of one event agree in what they say. Texts are in capitals with one blank between words, times as
-/// `1999-09-20T17:47:15` wherever a date and a time of day are known.
+/// Components of one record have equal identities. Texts are in capitals with one blank between words. A time is written as
+/// `1999-09-20T17:47:15` if the file has a date and a time of day, else as in the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
     /// Number of the record in PEER's data bases.

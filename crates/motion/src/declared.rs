@@ -18,9 +18,9 @@ pub struct Declared {
     pub component: Option<String>,
     /// What one count of a digitiser is worth, in [`unit`](Self::unit); not zero.
     pub per_count: Option<f64>,
-    /// Whether the values are accelerations although the file speaks against it: for velocities, by the code of a
-    /// seismometer's channel or a header with `cm/s`; or for no shaking, by values that never change their sign.
+    /// Whether the values are accelerations although the file suggests otherwise: a seismometer's channel or a header with
+    /// `cm/s` suggests velocities, values that never change sign suggest a spectrum.
     pub acceleration: bool,
-    /// Whether numbers that stand several to a line, without names, follow one another.
+    /// Whether several numbers to a line without names are consecutive values of one component.
     pub in_rows: bool,
 }

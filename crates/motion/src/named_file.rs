@@ -1,4 +1,4 @@
-//! What the name of a file tells: direction, quantity, number of the record; and which files are of one record.
+//! Names of files: direction, quantity and number of the record, and which files belong to one record.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -6,10 +6,10 @@ use std::ffi::OsStr;
 use crate::Direction;
 use crate::direction::is_channel_end;
 
-/// A `NamedFile` is what the name of a file tells.
+/// A `NamedFile` holds the facts that the name of a file tells.
 ///
-/// That is weaker than what the file says itself: a name may end so by chance. See [`of_all`](Self::of_all) for what several names
-/// tell together.
+/// They are weaker than the header of the file: a name may end so by chance. [`of_all`](Self::of_all) compares the names of a
+/// folder and tells more.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedFile {
     /// The name with `*` for the direction: components of one record share it.
@@ -26,7 +26,7 @@ pub struct NamedFile {
     pub rsn: Option<u32>,
 }
 
-/// What the values of a file are, by its name.
+/// A `Quantity` is what a file holds, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Accelerations.
@@ -98,7 +98,7 @@ struct Found<'n> {
 }
 
 impl NamedFile {
-    /// Returns what one name tells, that of a file without its folder.
+    /// Reads one name, without its folder.
     pub fn of(name: impl AsRef<OsStr>) -> Self {
         let name = name.as_ref().to_string_lossy();
         let found = find(&name);
@@ -120,7 +120,7 @@ impl NamedFile {
         }
     }
 
-    /// Returns what names of one folder tell together, in their order.
+    /// Reads the names of one folder together, and keeps their order.
     ///
     /// A number is an azimuth only where one other of the same stem is a right angle apart, or a vertical component stands beside
     /// it: `r001`, `r002`, `r091` are three records. A letter such as `U` is up beside `E` or `N`.
@@ -170,10 +170,10 @@ impl NamedFile {
         files
     }
 
-    /// Returns whether two files are components of one record by their names: of one number of PEER; or of one stem, with other
-    /// words for the direction, and azimuths a right angle apart.
+    /// Returns whether two files are components of one record by their names.
     ///
-    /// Ask it of what [`of_all`](Self::of_all) returns.
+    /// They are if they share PEER's number of the record. Without numbers they must share the stem and have different words for
+    /// the direction; azimuths must be a right angle apart. Call it on the result of [`of_all`](Self::of_all).
     pub fn same_record(&self, other: &Self) -> bool {
         if let (Some(one), Some(other)) = (self.rsn, other.rsn) {
             return one == other;

@@ -174,8 +174,8 @@ pub enum ReadError {
     },
     /// Times rise by whole numbers in no named unit: seconds would be a long step, milliseconds may be meant.
     #[error(
-        "{place}: the times rise by {found} in no unit that is named; call the column `time_s` or `time_ms`, or declare `time_step` in \
-         seconds: {found} or {}",
+        "{place}: the times rise by {found}, and nothing states their unit; name the column `time_s` or `time_ms`, or declare \
+         `time_step` as {found} or {} s",
         found / 1000.0
     )]
     TimeUnit {
@@ -186,7 +186,7 @@ pub enum ReadError {
     },
     /// A file says several things of its values that differ.
     #[error(
-        "the file gives more than one {what}: {}; declare the one that holds as `{field}`, or correct the file",
+        "the file gives more than one {what}: {}; declare the right one as `{field}`, or correct the file",
         several(said)
     )]
     Several {
@@ -199,9 +199,9 @@ pub enum ReadError {
     },
     /// Values never change their sign, or only rise, and nothing says that they are accelerations.
     #[error(
-        "the {found} values that end at {place} {}, as a spectrum or times do and no shaking does, and the file does not say that they \
-         are accelerations; take the record itself, or declare `acceleration` if they are",
-        if *rises { "only rise" } else { "never change their sign" }
+        "the {found} values that end at {place} {}, like a spectrum and unlike shaking, and the file does not call them \
+         accelerations; take the record itself, or declare `acceleration` if they are accelerations",
+        if *rises { "only rise" } else { "never change sign" }
     )]
     OneSigned {
         /// Place of the last value.

@@ -25,7 +25,7 @@ pub(crate) fn unusual(values: &[f64], of_list: Option<f64>) -> impl Iterator<Ite
     let zero = is_zero.then_some(Unusual::Zero { found: told.len() });
     zero.into_iter()
         .chain(first(told))
-        .chain(second(told, of_list))
+        .chain(step(told, of_list))
 }
 
 /// A first value that is the peak, several times the second largest magnitude.
@@ -40,10 +40,15 @@ fn first(values: &[f64]) -> Option<Unusual> {
     })
 }
 
-/// A second value that is the time step.
-fn second(values: &[f64], time_step: Option<f64>) -> Option<Unusual> {
-    let (step, found) = (time_step?, *values.get(1)?);
-    ((found - step).abs() <= 1e-9 * step).then_some(Unusual::StepAsSample { found })
+/// One of the first two values that is the time step.
+fn step(values: &[f64], time_step: Option<f64>) -> Option<Unusual> {
+    let step = time_step?;
+    let is_step = |value: &f64| (value - step).abs() <= 1e-9 * step;
+    let index = values.iter().take(2).position(is_step)?;
+    Some(Unusual::StepAsSample {
+        sample: index + 1,
+        found: values[index],
+    })
 }
 
 #[cfg(test)]
@@ -65,7 +70,10 @@ mod tests {
                 found: first,
                 second,
             },
-            Unusual::StepAsSample { found: 0.01 },
+            Unusual::StepAsSample {
+                sample: 2,
+                found: 0.01,
+            },
         ];
         assert_eq!(found(&values), expected);
         assert_eq!(found(&values[2..]), []);

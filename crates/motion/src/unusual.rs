@@ -35,7 +35,7 @@ pub enum Unusual {
         /// Number of values.
         found: usize,
     },
-    /// Values that never change their sign, or only rise.
+    /// Values that never change sign, or only rise.
     OneSigned {
         /// Number of values.
         found: usize,
@@ -49,8 +49,10 @@ pub enum Unusual {
         /// The largest of the others.
         second: f64,
     },
-    /// A second value of a bare list that is the declared time step.
+    /// One of the first two values of a bare list that is the declared time step.
     StepAsSample {
+        /// Number of the value, from 1.
+        sample: usize,
         /// The value, in the unit of the file.
         found: f64,
     },
@@ -104,18 +106,18 @@ impl Unusual {
                 found,
                 rises: false,
             } => {
-                format!("{found} values in the file that never change their sign")
+                format!("{found} values in the file that never change sign")
             }
             Self::OneSigned { found, rises: true } => {
-                format!("{found} values in the file of which none is below the one before")
+                format!("{found} values in the file that only rise")
             }
             Self::FirstSample { found, second } => format!(
                 "a first value of {} in the file, where no other is above {}",
                 short(*found),
                 short(*second)
             ),
-            Self::StepAsSample { found } => {
-                format!("a second value of {found} in the file, which is the time step")
+            Self::StepAsSample { sample, found } => {
+                format!("value {sample} of the file, {found}, equal to its time step")
             }
             Self::Resampled { lost } => format!(
                 "a peak that is {:.1} % lower after resampling",
@@ -138,9 +140,9 @@ impl Unusual {
         match self {
             Self::TimeStep { .. } => "0.0001 to 0.1 s",
             Self::Peak { .. } => "0.02 to 3 g; its unit decides it",
-            Self::Zero { .. } => "values that shake something",
+            Self::Zero { .. } => "a motion",
             Self::OneSigned { .. } => {
-                "shaking to and fro; a spectrum, a time or an offset looks so"
+                "shaking both ways; a spectrum, a column of times or an offset has one sign"
             }
             Self::FirstSample { .. } => {
                 "a motion that begins near zero; the first may be a number of the header"

@@ -6,11 +6,11 @@
 mod phrases;
 
 use super::stamp;
-use super::title::unit_in;
+use super::title::{unit_in, unit_of};
 use super::{Component, Scale, Stated};
 use crate::line::Line;
 use crate::{AccelerationUnit, Direction, Identity, Place};
-use phrases::{around, counts, steps, unit_of_accelerations};
+use phrases::{around, counts, other_quantity, steps, unit_of_accelerations};
 
 /// Lines above the numbers in which something is looked for.
 const MOST_LINES: usize = 200;
@@ -175,9 +175,11 @@ impl Said {
             let (before, behind) = around(text, key).next()?;
             Some((before, behind.trim_start_matches([' ', ':', '=', ','])))
         });
+        let alone = text.trim_matches(['(', ')', '[', ']', ' ']);
         let known = named
             .and_then(|(_, behind)| unit_in(behind))
-            .or_else(|| unit_of_accelerations(text));
+            .or_else(|| unit_of_accelerations(text))
+            .or_else(|| Some((unit_of(alone)?, alone)));
         if let Some((value, word)) = known {
             let text = word.to_owned();
             self.units.push(Stated { value, place, text });
@@ -188,7 +190,8 @@ impl Said {
             |before: &str| matches!(before.trim(), "" | "field" | "data" | "amplitude");
         let other = named
             .filter(|(before, _)| is_of_values(before))
-            .and_then(|(_, behind)| behind.split([',', ';', ' ']).find_map(Other::of_unit));
+            .and_then(|(_, behind)| behind.split([',', ';', ' ']).find_map(Other::of_unit))
+            .or_else(|| other_quantity(text));
         let is_new = self.other.is_none();
         if let Some(value) = other.filter(|_| is_new) {
             let text = line.excerpt();

@@ -1,6 +1,6 @@
 //! What can go wrong with rows of numbers.
 
-use super::words::{columns, of_number, rows};
+use super::words::{columns, of_number, reading, rows};
 use crate::Place;
 
 /// A `RowError` says why a row of numbers was not read.
@@ -47,8 +47,9 @@ pub enum RowError {
     },
     /// Numbers stand above the rows that are none of them.
     #[error(
-        "lines {} to {} read {found:?}, which are {what} and no row of values like those below; delete them, or put # before each",
-        lines[0], lines[1]
+        "{} {found:?}: {what}, unlike the values below; delete {}, or put # before each line",
+        reading(*lines),
+        if lines[0] == lines[1] { "it" } else { "them" }
     )]
     HeaderNumbers {
         /// First and last line.
@@ -80,8 +81,8 @@ pub enum RowError {
     },
     /// A comma may be a decimal comma or part two numbers.
     #[error(
-        "line {line} reads {found:?}: its comma may be a decimal comma, or part two whole numbers; write decimal points, or a semicolon \
-         between numbers with decimal commas"
+        "line {line} reads {found:?}: its comma may be a decimal comma, or separate two whole numbers; write decimal points, or \
+         semicolons between numbers with decimal commas"
     )]
     DecimalComma {
         /// The line.

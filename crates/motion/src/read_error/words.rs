@@ -46,6 +46,15 @@ pub(super) fn of_number(found: &str) -> &'static str {
     }
 }
 
+/// The lines from one to another, or one alone, which read something.
+pub(super) fn reading([first, last]: [usize; 2]) -> String {
+    if first == last {
+        format!("line {first} reads")
+    } else {
+        format!("lines {first} to {last} read")
+    }
+}
+
 /// What several places say.
 pub(super) fn several(said: &[(Place, String)]) -> String {
     let said = said.iter().take(MOST_LISTED);

@@ -1,6 +1,7 @@
 //! What names of files tell: directions, quantities, and which files are of one record.
 
 use pounding_motion::{Direction, NamedFile, Quantity};
+use proptest::prelude::*;
 
 /// Numbers of the records of some names, from 0 in their order.
 fn records(names: &[&str]) -> Vec<usize> {
@@ -239,4 +240,16 @@ fn issue_quantities() {
     assert_eq!(NamedFile::of("NGA_no_1234_A.AT2").rsn, Some(1234));
     assert_eq!(NamedFile::of("RSNA.AT2").rsn, None);
     assert_eq!(NamedFile::of("A-ELC180.AT2").stem, "A-ELC*.AT2");
+}
+
+proptest! {
+    #[test]
+    fn extreme_any_names(names in prop::collection::vec("[a-zA-Zß0-9_. -]{0,12}", 0..6)) {
+        let files = NamedFile::of_all(&names);
+        prop_assert_eq!(files.len(), names.len());
+        for (one, name) in files.iter().zip(&names) {
+            prop_assert!(!one.same_record(one) || one.rsn.is_some());
+            prop_assert!(one.word.is_some() || one.stem == *name, "{:?}", one);
+        }
+    }
 }

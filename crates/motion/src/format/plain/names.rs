@@ -118,7 +118,9 @@ pub(super) fn unit_at_end(name: &str) -> Option<AccelerationUnit> {
     let (first, end) = name.split_once(['_', ' '])?;
     let known = ENDS.iter().find(|(known, _)| *known == end);
     let unit = known.map(|(_, unit)| *unit).or_else(|| unit_of(end))?;
-    (first.starts_with("ACC") || first == "A").then_some(unit)
+    ["A", "AG", "ACC", "ACCEL", "ACCELERATION"]
+        .contains(&first)
+        .then_some(unit)
 }
 
 /// What kind of spectrum the columns of these names are.

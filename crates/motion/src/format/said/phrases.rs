@@ -1,6 +1,7 @@
 //! Phrases that state a step, a rate, a number of samples or a unit.
 
 use super::super::title::unit_of;
+use super::Other;
 use crate::AccelerationUnit;
 use crate::line::number;
 
@@ -192,9 +193,10 @@ pub(super) fn steps(text: &str) -> Vec<f64> {
         .iter()
         .any(|start| words.starts_with(start))
     });
+    let sampled = found(&["sampling", "sampled at"]).filter(|one| is_of_time(one.unit));
     found(&STEP)
         .map(step)
-        .chain(found(&RATE).map(rate))
+        .chain(found(&RATE).chain(sampled).map(rate))
         .chain(by_words.map(|(rate, _)| 1.0 / rate))
         .filter(|step| super::super::spacing::POSSIBLE.contains(step))
         .collect()
@@ -242,6 +244,30 @@ fn words_behind_numbers(text: &str) -> impl Iterator<Item = (f64, &str)> {
         let end = rest.find([' ', '\t'])?;
         let value = number(&rest.as_bytes()[..end]).filter(|_| is_start)?;
         Some((value, rest[end..].trim_start()))
+    })
+}
+
+/// The quantity of a phrase such as `velocity time history` or `displacement (cm)`.
+pub(super) fn other_quantity(text: &str) -> Option<Other> {
+    let words = [
+        ("velocit", Other::Velocity),
+        ("velocidad", Other::Velocity),
+        ("displacement", Other::Displacement),
+        ("desplazamiento", Other::Displacement),
+    ];
+    words.into_iter().find_map(|(start, other)| {
+        let (before, behind) = text.split_at(text.find(start)?);
+        let of_another = ["wave", "peak", "max", "initial"]
+            .iter()
+            .any(|word| before.contains(word));
+        let end = behind.find(|letter: char| !letter.is_ascii_alphabetic())?;
+        let separates = |letter: char| !(letter.is_ascii_alphanumeric() || letter == '/');
+        let mut words = behind[end..]
+            .split(separates)
+            .filter(|word| !word.is_empty());
+        let next = words.find(|word| !["in", "units", "of"].contains(word))?;
+        let is_history = ["time", "history", "series", "record"].contains(&next);
+        (!of_another && (is_history || Other::of_unit(next) == Some(other))).then_some(other)
     })
 }
 

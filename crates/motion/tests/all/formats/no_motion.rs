@@ -87,24 +87,24 @@ fn issue_spectra_are_no_motion() {
 #[test]
 fn issue_values_of_one_sign_are_asked_about() {
     let bare = spectrum("a spectrum of the code", " ");
-    assert_snapshot!(refusal(&bare, &IN_G), @"the 40 values that end at line 41 never change their sign, as a spectrum or times do and no shaking does, and the file does not say that they are accelerations; take the record itself, or declare `acceleration` if they are");
+    assert_snapshot!(refusal(&bare, &IN_G), @"the 40 values that end at line 41 never change sign, like a spectrum and unlike shaking, and the file does not call them accelerations; take the record itself, or declare `acceleration` if they are accelerations");
     let rising = rows_of(20, |step, _| format!("{}\n", step * 0.01 - 0.05));
-    assert_snapshot!(refusal(&rising, &LIST), @"the 20 values that end at line 20 only rise, as a spectrum or times do and no shaking does, and the file does not say that they are accelerations; take the record itself, or declare `acceleration` if they are");
+    assert_snapshot!(refusal(&rising, &LIST), @"the 20 values that end at line 20 only rise, like a spectrum and unlike shaking, and the file does not call them accelerations; take the record itself, or declare `acceleration` if they are accelerations");
     let declared = Declared {
         time_step: None,
         ..TURNED
     };
-    assert_snapshot!(unusual(&accelerogram(&bare, &declared)), @"found 40 values in the file that never change their sign, usual is shaking to and fro; a spectrum, a time or an offset looks so");
+    assert_snapshot!(unusual(&accelerogram(&bare, &declared)), @"found 40 values in the file that never change sign, usual is shaking both ways; a spectrum, a column of times or an offset has one sign");
     // Where the file says that they are accelerations they may be a pulse.
     let pulse = spectrum("time_s,acceleration_g", ",");
-    assert_snapshot!(unusual(&accelerogram(&pulse, &Declared::default())), @"found 40 values in the file that never change their sign, usual is shaking to and fro; a spectrum, a time or an offset looks so");
+    assert_snapshot!(unusual(&accelerogram(&pulse, &Declared::default())), @"found 40 values in the file that never change sign, usual is shaking both ways; a spectrum, a column of times or an offset has one sign");
     let named = spectrum("time (s),acc (g)", ",");
     assert!(matches!(
         accelerogram(&named, &Declared::default()).unusual(),
         [Unusual::OneSigned { .. }]
     ));
     let zeros = "0.0\n".repeat(20);
-    assert_snapshot!(unusual(&accelerogram(zeros, &LIST)), @"found 20 values in the file that are all zero, usual is values that shake something");
+    assert_snapshot!(unusual(&accelerogram(zeros, &LIST)), @"found 20 values in the file that are all zero, usual is a motion");
     let sums =
         "time,NS (g),EW (g),SUM (g)\n0,0.1,0.2,0.22\n0.01,-0.1,-0.2,0.22\n0.02,0.1,0.2,0.22\n";
     assert_eq!(components(sums.as_bytes()).unwrap(), ["NS", "EW"]);
@@ -136,17 +136,17 @@ fn issue_numbers_of_a_header_are_no_samples() {
             }
         )
     );
-    assert_snapshot!(refusal(format!("9.80665e+02\n0.01\n{values}"), &LIST), @"lines 1 to 2 read \"9.80665e+02, 0.01\", which are perhaps a scale and a time step and no row of values like those below; delete them, or put # before each");
+    assert_snapshot!(refusal(format!("9.80665e+02\n0.01\n{values}"), &LIST), @"lines 1 to 2 read \"9.80665e+02, 0.01\": perhaps a scale and a time step, unlike the values below; delete them, or put # before each line");
     // Numbers in the style of the values may be values.
     let coarse: String = rows_of(40, |_, value| format!("{value:.2}\n"));
-    assert_snapshot!(refusal(format!("1.00\n0.01\n{coarse}"), &LIST), @"lines 1 to 2 read \"1.00, 0.01\", which are perhaps a scale and a time step and no row of values like those below; delete them, or put # before each");
+    assert_snapshot!(refusal(format!("1.00\n0.01\n{coarse}"), &LIST), @"lines 1 to 2 read \"1.00, 0.01\": perhaps a scale and a time step, unlike the values below; delete them, or put # before each line");
     assert_snapshot!(unusual(&accelerogram(format!("4.5\n0.01\n{values}"), &LIST)), @"
     found a peak of 4.5 g in the file, usual is 0.02 to 3 g; its unit decides it
     found a first value of 4.500 in the file, where no other is above 0.2686, usual is a motion that begins near zero; the first may be a number of the header
-    found a second value of 0.01 in the file, which is the time step, usual is a step that stands above the values, not among them
+    found value 2 of the file, 0.01, equal to its time step, usual is a step that stands above the values, not among them
     ");
     let pairs: String = rows_of(40, |step, value| format!("{:.2} {value:.4}\n", 0.01 * step));
-    assert_snapshot!(refusal(format!("4000 2\n35.10 120.30\n{pairs}"), &IN_G), @r#"lines 1 to 2 read "4000 2; 35.10 120.30", which are no pairs of time and value and no row of values like those below; delete them, or put # before each"#);
+    assert_snapshot!(refusal(format!("4000 2\n35.10 120.30\n{pairs}"), &IN_G), @r#"lines 1 to 2 read "4000 2; 35.10 120.30": no pairs of time and value, unlike the values below; delete them, or put # before each line"#);
 }
 
 /// Resampling uneven pairs took up to 1.8 % off the peak without a word.

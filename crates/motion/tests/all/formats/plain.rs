@@ -93,7 +93,7 @@ fn extreme_lines() {
     assert_snapshot!(refusal("0.0,0.1\n0.1,\n", &IN_G), @r#"line 2, field 2: "" is not a number; write it like -0.00640 or -.6403182E-02"#);
     assert_snapshot!(refusal("3\n0.1\n0.2\n0.3\n", &in_g_with_step(0.1)), @r#"line 1 reads "3", which is how many values follow; put # before it, or it would be taken for the first"#);
     // A comma for a point makes two columns of one.
-    assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @r#"line 1 reads "0,00123": its comma may be a decimal comma, or part two whole numbers; write decimal points, or a semicolon between numbers with decimal commas"#);
+    assert_snapshot!(refusal("0,00123\n0,00145\n", &in_g_with_step(0.1)), @r#"line 1 reads "0,00123": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
 }
 
 #[test]

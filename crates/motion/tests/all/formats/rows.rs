@@ -157,8 +157,8 @@ fn issue_decimal_commas() {
     }
     let named = "Zeit;time (s);NS (g)\n1;0,00;0,25\n2;0,01;-0,5\n3;0,02;0,25\n";
     assert!(components(named.as_bytes()).is_ok());
-    assert_snapshot!(refusal(comma(rows(20, 1, "")).replace('-', ""), &list()), @r#"line 1 reads "0,000000": its comma may be a decimal comma, or part two whole numbers; write decimal points, or a semicolon between numbers with decimal commas"#);
-    assert_snapshot!(refusal(comma(rows(20, 1, "")), &list()), @r#"line 1 reads "0,000000": its comma may be a decimal comma, or part two whole numbers; write decimal points, or a semicolon between numbers with decimal commas"#);
+    assert_snapshot!(refusal(comma(rows(20, 1, "")).replace('-', ""), &list()), @r#"line 1 reads "0,000000": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
+    assert_snapshot!(refusal(comma(rows(20, 1, "")), &list()), @r#"line 1 reads "0,000000": its comma may be a decimal comma, or separate two whole numbers; write decimal points, or semicolons between numbers with decimal commas"#);
 }
 
 /// A line of values as long as the file took 30 times its size in memory.

@@ -73,6 +73,8 @@ fn issue_headers_in_comments_and_titles() {
         "dT: 20 ms\n",
         "Sampling rate (Hz)=\t50\n",
         "# fs = 50\n",
+        "sampled at 50 Hz\n",
+        "Sampling(Hz): 50\n",
         "time step 1/50 s\n",
         "Δt = 0.02 s\n",
     ] {
@@ -107,7 +109,7 @@ fn issue_declared_against_comments() {
     // Times and the header must agree, too; a caller may say which holds.
     let times: String = rows_of(30, |step, value| format!("{:.2} {value}\n", 0.01 * step));
     let both = format!("# dt = 0.02 s, acc in g\n{times}");
-    assert_snapshot!(refusal(&both, &nothing()), @"the file gives more than one time step: 0.01 s (line 2), 0.02 s (line 1); declare the one that holds as `time_step`, or correct the file");
+    assert_snapshot!(refusal(&both, &nothing()), @"the file gives more than one time step: 0.01 s (line 2), 0.02 s (line 1); declare the right one as `time_step`, or correct the file");
     let meant = Declared {
         time_step: Some(0.01),
         ..nothing()
@@ -117,7 +119,7 @@ fn issue_declared_against_comments() {
         "# units: g\n# dt = 0.01 s, acceleration in cm/s2\n{}",
         column(30)
     );
-    assert_snapshot!(refusal(&units, &nothing()), @"the file gives more than one unit: g (line 1), cm_per_s2 (line 2); declare the one that holds as `unit`, or correct the file");
+    assert_snapshot!(refusal(&units, &nothing()), @"the file gives more than one unit: g (line 1), cm_per_s2 (line 2); declare the right one as `unit`, or correct the file");
     let meant = Declared {
         unit: Some(AccelerationUnit::StandardGravity),
         ..nothing()
@@ -178,7 +180,7 @@ fn issue_dates_for_times() {
         .replace("Sample\n", "Time, Sample\n")
         + &stamped(", ");
     assert_snapshot!(line(&csv), @"HNZ, 120 values, 0.005 s, m/s²");
-    assert_snapshot!(refusal(csv.replace("_hz: 200", "_hz: 100"), &nothing()), @"the file gives more than one time step: 0.005 s (line 10), 0.01 s (line 5); declare the one that holds as `time_step`, or correct the file");
+    assert_snapshot!(refusal(csv.replace("_hz: 200", "_hz: 100"), &nothing()), @"the file gives more than one time step: 0.005 s (line 10), 0.01 s (line 5); declare the right one as `time_step`, or correct the file");
     let rows: String = rows_of(30, |step, value| {
         format!(
             "2011/03/11 14:46:00,{:.2},{value:.6},{:.6},0.0\n",
@@ -214,7 +216,7 @@ fn issue_times_in_other_units() {
         unit: Some(AccelerationUnit::StandardGravity),
         ..nothing()
     };
-    assert_snapshot!(refusal(&milliseconds, &in_g), @"line 1: the times rise by 5 in no unit that is named; call the column `time_s` or `time_ms`, or declare `time_step` in seconds: 5 or 0.005");
+    assert_snapshot!(refusal(&milliseconds, &in_g), @"line 1: the times rise by 5, and nothing states their unit; name the column `time_s` or `time_ms`, or declare `time_step` as 5 or 0.005 s");
     assert_eq!(
         accelerogram(
             &milliseconds,
@@ -259,6 +261,18 @@ fn issue_other_quantities_in_titles() {
     assert_snapshot!(refusal(text("cm/s"), &nothing()), @r##"line 1 reads "# units: cm/s", which speaks for velocities, and only histories of acceleration are read; take the record of accelerations, such as channel HNE of an accelerometer, or declare `acceleration` if the values were turned into accelerations"##);
     assert_snapshot!(refusal(text("cm"), &nothing()), @r##"line 1 reads "# units: cm", but only histories of acceleration are read; take the accelerations of the record, these are displacements"##);
     assert_snapshot!(refusal(text("counts"), &nothing()), @r##"line 1 reads "# units: counts": the values are counts of a digitiser; declare what one is worth as `per_count`, and in which `unit`"##);
+    for title in [
+        "Velocity time history, dt = 0.01 s",
+        "Displacement (cm), dt = 0.01 s",
+        "velocity in cm/s, 100 sps",
+    ] {
+        let declared = declared(AccelerationUnit::StandardGravity, 0.01);
+        let said = refusal(format!("{title}\n{}", column(30)), &declared);
+        assert!(
+            said.contains("histories of acceleration"),
+            "{title}: {said}"
+        );
+    }
     let displacement = "Time (s),Displacement (cm)\n0.00,0.1\n0.01,-0.2\n0.02,0.1\n";
     assert_snapshot!(refusal(displacement, &nothing()), @r#"line 1 reads "Displacement (cm)", but only histories of acceleration are read; take the accelerations of the record, these are displacements"#);
     // Beside accelerations they are no component.
@@ -269,7 +283,7 @@ fn issue_other_quantities_in_titles() {
 /// Words that look like such statements and are none.
 #[test]
 fn limit_other_words_say_nothing() {
-    let other = "# El Somewhere, 1940, magnitude 6.9, 8 points across in a row\n# Vs30 (m/s): 345, distance 12 km, PGA (g): 0.31\n\
+    let other = "# El Somewhere, 1940, magnitude 6.9, 8 points across in a row\n# shear wave velocity (m/s): 345, distance 12 km, PGA (g): 0.31\n\
                  # filtered at 25 Hz, according to g\n";
     let found = accelerogram(
         format!("{other}{}", column(30)),

@@ -131,6 +131,22 @@ fn reference_broadband_platform_leaves_cm_per_s_to_the_caller() {
     assert_snapshot!(refusal(BBP.replace("0.00 0.5", "0.00"), &declared), @"line 3 has 3 field(s), allowed are 4; fetch the file again");
 }
 
+/// Commas between the columns were refused.
+#[test]
+fn issue_broadband_platform_with_commas() {
+    let declared = Declared {
+        acceleration: true,
+        ..component("EW")
+    };
+    let stated = BBP.replace("cm/s)", "cm/s/s)");
+    let (header, rows) = stated.split_at(stated.find("0.00").expect("rows"));
+    let commas = header.to_owned() + &rows.replace(' ', ",");
+    assert_eq!(
+        accelerogram(commas, &declared).values(),
+        accelerogram(&stated, &declared).values()
+    );
+}
+
 #[test]
 fn extreme_every_cut() {
     for text in [CWB.as_bytes(), &afad(), &unam(), BBP.as_bytes()] {
