@@ -196,6 +196,7 @@ impl FileUse {
             component: self.component.clone(),
             per_count: self.per_count,
             acceleration: self.acceleration,
+            in_rows: false,
         }
     }
 
