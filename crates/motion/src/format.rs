@@ -138,8 +138,10 @@ pub fn read_declared(bytes: &[u8], declared: &Declared) -> Result<Accelerogram, 
         draft.remarks.extend(commas.map(remark));
         draft
     });
-    let settled =
-        draft.and_then(|draft| draft.settle(reader.format, components.get(index), declared));
+    let settled = draft.and_then(|draft| {
+        let ends = !damage::goes_on(&file, draft.end);
+        draft.settle(reader.format, components.get(index), declared, ends)
+    });
     settled.map_err(|error| damage::located(error, &file))
 }
 

@@ -55,6 +55,11 @@ const STRUCTURE: [&str; 24] = [
     "PARAPET",
 ];
 
+/// Words of an address, in capitals: `Tower Rd` is no tower.
+const STREET: [&str; 10] = [
+    "ST", "STREET", "AVE", "AVENUE", "RD", "ROAD", "BLVD", "DR", "DRIVE", "HWY",
+];
+
 /// Words of a floor, in capitals, which need a number before or behind them: `10TH FLOOR`, `FLOOR 3`.
 const FLOOR: [&str; 8] = [
     "FLOOR", "FLR", "FL", "STORY", "STOREY", "LEVEL", "PISO", "NIVEL",
@@ -85,7 +90,7 @@ impl Site {
             ];
             FLOOR.contains(word) && near.into_iter().flatten().any(is_upper)
         });
-        if upper || (has(&STRUCTURE) && !has(&GROUND)) {
+        if upper || (has(&STRUCTURE) && !has(&GROUND) && !has(&STREET)) {
             return Self::Structure(said);
         }
         Self::Ground
@@ -150,6 +155,7 @@ mod tests {
             "Instrument shelter",
             "Free field near bridge",
             "1ST LEVEL",
+            "Tower Rd.",
             "building location description",
             "Depth 0.0 m",
             "DEPTH 0M",

@@ -140,7 +140,7 @@ impl Unusual {
         match self {
             Self::TimeStep { .. } => "0.0001 to 0.1 s",
             Self::Peak { .. } => "0.02 to 3 g; its unit decides it",
-            Self::Zero { .. } => "a motion",
+            Self::Zero { .. } => "shaking",
             Self::OneSigned { .. } => {
                 "shaking both ways; a spectrum, a column of times or an offset has one sign"
             }

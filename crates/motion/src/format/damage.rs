@@ -41,6 +41,17 @@ pub(super) fn located(error: ReadError, file: &File<'_>) -> ReadError {
     }
 }
 
+/// Whether a line of numbers, sound or damaged, stands behind the last value.
+pub(super) fn goes_on(file: &File<'_>, end: Place) -> bool {
+    let last = end.line().unwrap_or(usize::MAX);
+    let mut behind = file
+        .lines
+        .iter()
+        .filter(|line| line.number > last && !line.is_blank());
+    let next = behind.next();
+    next.is_some_and(|line| line.pieces().all(is_like_a_number))
+}
+
 /// A number, or what is left of one: digits with commas, the asterisks of Fortran, the words of programs for what is no number.
 fn is_like_a_number(piece: &[u8]) -> bool {
     let of_digits = |byte: &u8| byte.is_ascii_digit() || b".,+-*?#eEdD".contains(byte);

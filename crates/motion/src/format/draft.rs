@@ -64,17 +64,19 @@ pub(crate) struct Draft {
 }
 
 impl Draft {
-    /// Checks number, quantity, peak and declaration, and makes the accelerogram.
+    /// Checks number, quantity, peak and declaration, and makes the accelerogram. `ends` tells whether no line of numbers
+    /// stands behind the last value.
     pub(super) fn settle(
         mut self,
         format: Format,
         component: Option<&Component>,
         declared: &Declared,
+        ends: bool,
     ) -> Result<Accelerogram, ReadError> {
         let mut readings = vec![reading("format", None, format.name())];
         let velocity = self.velocity(component);
         readings.extend(component.map(|one| reading("component", Some(one.place), &one.name)));
-        readings.extend(self.count()?);
+        readings.extend(self.count(ends)?);
         self.check_quantity(velocity.as_ref(), declared)?;
         let mut values = std::mem::take(&mut self.values);
         let largest = spacing::peak(&values);
@@ -185,7 +187,7 @@ impl Draft {
 
     /// Holds the number of values against that of the header. A few more or fewer of many are told: programs count steps, or
     /// the line of the header.
-    fn count(&self) -> Result<Vec<Reading>, ReadError> {
+    fn count(&self, ends: bool) -> Result<Vec<Reading>, ReadError> {
         let found = self.values.len();
         if found == 0 && self.count.is_none() {
             return Err(ReadError::Empty);
@@ -196,7 +198,7 @@ impl Draft {
             && count.value != found
         {
             let off = found.abs_diff(count.value);
-            if off > MOST_OFF || off > found / 100 {
+            if off > MOST_OFF || off > found / 100 || !ends {
                 return Err(ReadError::SampleCount {
                     place: self.end,
                     found,

@@ -127,10 +127,13 @@ pub(super) fn unit_at_end(name: &str) -> Option<AccelerationUnit> {
 pub(super) fn spectrum(names: &[Name<'_>]) -> Option<&'static str> {
     let (first, values) = names.split_first()?;
     let is_history = first.text.to_ascii_lowercase().starts_with("time") || first.text == "t";
+    let is_short = ["T", "F", "TN"].contains(&first.capitals().as_str());
+    // A word such as `SA` may be the name of a station; a unit behind it tells.
+    let tells = |name: &Name<'_>| name.is_spectral() && (is_short || !name.unit.is_empty());
     let is_spectrum = if values.is_empty() {
-        first.is_spectral()
+        first.is_spectral() && !first.unit.is_empty()
     } else {
-        first.is_axis() || (!is_history && values.iter().any(Name::is_spectral))
+        first.is_axis() || (!is_history && values.iter().any(tells))
     };
     let is_fourier = names.iter().any(|name| {
         let name = name.capitals();

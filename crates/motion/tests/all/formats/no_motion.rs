@@ -71,6 +71,9 @@ fn issue_spectra_are_no_motion() {
     let of_program = "Period [sec]\tAcceleration [g]\tVelocity [cm/sec]\tDisplacement [cm]\n0.00\t0.25\t1.0\t0.1\n0.02\t0.3\t1.0\t0.1\n0.04\t0.3\t1.0\t0.1\n";
     assert!(refusal(of_program, &IN_G).contains("this is a response spectrum"));
     // A time in capitals and the axis of a direction are none.
+    let titled: String = "Station SA\n".to_owned()
+        + &rows_of(20, |step, value| format!("{:.2} {value:.4}\n", 0.01 * step));
+    assert_eq!(accelerogram(titled, &IN_G).values().len(), 20);
     for header in ["T (s),acc (g)", "time,SE (g)", "t,a"] {
         let rows: String = rows_of(20, |step, value| format!("{:.2},{value:.4}\n", 0.01 * step));
         accelerogram(
@@ -104,7 +107,7 @@ fn issue_values_of_one_sign_are_asked_about() {
         [Unusual::OneSigned { .. }]
     ));
     let zeros = "0.0\n".repeat(20);
-    assert_snapshot!(unusual(&accelerogram(zeros, &LIST)), @"found 20 values in the file that are all zero, usual is a motion");
+    assert_snapshot!(unusual(&accelerogram(zeros, &LIST)), @"found 20 values in the file that are all zero, usual is shaking");
     let sums =
         "time,NS (g),EW (g),SUM (g)\n0,0.1,0.2,0.22\n0.01,-0.1,-0.2,0.22\n0.02,0.1,0.2,0.22\n";
     assert_eq!(components(sums.as_bytes()).unwrap(), ["NS", "EW"]);

@@ -157,6 +157,19 @@ fn issue_fewer_values_than_comments_count() {
         "{}",
         readings(&found)
     );
+    // A damaged last line is no end.
+    let at2 = |last: &str| {
+        format!(
+            "A\nB, 180\nACCELERATION IN UNITS OF G\nNPTS= 121, DT= .02 SEC\n{}{last}\n",
+            column(120)
+        )
+    };
+    assert_eq!(accelerogram(at2(""), &nothing()).values().len(), 120);
+    assert!(
+        refusal(at2("****"), &nothing()).contains("asterisks"),
+        "{}",
+        at2("****")
+    );
     let short = CSN.replace("120", "20");
     refusal(format!("{short}{}", column(19)), &nothing());
 }
