@@ -1,74 +1,43 @@
-//! Stub until the readers tell it.
+//! Contents of a file: components, places of sensors, and the record they belong to.
 
-use crate::{Direction, Format, ReadError, components, recognised};
+use crate::{Direction, Format, Site};
 
-/// What a file holds, before a component is chosen.
-#[derive(Clone, Debug, PartialEq)]
+/// `Contents` lists the components of a file and tells which record they belong to.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Contents {
-    /// Its format.
+    /// The format that the file was found to be in.
     pub format: Format,
-    /// Its components, at least one.
+    /// The components in their order, at least one.
     pub channels: Vec<Channel>,
-    /// Where and when it was recorded.
+    /// Where and when the motion was recorded.
     pub identity: Identity,
 }
 
-/// One component of a file.
-#[derive(Clone, Debug, PartialEq)]
+/// A `Channel` is one component of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
-    /// Its name; `None` if the file gives none.
+    /// Its name, by which a caller may choose it; `None` in a file of one that has no name.
     pub name: Option<String>,
-    /// How it lies.
+    /// How it lies; `None` if its name does not tell.
     pub direction: Option<Direction>,
-    /// Where the instrument stands.
+    /// Where its sensor is.
     pub site: Site,
 }
 
-/// Where an instrument stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Site {
-    /// On the ground, or not told.
-    Ground,
-    /// In a borehole, in the words of the file.
-    Borehole(String),
-    /// On a structure, in the words of the file.
-    Structure(String),
-}
-
-/// What a file says of where and when its motion was recorded.
+/// An `Identity` tells where and when a motion was recorded; a field is `None` if the file does not say.
+///
+/// Components of one record have equal identities. Texts are in capitals with one blank between words. A time is written as
+/// `1999-09-20T17:47:15` if the file has a date and a time of day, else as in the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
-    /// Record sequence number of PEER.
+    /// Number of the record in PEER's data bases.
     pub rsn: Option<u32>,
-    /// Station.
+    /// Station, by its code or name.
     pub station: Option<String>,
-    /// Event.
+    /// Event, by its code or name.
     pub event: Option<String>,
-    /// Time.
+    /// Time of the event or of the first sample.
     pub time: Option<String>,
-    /// Title without its direction.
+    /// Title, without the direction of the component.
     pub title: Option<String>,
-}
-
-/// What a file holds.
-///
-/// # Errors
-/// Those of a file of no known format.
-pub fn contents(bytes: &[u8]) -> Result<Contents, ReadError> {
-    let names = components(bytes)?;
-    let format = recognised(bytes).expect("its components were found");
-    let channel = |name: Option<String>| Channel {
-        direction: name.as_deref().and_then(Direction::of_component),
-        name,
-        site: Site::Ground,
-    };
-    let mut channels: Vec<Channel> = names.into_iter().map(|name| channel(Some(name))).collect();
-    if channels.is_empty() {
-        channels.push(channel(None));
-    }
-    Ok(Contents {
-        format,
-        channels,
-        identity: Identity::default(),
-    })
 }

@@ -7,7 +7,8 @@ use std::sync::Arc;
 use crate::file::{FileUse, Generated, ScaleTo, check};
 use crate::{Error, MotionError, RecordUse, SceneError, Source, record_bytes};
 use pounding_motion::{
-    Accelerogram, Declared, NamedFile, Quantity, ReadError, Record, RecordError, read_declared,
+    Accelerogram, Declared, NamedFile, Quantity, ReadError, Record, RecordError, RowError,
+    read_declared,
 };
 use sha2::{Digest, Sha256};
 
@@ -189,7 +190,7 @@ impl Origin {
         let name = shown_name(path);
         let quantity = NamedFile::of(&name).quantity;
         match quantity.filter(|_| !file.states_acceleration() && !declared.acceleration) {
-            Some(quantity @ (Quantity::Velocity | Quantity::Displacement)) => {
+            Some(quantity @ (Quantity::Velocity | Quantity::Displacement | Quantity::Spectrum)) => {
                 Err(Error::NameSaysOtherwise { name, quantity })
             }
             Some(Quantity::Acceleration) | None => Ok(Self {
@@ -214,6 +215,7 @@ impl Origin {
             time_step_s: None,
             per_count: None,
             acceleration: false,
+            in_rows: false,
             ..declared.clone()
         };
         loop {
@@ -224,8 +226,13 @@ impl Origin {
                     taken.time_step_s = declared.time_step_s;
                 } else if matches!(source, ReadError::UnitNotStated | ReadError::Counts { .. }) {
                     (taken.unit, taken.per_count) = (declared.unit, declared.per_count);
-                } else if matches!(source, ReadError::Velocity { .. }) {
+                } else if matches!(
+                    source,
+                    ReadError::Velocity { .. } | ReadError::OneSigned { .. }
+                ) {
                     taken.acceleration = declared.acceleration;
+                } else if matches!(source, ReadError::Row(RowError::Rows { .. })) {
+                    taken.in_rows = declared.in_rows;
                 }
             } else if matches!(&tried, Err(Error::NameSaysOtherwise { .. })) {
                 taken.acceleration = declared.acceleration;
@@ -269,6 +276,7 @@ impl FileUse {
             component: self.component.clone(),
             per_count: self.per_count,
             acceleration: self.acceleration,
+            in_rows: self.in_rows,
         }
     }
 }

@@ -144,10 +144,11 @@ impl Suite {
                 Entry::Other(other) => left_out.push(other),
             }
         }
-        let read = files
-            .par_iter()
-            .map(|file| of_file(file, declared))
-            .collect::<Vec<_>>();
+        let names: Vec<String> = files.iter().map(|file| shown_name(&file.path)).collect();
+        let named = NamedFile::of_all(&names);
+        let read: Vec<_> = (files.par_iter().zip(named))
+            .map(|(file, named)| of_file(file, named, declared))
+            .collect();
         let mut motions = Vec::new();
         let n_entries = files.len() + left_out.len();
         for (file, read) in files.iter().zip(read) {
@@ -226,7 +227,7 @@ pub fn whether_it_shakes(
 }
 
 /// The motions of a file: one, or one for each component.
-fn of_file(file: &File, declared: &FileUse) -> Vec<Result<Motion, Refused>> {
+fn of_file(file: &File, named: NamedFile, declared: &FileUse) -> Vec<Result<Motion, Refused>> {
     let path = &file.path;
     let bytes = match opened(path) {
         Ok(bytes) => bytes,
@@ -242,7 +243,7 @@ fn of_file(file: &File, declared: &FileUse) -> Vec<Result<Motion, Refused>> {
     let of = OfFile {
         path,
         bytes: &bytes,
-        named: NamedFile::of(&shown_name(path)),
+        named,
         found: &found,
         declared,
     };

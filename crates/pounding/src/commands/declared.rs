@@ -23,9 +23,12 @@ pub(super) struct Declared {
     /// What one count of a digitiser is worth, in --unit.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     per_count: Option<f64>,
-    /// Accelerations, though the file speaks for velocities.
+    /// Accelerations, though the file suggests otherwise.
     #[arg(long)]
     acceleration: bool,
+    /// Several numbers to a line are consecutive values.
+    #[arg(long)]
+    in_rows: bool,
 }
 
 /// The units by the names that scenes give them.
@@ -43,6 +46,7 @@ impl Declared {
             time_step_s: self.time_step.or(of_scene.time_step_s),
             per_count: self.per_count.or(of_scene.per_count),
             acceleration: self.acceleration || of_scene.acceleration,
+            in_rows: self.in_rows || of_scene.in_rows,
             ..of_scene
         }
     }

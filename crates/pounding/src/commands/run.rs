@@ -207,7 +207,7 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     })
 }
 
-const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration), allowed is it with --records; of the \
+const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration, --in-rows), allowed is it with --records; of the \
                          scene's own record declare it in the scene, such as `record.unit`";
 
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";

@@ -120,6 +120,7 @@ fn named_quantity(quantity: Quantity) -> &'static str {
         Quantity::Acceleration => "acceleration",
         Quantity::Velocity => "velocity",
         Quantity::Displacement => "displacement",
+        Quantity::Spectrum => "spectrum",
     }
 }
 
@@ -131,6 +132,7 @@ fn by_fields(error: &ReadError) -> String {
         ("`component`", "`record.component`"),
         ("`per_count`", "`record.per_count`"),
         ("`acceleration`", "`record.acceleration` as true"),
+        ("`in_rows`", "`record.in_rows` as true"),
     ]
     .iter()
     .fold(error.to_string(), |text, (word, field)| {

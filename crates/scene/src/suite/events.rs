@@ -1,7 +1,5 @@
 //! Which motions are components of one record: they are one event, and no two independent motions.
 
-use pounding_motion::same_record;
-
 use super::{Motion, Suite};
 
 /// Numbers the events of the motions, from 0 in the order of the motions.
@@ -67,5 +65,5 @@ fn are_of_one_record(one: &Motion, other: &Motion) -> bool {
         || one.named.azimuth != other.named.azimuth
         || one.origin.file.component() != other.origin.file.component();
     let by_title = same(&own.title, &others.title) == Some(true) && is_in_two_directions;
-    by_title || (one.path.parent() == other.path.parent() && same_record(&one.named, &other.named))
+    by_title || (one.path.parent() == other.path.parent() && one.named.same_record(&other.named))
 }

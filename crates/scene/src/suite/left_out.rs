@@ -44,6 +44,8 @@ pub enum ReasonKind {
     Velocity,
     /// A displacement, by its name.
     Displacement,
+    /// A spectrum or another quantity, by its content or its name.
+    NoAcceleration,
     /// The instrument stands in a borehole.
     Borehole,
     /// The instrument stands on a structure.
@@ -70,6 +72,11 @@ impl ReasonKind {
             Self::Zeros => ["record of zeros", "records of zeros", "they shake nothing"],
             Self::Velocity => ["velocity", "velocities", NO_ACCELERATION],
             Self::Displacement => ["displacement", "displacements", NO_ACCELERATION],
+            Self::NoAcceleration => [
+                "spectrum or other quantity",
+                "spectra or other quantities",
+                NO_ACCELERATION,
+            ],
             Self::Borehole => [
                 "record in a borehole",
                 "records in boreholes",
@@ -122,10 +129,14 @@ impl Reason {
                     ReasonKind::NoRecord.saying("")
                 }
                 ReadError::Velocity { found, .. } => ReasonKind::Velocity.saying(found),
+                ReadError::NotAcceleration { found, .. } | ReadError::Quantity { found, .. } => {
+                    ReasonKind::NoAcceleration.saying(found)
+                }
                 _ => ReasonKind::Refused.saying(error.reason()),
             },
             Error::NameSaysOtherwise { quantity, .. } => match quantity {
                 Quantity::Displacement => ReasonKind::Displacement.saying("by its name"),
+                Quantity::Spectrum => ReasonKind::NoAcceleration.saying("by its name"),
                 Quantity::Velocity | Quantity::Acceleration => {
                     ReasonKind::Velocity.saying("by its name")
                 }

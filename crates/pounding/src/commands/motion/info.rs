@@ -124,14 +124,7 @@ impl Listed {
     fn placed(&self, opened: &Opened) -> Result<Option<Direction>, Reason> {
         let name = opened.component();
         let own = self.channels.iter().find(|channel| channel.name == name);
-        let named = NamedFile::of(
-            &self
-                .file
-                .path
-                .file_name()
-                .unwrap_or_default()
-                .to_string_lossy(),
-        );
+        let named = NamedFile::of(self.file.path.file_name().unwrap_or_default());
         own.map_or(Ok(None), |channel| {
             whether_it_shakes(channel, &named, self.channels.len() > 1)
         })
