@@ -8,7 +8,7 @@ use pounding::scene::{Error, Motion, Scene, Simulation, Suite};
 
 pub(super) use pounding::scene::lines::{Line, failed, nothing_found};
 
-use super::declared::Declared;
+use super::declared::{Declared, by_options};
 use crate::progress::Progress;
 use crate::text::paragraph;
 
@@ -17,13 +17,14 @@ use crate::text::paragraph;
 /// # Errors
 /// Says that the folder cannot be read, or why nothing in it shakes a row.
 pub(super) fn read(folder: &Path, declared: &Declared, scene: &Scene) -> Result<Suite, String> {
-    Suite::in_folder(folder, &declared.of_files(scene)).map_err(|error| error.to_string())
+    Suite::in_folder(folder, &declared.of_files(scene))
+        .map_err(|error| by_options(&error.to_string()))
 }
 
 /// Says how many files became how many events, what is left out, and what failed.
 pub(super) fn records<T>(suite: &Suite, lines: &[Line<T>], details: bool) -> String {
     let said = [vec![suite.counts()], failed(lines), suite.remarks(details)];
-    paragraph("Records", &said.concat().join("\n"))
+    paragraph("Records", &by_options(&said.concat().join("\n")))
 }
 
 /// The lines of a folder that are finished, and how many there are to be.

@@ -222,12 +222,12 @@ impl Suite {
             )
         });
         let left_out = self.said_of_left_out(details).into_iter();
-        let said = left_out.chain(alike).chain(self.declared(details));
+        let said = left_out.chain(alike).chain(self.declared());
         said.chain(self.untold(details)).collect()
     }
 
     /// Names every file for which something was declared because it does not say it.
-    fn declared(&self, details: bool) -> Vec<String> {
+    fn declared(&self) -> Vec<String> {
         let mut taken: Vec<(String, Vec<&str>)> = Vec::new();
         for motion in &self.motions {
             let words = motion.taken.words();
@@ -240,7 +240,7 @@ impl Suite {
             }
         }
         let said = |(words, names): (String, Vec<&str>)| {
-            let names = listed(&names, details);
+            let names = names.join(", ");
             format!("{words} is declared, and was taken for what does not say it: {names}")
         };
         taken.into_iter().map(said).collect()

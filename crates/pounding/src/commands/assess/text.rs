@@ -4,6 +4,7 @@ use pounding::report::AssessmentReport;
 use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
 use pounding::text::{millimetres, two_decimals, two_digits};
 
+use crate::commands::declared::by_options;
 use crate::text::{NONE, paragraph, short, table};
 
 /// Most lines of a table on the first screen.
@@ -24,7 +25,10 @@ pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
     parts.extend(storeys(report, most));
     parts.extend(pairs(report, most));
     if !report.remarks().is_empty() {
-        parts.push(paragraph("Records", &report.remarks().join("\n")));
+        parts.push(paragraph(
+            "Records",
+            &by_options(&report.remarks().join("\n")),
+        ));
     }
     if details {
         parts.push(runs(report));

@@ -129,13 +129,8 @@ pub(super) fn processed(path: &Path, record: &RecordUse) -> Result<Opened, Strin
 }
 
 /// Fields of a scene and the options that stand for them; a field comes before the table that it is in.
-const OPTIONS: [(&str, &str); 20] = [
-    ("`record.unit`", "--unit"),
-    ("`record.time_step_s`", "--time-step"),
+const OPTIONS: [(&str, &str); 15] = [
     ("`record.component`", "--component"),
-    ("`record.per_count`", "--per-count"),
-    ("`record.acceleration` as true", "--acceleration"),
-    ("`record.in_rows` as true", "--in-rows"),
     ("record.gravity_m_per_s2", "--gravity"),
     ("record.detrend", "--detrend"),
     ("record.band_pass.low_hz", "--band-pass LOW"),
@@ -163,7 +158,9 @@ fn message(path: &Path, error: &Error) -> String {
     };
     let by_options = OPTIONS
         .iter()
-        .fold(text, |text, (field, option)| text.replace(field, option));
+        .fold(declared::by_options(&text), |text, (field, option)| {
+            text.replace(field, option)
+        });
     format!("{}: {by_options}", path.display())
 }
 
