@@ -6,7 +6,7 @@ pub mod lines;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use pounding_motion::{Direction, components};
+use pounding_motion::{Direction, Record, components};
 
 use crate::{
     Error, FileUse, GroundMotion, Options, RecordUse, Scene, Simulation, Source, Vertical,
@@ -63,7 +63,7 @@ impl Motion {
     /// declares of its own file holds for a file that does not say it itself.
     ///
     /// # Errors
-    /// Those of [`Simulation::new`]; [`Error::Vertical`].
+    /// Those of [`Simulation::new`]; [`Error::Vertical`]; [`Error::AtRest`].
     pub fn shake(&self, scene: &Scene, reversed: bool) -> Result<Simulation, Error> {
         self.shake_until(scene, reversed, None)
     }
@@ -86,20 +86,20 @@ impl Motion {
         scene.record.reversed = reversed;
         self.where_unsaid(&scene.record.clone(), |source| {
             scene.record.source = source;
-            Simulation::new(
-                &scene,
-                Options {
-                    stop,
-                    ..Options::default()
-                },
-            )
+            let options = Options {
+                stop,
+                ..Options::default()
+            };
+            let prepared = Simulation::new(&scene, options)?;
+            moves(prepared.record())?;
+            Ok(prepared)
         })
     }
 
     /// The motion used as `record` says, but for its source; and that use with this motion as its source.
     ///
     /// # Errors
-    /// Those of [`GroundMotion::of`].
+    /// Those of [`GroundMotion::of`]; [`Error::AtRest`].
     pub fn used_as(
         &self,
         record: &RecordUse,
@@ -108,7 +108,9 @@ impl Motion {
         let mut record = record.clone();
         let motion = self.where_unsaid(&record.clone(), |source| {
             record.source = source;
-            GroundMotion::of(&record, Path::new(""), scene)
+            let motion = GroundMotion::of(&record, Path::new(""), scene)?;
+            moves(&motion.record)?;
+            Ok(motion)
         })?;
         Ok((record, motion))
     }
@@ -143,6 +145,15 @@ impl Motion {
     fn file_name(&self) -> String {
         let name = self.path.file_name().unwrap_or_default();
         name.to_string_lossy().into_owned()
+    }
+}
+
+/// Refuses a motion that is none: a file of zeros would count as an event.
+fn moves(record: &Record) -> Result<(), Error> {
+    if record.peak().1.abs() > 0.0 {
+        Ok(())
+    } else {
+        Err(Error::AtRest)
     }
 }
 

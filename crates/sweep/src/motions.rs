@@ -6,8 +6,8 @@ use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
 use pounding_scene::{
-    Error, GroundMotion, Motion, Orientation, Origin, RecordUse, Scene, SceneError, SharedMotion,
-    Source,
+    Error, GroundMotion, Implausible, Motion, Orientation, Origin, RecordUse, Scene, SceneError,
+    SharedMotion, Source,
 };
 
 /// One ground motion in one direction.
@@ -58,6 +58,8 @@ pub(super) struct Motions {
     pub(super) left_out: Vec<String>,
     /// Names of those whose direction nothing tells.
     pub(super) untold: Vec<String>,
+    /// What looks wrong in each, by its name.
+    pub(super) unusual: Vec<(String, Implausible)>,
     /// Files that were read, those left out included.
     pub(super) files: Vec<PathBuf>,
     /// Whether they stand in place of the scene's own record, whose duration then does not count.
@@ -87,6 +89,7 @@ impl Motions {
             all: Vec::new(),
             left_out: Vec::new(),
             untold: Vec::new(),
+            unusual: Vec::new(),
             files: Vec::new(),
             replace: file.records.is_some(),
             duration_varies: axes
@@ -125,6 +128,9 @@ impl Motions {
     }
 
     fn add(&mut self, name: &str, record: RecordUse, motion: GroundMotion) {
+        let doubts = motion.doubts(&record, self.differs == Differs::Nothing);
+        let named = doubts.into_iter().map(|doubt| (name.to_owned(), doubt));
+        self.unusual.extend(named);
         let origin = motion.origin.as_ref();
         let sha256 = origin.map(|origin| origin.sha256.clone());
         let mut motion = SharedMotion::from(motion);
@@ -174,7 +180,7 @@ impl Motions {
                     }
                 }
                 // As `gap` and `run` do: a folder may hold other files than records.
-                Err(refused @ Error::Record { .. }) if is_folder => {
+                Err(refused @ (Error::Record { .. } | Error::AtRest)) if is_folder => {
                     self.left_out.push(format!("{name}: {}", refused.reason()));
                     continue;
                 }

@@ -18,7 +18,7 @@ pub(super) use joined::{answer, result};
 use super::Failure;
 use super::suite::{STOPPED, said_of_untold, stop_when_asked};
 use crate::progress::{Counter, Waiting};
-use crate::text::{paragraph, percent};
+use crate::text::{paragraph, percent, unusual};
 use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
@@ -146,7 +146,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
 
 /// Joins what has run, and says what it was.
 fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
-    let mut lines = vec![paragraph("Sweep", &runs(sweep, &parts))];
+    let mut lines: Vec<String> = unusual(&sweep.unusual()).into_iter().collect();
+    lines.push(paragraph("Sweep", &runs(sweep, &parts)));
+    lines.extend(
+        sweep
+            .says_no_contact()
+            .map(|said| paragraph("Contact", said)),
+    );
     if !sweep.left_out().is_empty() {
         lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
     }

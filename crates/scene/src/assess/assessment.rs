@@ -207,13 +207,8 @@ impl Row<'_> {
     /// A floor in the runs in which something touches its building.
     fn hits(&self, floor: usize) -> Vec<&AssessedFloor> {
         let building = self.floors.all()[floor].structure;
-        let hits = |run: &AssessedRun| {
-            let facing = self.floors.facing().iter().zip(&run.pairs);
-            let touching = facing.filter(|(_, pair)| pair.collisions > 0);
-            let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
-            sides.any(|side| self.floors.all()[side].structure == building)
-        };
-        let hit = self.runs.iter().filter(|(_, run)| hits(run));
+        let hit = self.runs.iter();
+        let hit = hit.filter(|(_, run)| run.hits(self.floors, building));
         hit.map(|(_, run)| &run.floors[floor]).collect()
     }
 

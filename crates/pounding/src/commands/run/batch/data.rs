@@ -181,6 +181,7 @@ pub(super) fn json(scene: &Scene, lines: &[Line]) -> String {
     json_text(&json!({
         "schema_version": SCHEMA_VERSION,
         "scene": scene,
+        "unusual": super::unusual(lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
     }))
 }
