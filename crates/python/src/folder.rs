@@ -1,11 +1,11 @@
 //! A row under a folder of records.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use pounding_report::{AssessmentReport, ScalingAsked, remarks};
-use pounding_scene::lines::{Line, Watched, lines_of};
+use pounding_report::{AssessmentReport, ScalingAsked};
+use pounding_scene::lines::{Line, Watched, failed, lines_of};
 use pounding_scene::{
-    DesignSpectrum, Error, Implausible, Method, ScaleTo, Scaling, Scene, Separation,
+    DesignSpectrum, Error, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite,
 };
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -52,15 +52,16 @@ pub(crate) fn assess(
             method: Method::EXACT,
             ..given.scene().map_err(|error| said(&error))?
         };
+        let suite = suite_of(&folder, &scene)?;
         let lines = lines_of(
-            &folder,
+            &suite,
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |motion| scaling.applied(&scene, motion),
             |prepared, spectrum| Ok((prepared.assessed(None, [from, 1.0, to])?, spectrum.clone())),
         )?;
         let report =
-            AssessmentReport::of_lines(scene, &lines.lines).map_err(|error| said(&error))?;
+            AssessmentReport::of_lines(scene, &suite, &lines.lines).map_err(|error| said(&error))?;
         let report = report.ok_or("stopped")?.with_stiffness(stiffness);
         let report = report.with_scaling(ScalingAsked {
             to: scaling.clone(),
@@ -69,6 +70,11 @@ pub(crate) fn assess(
         Ok(Assessment { report })
     })?;
     found.or_refused(py)
+}
+
+/// The records of a folder, of which a scene declares what they do not say.
+fn suite_of(folder: &Path, scene: &Scene) -> Result<Suite, String> {
+    Suite::in_folder(folder, &scene.record.declared()).map_err(|error| said(&error))
 }
 
 fn watched<'a>(watch: &Watch, step: &'a (dyn Fn(usize) + Sync)) -> Watched<'a> {
@@ -155,18 +161,23 @@ pub(crate) fn required_gap(
     let found = wait(py, progress, |watch| -> Result<_, String> {
         let scene = given.scene().map_err(|error| said(&error))?;
         let apart = scene.apart();
+        let suite = suite_of(&folder, &scene)?;
         let lines = lines_of(
-            &folder,
+            &suite,
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |_| Ok::<_, Error>((apart.clone(), ())),
             |prepared, ()| Ok((prepared.separations()?, prepared.doubts())),
         )?;
-        Ok((scene, lines.lines))
+        let said = [
+            vec![suite.counts()],
+            failed(&lines.lines),
+            suite.remarks(true),
+        ];
+        Ok((scene, lines.lines, said.concat()))
     })?;
-    let (scene, lines) = found.or_refused(py)?;
-    let mut said = unusual(&lines);
-    said.extend(remarks(&lines));
+    let (scene, lines, said) = found.or_refused(py)?;
+    let said = [unusual(&lines), said].concat();
     Ok((gaps(&scene, &lines), said))
 }
 

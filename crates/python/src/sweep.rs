@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use pounding_scene::lines::said_of_untold;
 use pounding_sweep::{Sweep, SweepColumn, SweepFile};
 use pyo3::prelude::*;
 
@@ -21,7 +20,7 @@ pub(crate) fn sweep(
     text: &str,
     path: PathBuf,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(Table, Vec<String>, Option<String>, Vec<String>)> {
+) -> PyResult<(Table, Vec<String>)> {
     let ran = wait(py, progress, |watch| -> Result<_, String> {
         let words = |error: pounding_scene::Error| crate::refused::said(&error);
         let file = SweepFile::parse(text.as_bytes(), &path).map_err(words)?;
@@ -30,14 +29,11 @@ pub(crate) fn sweep(
         let of = sweep.n_runs();
         let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;
-        let told = (
-            sweep.left_out().to_vec(),
-            said_of_untold(sweep.untold()).map(|said| format!("direction {said}")),
-            sweep.unusual().iter().map(ToString::to_string).collect(),
-        );
-        Ok((columns, told))
+        let unusual = sweep.unusual().iter().map(ToString::to_string).collect();
+        let remarks = sweep.suite().map(|suite| suite.said(true));
+        Ok((columns, [unusual, remarks.unwrap_or_default()].concat()))
     })?;
-    let (columns, (left_out, untold, unusual)) = ran.or_refused(py)?;
+    let (columns, remarks) = ran.or_refused(py)?;
     let columns = columns.into_iter().map(|(name, column)| {
         let column = match column {
             SweepColumn::Counts(counts) => Column::Counts(counts.into()),
@@ -47,5 +43,5 @@ pub(crate) fn sweep(
         };
         (name, column)
     });
-    Ok((Table::new(columns), left_out, untold, unusual))
+    Ok((Table::new(columns), remarks))
 }

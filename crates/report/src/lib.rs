@@ -50,7 +50,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use animation::Animation;
-pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked, remarks};
+pub use assessment::{AssessedMotion, AssessmentReport, FolderOfMotions, ScalingAsked};
 pub use blow::Blow;
 pub use direction::{BothDirections, other_direction, other_direction_exact, run_sentence};
 use figures::Known;

@@ -89,7 +89,9 @@ pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::{Summary, SummaryError};
 
-use pounding_scene::{Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation};
+use pounding_scene::{
+    Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite,
+};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -225,11 +227,6 @@ impl Sweep {
         self.summary.is_some() && self.without_rows().is_none()
     }
 
-    /// Records that are left out, each with the reason.
-    pub fn left_out(&self) -> &[String] {
-        &self.motions.left_out
-    }
-
     /// What looks wrong in the motions, and in the row with the first values of grids and lists and the medians of what is sampled.
     pub fn unusual(&self) -> Vec<Implausible> {
         let of_row = self.first_row().map_or_else(Vec::new, |row| row.doubts());
@@ -255,9 +252,9 @@ impl Sweep {
         self.first_row()?.floors().says_no_contact()
     }
 
-    /// Returns the names of records whose direction nothing tells; they count as horizontal.
-    pub fn untold(&self) -> &[String] {
-        &self.motions.untold
+    /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.
+    pub fn suite(&self) -> Option<&Suite> {
+        self.motions.suite.as_ref()
     }
 
     /// Returns the files that were read: sweep, scene, records.

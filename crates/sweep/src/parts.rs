@@ -36,8 +36,9 @@ pub struct Parts {
 impl Parts {
     /// The folder of the parts of a table that goes to `out`: `out` with `.parts` behind its name.
     pub fn folder_of(out: &Path) -> PathBuf {
-        let name = out.file_name().unwrap_or_default().to_string_lossy();
-        out.with_file_name(format!("{name}.parts"))
+        let mut name = out.file_name().unwrap_or_default().to_os_string();
+        name.push(".parts");
+        out.with_file_name(name)
     }
 
     /// Whether there is anything in the folder of parts of a table.

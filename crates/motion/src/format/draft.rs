@@ -113,6 +113,7 @@ impl Draft {
             provenance: self.provenance,
             readings,
             unusual: unusual(time_step, peak, velocity),
+            states_acceleration: matches!(self.scale, Scale::Unit(_) | Scale::Acceleration),
         })
     }
 

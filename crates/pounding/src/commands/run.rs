@@ -9,6 +9,7 @@ use pounding::report::{BothDirections, Report, Summary, other_direction};
 use pounding::scene::{Effects, Error, Implausible, Review, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
+use super::declared::Declared;
 use crate::folder::Out;
 use crate::progress::Waiting;
 use crate::summary;
@@ -33,11 +34,9 @@ printed and written; pressed again it ends at once.
 `pounding init` writes a scene to begin with; files named in a scene are
 relative to its folder.
 
-Of a folder of records vertical components are left out: by the name that a
-file gives its component, such as UP, UD, V, Z or DWN (of an AT2 file the
-direction in its title), and where it gives none by the end of the file's name,
-such as -UP, _V or .UD. Where
-nothing tells, the motion counts as horizontal and is listed under Direction.";
+Of a folder of records verticals, velocities, copies, and records in boreholes
+or on structures are left out. Records lists them with the reason, and those
+whose direction nothing tells: they count as horizontal.";
 
 /// What is asked of `run`.
 #[derive(Debug, clap::Args)]
@@ -59,6 +58,8 @@ pub(crate) struct Arguments {
     shown: Shown,
     #[command(flatten)]
     results: Results,
+    #[command(flatten)]
+    declared: Declared,
 }
 
 /// How the scene is run.
@@ -149,6 +150,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     if let Some(folder) = &args.suite.records {
         return batch::run(args, folder);
     }
+    if args.declared != Declared::default() {
+        return Err(NO_FOLDER.into());
+    }
     let path = &args.scene;
     let out = args.results.open()?;
     let refused = |error| hint(error, path);
@@ -200,6 +204,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
         )
     })
 }
+
+const NO_FOLDER: &str = "found what files do not say (--unit, --time-step, --per-count, --acceleration), allowed is it with --records; of the \
+                         scene's own record declare it in the scene, such as `record.unit`";
 
 const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whatever the scene says: without it the scene runs by its own method";
 

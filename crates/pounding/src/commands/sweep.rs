@@ -16,7 +16,7 @@ use pounding::text::digits;
 pub(super) use joined::{answer, result};
 
 use super::Failure;
-use super::suite::{STOPPED, said_of_untold, stop_when_asked};
+use super::suite::{STOPPED, stop_when_asked};
 use crate::progress::{Counter, Waiting};
 use crate::text::{paragraph, percent, unusual};
 use crate::{new_file, say};
@@ -153,10 +153,11 @@ fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<Stri
             .says_no_contact()
             .map(|said| paragraph("Contact", said)),
     );
-    if !sweep.left_out().is_empty() {
-        lines.push(paragraph("Left out", &sweep.left_out().join("\n")));
-    }
-    lines.extend(said_of_untold(sweep.untold()).map(|said| paragraph("Direction", &said)));
+    lines.extend(
+        sweep
+            .suite()
+            .map(|suite| super::suite::records::<()>(suite, &[], false)),
+    );
     if let Some(accuracy) = sweep.accuracy() {
         lines.push(paragraph("Accuracy", &measured(accuracy, out)?));
     }

@@ -237,7 +237,7 @@ fn issue_components_are_listed_with_unit_and_time_of_peak() {
     Chan 1: 90 Deg       20  0.005  cm/s²  0.09048  0.005  0.007727  0.07249
     Chan 2: Up           19  0.005  cm/s²  0.04395      0  0.002305  0.07025
 
-    Vertical  shakes no row of a folder: Chan 2: Up
+    No row    Chan 2: Up: vertical component, by the name in the file
 
     Drift     Chan 1: 90 Deg; Chan 2: Up: the ground does not come to rest: an
               offset of the baseline, or a record cut short; PGV and PGD are those

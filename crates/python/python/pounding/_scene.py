@@ -453,15 +453,9 @@ class Scene:
             elif arrays := arrays_of(record or self._record):
                 (only,) = stack.enter_context(folder_of(arrays)).iterdir()
                 scene["record"] = {"file": str(only)}
-            native, left_out, untold, unusual = _pounding.sweep(
-                to_json(given), base, shown(progress)
-            )
-        for one in unusual:
+            native, remarks = _pounding.sweep(to_json(given), base, shown(progress))
+        for one in remarks:
             warnings.warn(one, PoundingWarning, stacklevel=3)
-        for one in left_out:
-            warnings.warn(f"left out: {one}", PoundingWarning, stacklevel=3)
-        if untold:
-            warnings.warn(untold, PoundingWarning, stacklevel=3)
         return native
 
     def _for_sweep(self, record: Record | None, replaced: bool) -> tuple[dict[str, Any], Path]:

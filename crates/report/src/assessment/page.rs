@@ -135,12 +135,11 @@ fn gaps(report: &AssessmentReport) -> String {
         vec![
             Cell::new(format!("{left} – {right}")),
             Cell::known(gap.own.map(millimetres)),
-            Cell::new(format!("{} of {}", gap.touching, report.assessment.runs)),
+            Cell::new(report.of_cases(gap.touching)),
             needed(gap.required.median()),
             needed(gap.required.p84()),
             needed(gap.required.largest()),
             Cell::known(dispersion.map(two_decimals)),
-            Cell::known(gap.required_of_events.dispersion().map(two_decimals)),
             width(gap.proposal()),
         ]
     };
@@ -153,12 +152,11 @@ fn gaps(report: &AssessmentReport) -> String {
         "84 % [mm]",
         "Largest [mm]",
         "Spread σ ln",
-        "Of events σ ln",
         "Proposed [mm]",
     ];
     format!(
-        "<p>The width that keeps the neighbours apart in a run: the largest closing of the gap while every building stands alone. The spread of \
-         events is that of the largest width of each event.</p>\n{}",
+        "<p>The width that keeps the neighbours apart under an event: the largest closing of the gap while every building stands alone, of its \
+         components in both directions.</p>\n{}",
         table(&header, &rows)
     )
 }
@@ -198,22 +196,22 @@ fn touching(report: &AssessmentReport) -> String {
         .collect();
     let header = [
         "Pair",
-        "Runs that touch",
+        "They touch",
         "Force [kN]",
         "Largest impulse [kN·s]",
         "Speed ≤ [m/s]",
     ];
     let worse = report.worse();
     let storeys = if worse.is_empty() {
-        "<p>No storey gets worse by more than 10 % in more than 16 % of the runs.</p>\n".into()
+        "<p>No storey gets worse by more than 10 % in more than 16 % of the events.</p>\n".into()
     } else {
         format!(
-            "<p>Storeys that get worse by more than 10 % in more than 16 % of the runs:</p>\n{}",
+            "<p>Storeys that get worse by more than 10 % in more than 16 % of the events:</p>\n{}",
             storeys(report, &worse)
         )
     };
     format!(
-        "{storeys}<p>Forces and impulses from the median of the runs with the contact that gives least to the largest of all runs and \
+        "{storeys}<p>Forces and impulses from the median of the events with the contact that gives least to the largest of all runs and \
          contacts, {from} to {to} times as stiff as in the scene: nobody knows the stiffness better, and it decides forces and accelerations.</p>\n{}",
         table(&header, &rows)
     )
@@ -312,7 +310,7 @@ fn storeys(report: &AssessmentReport, floors: &[(usize, &FloorAssessment)]) -> S
         "Largest drift [mm]",
     ];
     format!(
-        "<p class=\"soft\">Median / 84 % of the runs in which their building touches; accelerations from the median with the contact that \
+        "<p class=\"soft\">Median / 84 % of the events in which their building touches; accelerations from the median with the contact that \
          gives least to 84 % with the one that gives most, as forces.</p>\n{}",
         table(&header, &rows)
     )
@@ -329,7 +327,7 @@ fn rules(report: &AssessmentReport) -> String {
                 width(rule.width.median()),
                 width(rule.width.p84()),
                 width(rule.width.largest()),
-                Cell::new(format!("{} of {}", rule.too_narrow, report.assessment.runs)),
+                Cell::new(report.of_cases(rule.too_narrow)),
                 Cell::new(format!("{:.0} %", 100.0 * rule.least_share)),
             ]);
         }

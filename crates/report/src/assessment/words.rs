@@ -47,32 +47,32 @@ impl AssessmentReport {
         answers.chain(more).collect()
     }
 
-    /// What is said before the answer: how many motions of the folder shake nothing, unless they are vertical, and what the answer
-    /// rests on and should not.
+    /// Says before the answer how many records of the folder may be missing in it, and what it rests on and should not.
     pub fn before(&self) -> Vec<String> {
-        let failed = self.folder.failed;
-        let horizontal = failed + self.records();
-        let left_out = (failed > 0).then(|| {
-            format!("{failed} of {horizontal} motions of the folder are left out, for reasons given below.")
-        });
-        left_out.into_iter().chain(self.cautions()).collect()
+        let n = self.folder.n_unusable;
+        let are = if n == 1 {
+            "record of the folder is"
+        } else {
+            "records of the folder are"
+        };
+        let missing = (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."));
+        missing.into_iter().chain(self.cautions()).collect()
     }
 
     /// The motions in a few lines: how many, of how many events, and how strong they are beside what was asked for.
     pub fn shaking(&self) -> Vec<String> {
-        let vertical = match self.folder.vertical {
-            0 => String::new(),
-            1 => ", without one vertical component".into(),
-            n => format!(", without {n} vertical components"),
-        };
         let neighbours = match self.neighbours().len() {
             0 => String::new(),
             n => format!(" beside each of {n} neighbours"),
         };
+        let of = if self.folder.counts.is_empty() {
+            self.motions_of_events()
+        } else {
+            self.folder.counts.clone()
+        };
+        let runs = self.assessment.runs;
         let mut said = vec![format!(
-            "{}, both directions each{neighbours}: {} runs{vertical}",
-            self.motions_of_events(),
-            self.assessment.runs
+            "{of}; both directions each{neighbours}: {runs} runs"
         )];
         said.push(format!("scaled {}", self.scaling.to));
         if let Some(fit) = &self.fit {
@@ -91,17 +91,29 @@ impl AssessmentReport {
         said
     }
 
-    /// "19 of 22 runs", with the events where components make up events.
-    fn touch_in(&self, gap: &GapAssessment) -> String {
-        let Self { assessment, .. } = self;
-        let runs = format!("{} of {} runs", gap.touching, assessment.runs);
-        if assessment.events == self.records() || assessment.events == 1 {
-            return runs;
+    /// What a sample is: an event, or an event beside a neighbour that was drawn.
+    fn sample(&self) -> &'static str {
+        if self.neighbours().is_empty() {
+            "event"
+        } else {
+            "case"
         }
-        format!(
-            "{runs} ({} of {} events)",
-            gap.touching_events, assessment.events
-        )
+    }
+
+    /// "9 of 11 events".
+    pub fn of_cases(&self, count: usize) -> String {
+        let n = self.assessment.cases;
+        let s = if n == 1 { "" } else { "s" };
+        format!("{count} of {n} {}{s}", self.sample())
+    }
+
+    /// "9 of 11 events (18 of 44 runs)".
+    fn touch_in(&self, gap: &GapAssessment) -> String {
+        let runs = format!("{} of {} runs", gap.touching_runs, self.assessment.runs);
+        match self.assessment.cases {
+            1 => format!("the only {} ({runs})", self.sample()),
+            _ => format!("{} ({runs})", self.of_cases(gap.touching)),
+        }
     }
 
     /// The answer: a sentence or two for each gap, those first whose neighbours touch in most runs.
@@ -114,12 +126,12 @@ impl AssessmentReport {
 
     fn answer(&self, gap: &GapAssessment) -> String {
         let [left, right] = self.gap_names(gap);
-        let runs = self.assessment.runs;
+        let (runs, samples) = (self.assessment.runs, self.sample());
         let [most, all] =
             [gap.required.p84(), gap.required.largest()].map(|width| millimetres(gap.built(width)));
         match gap.own {
             None => format!(
-                "{left} and {right} need {most} mm in 84 % of the {runs} runs, {all} mm in all."
+                "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."
             ),
             Some(own) if gap.touching == 0 => format!(
                 "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
@@ -135,13 +147,13 @@ impl AssessmentReport {
                 self.touch_in(gap)
             ),
             Some(own) if most == all || gap.built(gap.required.p84()) <= own => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {}. {all} mm would be enough in all.",
+                "{} mm is not enough between {left} and {right}: they touch in {}. {all} mm would be enough for all.",
                 millimetres(own),
                 self.touch_in(gap)
             ),
             Some(own) => format!(
-                "{} mm is not enough between {left} and {right}: they touch in {}. {most} mm would be enough in 84 % of \
-                 the runs, {all} mm in all.",
+                "{} mm is not enough between {left} and {right}: they touch in {}. {most} mm would be enough for 84 % of \
+                 the {samples}s, {all} mm for all.",
                 millimetres(own),
                 self.touch_in(gap)
             ),
@@ -279,10 +291,11 @@ impl AssessmentReport {
             let Worst { what, ratio, .. } = Worst::of(one);
             said.push(format!(
                 "When they touch, {} by more than 10 %; {} most: its {what} becomes up to {} times as large in 84 % of those \
-                 runs, and {} times in the median.",
+                 {}s, and {} times in the median.",
                 get_worse(worse.len()),
                 self.floor_name(*floor),
                 two_decimals(ratio.p84()),
+                self.sample(),
                 two_decimals(ratio.median()),
             ));
         }
@@ -292,9 +305,10 @@ impl AssessmentReport {
             let [from, to] = self.stiffness.map(digits);
             said.push(match &pair.peak_force {
                 Some([low, high]) => format!(
-                    "Hardest pair: {left} – {right}, {} kN (median of the runs with the contact that gives least) to {} kN (largest of all \
+                    "Hardest pair: {left} – {right}, {} kN (median of the {}s with the contact that gives least) to {} kN (largest of all \
                      runs and contacts), for {from} to {to} times the impact stiffness of the scene, which nobody knows better.",
                     two_digits(1e-3 * low.median()),
+                    self.sample(),
                     two_digits(1e-3 * high.largest())
                 ),
                 None => format!(

@@ -1,6 +1,7 @@
 //! From a scene to a simulation: its record is read, and where it asks for an accuracy, a method is found.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use pounding_motion::Accelerogram;
@@ -96,7 +97,7 @@ impl Simulation {
             sha256: String::new(),
             file: record,
         };
-        let motion = GroundMotion::of_file(&scene.record, origin);
+        let motion = GroundMotion::of_file(&scene.record, Arc::new(origin));
         let motion = motion.map_err(|source| in_scene(scene, source))?;
         Self::shaken(scene, motion.into())
     }

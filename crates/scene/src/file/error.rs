@@ -1,6 +1,6 @@
 use std::path::{Path, PathBuf};
 
-use pounding_motion::ReadError;
+use pounding_motion::{Quantity, ReadError};
 use pounding_solver::{LedgerError, RunError};
 
 use crate::file::fault::FOR_A_BACKSLASH;
@@ -60,14 +60,32 @@ pub enum Error {
         /// What is wrong and where.
         source: ReadError,
     },
-    /// A vertical component, which shakes no row.
-    #[error("{0}")]
-    Vertical(Vertical),
-    /// A motion of a folder that is at rest: it is no event.
+    /// A file whose name says that it holds no accelerations, and that does not say otherwise itself.
     #[error(
-        "every acceleration is 0, allowed is a motion: the ground that never moves is no event"
+        "{name:?}: the name says {}, and the file does not say that its values are accelerations; take the record of accelerations, or \
+         declare `record.acceleration` as true",
+        named_quantity(*quantity)
     )]
-    AtRest,
+    NameSaysOtherwise {
+        /// Name of the file.
+        name: String,
+        /// What the name says.
+        quantity: Quantity,
+    },
+    /// A folder in which nothing shakes a row.
+    #[error(
+        "{}: found {n_files} files and no record that shakes a row, allowed is a folder with one or more{}",
+        folder.display(),
+        left_out.iter().fold(String::new(), |said, line| said + "; " + line)
+    )]
+    NoMotion {
+        /// The folder.
+        folder: PathBuf,
+        /// Number of files in it.
+        n_files: usize,
+        /// Why each is left out, a line for a reason.
+        left_out: Vec<String>,
+    },
     /// A scene with a value that cannot be modelled.
     #[error("scene \"{scene}\": {source}")]
     Scene {
@@ -101,20 +119,13 @@ pub enum Error {
     NoReference(Box<Error>),
 }
 
-/// Why a motion is taken for vertical, and shakes no row.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Vertical {
-    /// The file names its component so.
-    #[error(
-        "the component \"{0}\" is vertical, allowed are horizontal ones; a scene of its own can name it as `record.component`"
-    )]
-    Component(String),
-    /// The file does not say, but its name ends so.
-    #[error(
-        "vertical, since the file does not say and its name ends in \"{0}\", allowed are horizontal ones; rename a horizontal \
-         one, or give it a scene of its own"
-    )]
-    FileName(String),
+/// What a name says, in words.
+fn named_quantity(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Acceleration => "acceleration",
+        Quantity::Velocity => "velocity",
+        Quantity::Displacement => "displacement",
+    }
 }
 
 /// That a name has a letter which nobody types, such as the line break that `"records\new.csv"` has.

@@ -50,6 +50,20 @@ impl RecordUse {
     }
 }
 
+impl RecordUse {
+    /// Returns what is declared of other files that stand in place of this record.
+    pub fn declared(&self) -> FileUse {
+        match &self.source {
+            Source::File(file) => FileUse {
+                file: String::new(),
+                component: None,
+                ..file.clone()
+            },
+            Source::Generated(_) => FileUse::default(),
+        }
+    }
+}
+
 /// Where a ground motion comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
@@ -83,6 +97,21 @@ pub struct FileUse {
     pub per_count: Option<f64>,
     /// Whether the values are accelerations although the file speaks for velocities.
     pub acceleration: bool,
+}
+
+impl FileUse {
+    /// What is declared of the file besides its component, in the words of a scene: `unit = "g"`; empty if nothing is.
+    pub(crate) fn words(&self) -> String {
+        let unit = self
+            .unit
+            .map(|unit| format!("unit = {:?}", unit.to_motion().name()));
+        let step = self.time_step_s.map(|step| format!("time_step_s = {step}"));
+        let count = self.per_count.map(|count| format!("per_count = {count}"));
+        let acceleration = self.acceleration.then(|| "acceleration = true".into());
+        let words = [unit, step, count, acceleration].into_iter();
+        let words: Vec<String> = words.flatten().collect();
+        words.join(", ")
+    }
 }
 
 /// Unit of the values of a file.

@@ -10,3 +10,4 @@ mod mirrored;
 mod numbers;
 mod scene_files;
 mod spectrum;
+mod suite;

@@ -42,7 +42,7 @@ fn gaps(report: &AssessmentReport) -> String {
     let header = [
         ["Gap", ""],
         ["Scene", "[mm]"],
-        ["Runs that", "touch"],
+        ["Events that", "touch"],
         ["Median", "[mm]"],
         ["84 %", "[mm]"],
         ["Largest", "[mm]"],
@@ -54,7 +54,7 @@ fn gaps(report: &AssessmentReport) -> String {
         vec![
             format!("{left} – {right}"),
             gap.own.map_or(NONE.into(), millimetres),
-            format!("{} of {}", gap.touching, report.assessment().runs),
+            format!("{} of {}", gap.touching, report.assessment().cases),
             millimetres_up(gap.required.median()),
             millimetres_up(gap.required.p84()),
             millimetres_up(gap.required.largest()),
@@ -92,7 +92,7 @@ fn rules(report: &AssessmentReport) -> String {
         );
         let narrow = gap.rules.iter().map(|rule| rule.too_narrow.to_string());
         rows.push(
-            std::iter::once("  runs in which it is too narrow".into())
+            std::iter::once("  events in which it is too narrow".into())
                 .chain(narrow)
                 .collect(),
         );
@@ -140,7 +140,7 @@ fn storeys(report: &AssessmentReport, most: usize) -> Option<String> {
 fn pairs(report: &AssessmentReport, most: usize) -> Option<String> {
     let header = [
         ["Pair", ""],
-        ["Runs that", "touch"],
+        ["Events that", "touch"],
         ["Force", "[kN]"],
         ["Largest impulse", "[kN·s]"],
         ["Speed up to", "[m/s]"],

@@ -55,8 +55,11 @@ impl Named {
             Some(path) => (path, false),
             None => (std::path::absolute(record).map_err(unreadable)?, true),
         };
+        let path = path.into_os_string().into_string().map_err(|_| {
+            refused("found a name that is not UTF-8, allowed is one that is: a scene is text; rename the file")
+        })?;
         Ok(Self {
-            path: path.to_string_lossy().into_owned(),
+            path,
             is_absolute,
             holds,
             missing,

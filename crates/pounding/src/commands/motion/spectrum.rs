@@ -214,7 +214,7 @@ fn text(args: &Arguments, opened: &Opened, spectra: &[Spectrum]) -> String {
     let record = format!(
         "{}\n{}, {} samples, {} s apart, peak {} g at {} s",
         args.file.display(),
-        opened.file.format().name(),
+        opened.file().format().name(),
         opened.record.samples().len(),
         opened.record.time_step(),
         short(peak / gravity),

@@ -17,7 +17,7 @@ impl GroundMotion {
             used,
             record: &self.record,
             scale: self.scale,
-            origin: self.origin.as_ref(),
+            origin: self.origin.as_deref(),
         };
         if as_it_is {
             shaking.doubt(&mut doubts);
