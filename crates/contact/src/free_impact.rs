@@ -65,14 +65,14 @@ impl FreeImpact {
         let end = orbit.returning(form.action).part(middle)?;
         // A clamped pair flies the rest.
         let flight = deformation(end.root.max(0.0)) / -end.rate;
-        let seconds = orbit.length / orbit.speed;
+        let seconds = |time: f64| time * orbit.length / orbit.speed;
         Some(Self {
             restitution: -end.rate,
             max_deformation: orbit.length * deformation(middle.root),
             peak_force: peak * orbit.force,
             impulse: pair.impulse(-end.rate),
-            duration: (end.time + flight) * seconds,
-            force_duration: end.time * seconds,
+            duration: seconds(end.time + flight),
+            force_duration: seconds(end.time),
         })
     }
 }

@@ -80,6 +80,10 @@ fn with_advice(review: &Review, notices: &[String]) -> Vec<String> {
     notices.iter().cloned().chain(advice).collect()
 }
 
+/// What is said of a method that was looked for.
+const SEARCHED: &str =
+    "looking for it took the exact run and many others, so that for one run it saves nothing";
+
 /// The method, its settings and how it was chosen.
 pub(crate) fn method_lines(prepared: &Simulation) -> String {
     let scene = prepared.scene();
@@ -92,10 +96,10 @@ pub(crate) fn method_lines(prepared: &Simulation) -> String {
         let goal = percent(advice.goal.error);
         let best = advice.best();
         if best.method == advice.exact.method {
-            format!("\nchosen: nothing cheaper keeps all errors below {goal}")
+            format!("\nchosen: nothing cheaper keeps all errors below {goal}; {SEARCHED}")
         } else {
             format!(
-                "\nchosen: the cheapest that keeps all errors below {goal}; its largest is {} ({})",
+                "\nchosen: the cheapest that keeps all errors below {goal}; its largest is {} ({}); {SEARCHED}",
                 percent(best.error),
                 best.worst
             )

@@ -242,8 +242,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     } = &accuracy.rows;
     if accuracy.method == Method::EXACT {
         return Ok(format!(
-            "{}: for so many runs nothing that keeps {} of a sample of them within it costs less. It has no errors but those of \
-             rounding; none were measured. All columns: {}",
+            "{}: by the estimate of their costs nothing that keeps {} of a sample of the runs within it is cheaper. It has no errors but those \
+             of rounding; none were measured. All columns: {}",
             chosen(accuracy),
             percent(SweepAccuracy::SHARE),
             path.display()
@@ -254,8 +254,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     let worst = worst.map_or("", |column| column.name.as_str());
     let short = if accuracy.within < SweepAccuracy::SHARE {
         format!(
-            " That is less than {} of them, as in the sample that chose the method: ask for a smaller error, or leave out a number that \
-             counts whole things.",
+            " In the sample that chose the method {} were; here fewer are. Ask for a smaller error, take the exact method, or leave out a number \
+             that counts whole things.",
             percent(SweepAccuracy::SHARE)
         )
     } else {

@@ -94,7 +94,7 @@ impl AssessmentReport {
         if effect.is_too_thin() {
             return vec![format!(
                 "{verdict}{bumpers} are compressed by more than their thickness in {} of {} runs: what is behind them then hits, which is left out, \
-                 so that nothing is said of what they change.",
+                 so that their effect is not known.",
                 effect.too_thin, effect.runs
             )];
         }

@@ -232,15 +232,18 @@ impl AssessmentReport {
 /// deviation of their logarithms: then another motion of the kind may well need more.
 fn margin(own: f64, gap: &GapAssessment) -> String {
     let more = own / gap.required.largest();
-    let spread = gap.required.dispersion();
-    let narrow = spread.filter(|spread| libm::log(more) < *spread);
-    narrow.map_or_else(String::new, |spread| {
-        format!(
+    match gap.required.dispersion() {
+        Some(spread) if libm::log(more) < spread => format!(
             " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",
             percent(more - 1.0),
             two_decimals(spread)
-        )
-    })
+        ),
+        Some(_) => String::new(),
+        None => format!(
+            " The margin is {}, and one event tells no spread: another motion may well need more.",
+            percent(more - 1.0)
+        ),
+    }
 }
 
 /// So many storeys that get worse.

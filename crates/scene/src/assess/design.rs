@@ -268,7 +268,7 @@ fn with_points(line: &str) -> Option<String> {
         .collect();
     let numbers: Vec<String> = fields.iter().map(|one| one.replacen(',', ".", 1)).collect();
     let are_numbers = numbers.iter().all(|one| one.parse::<f64>().is_ok());
-    (numbers.len() == 2 && are_numbers && line.contains(',')).then(|| numbers.join(", "))
+    (numbers.len() == 2 && are_numbers && line.contains(',')).then(|| numbers.join("; "))
 }
 
 /// Value of a table at a period, linear between its points.
@@ -447,6 +447,19 @@ mod tests {
         for bad in ["0.1,0.5\n0.1,0.6", "0.1", "period", "a\n0.1,-1"] {
             assert!(DesignSpectrum::table(bad).is_err(), "{bad}");
         }
+    }
+
+    /// "found "0,1;0,5", allowed are a period in s and an acceleration in g": nobody named the comma.
+    #[test]
+    fn issue_decimal_commas_of_a_table_are_named() {
+        let refused = |text: &str| {
+            DesignSpectrum::table(text)
+                .expect_err("refused")
+                .to_string()
+        };
+        insta::assert_snapshot!(refused("T;Sa\n0,1;0,5\n"), @r#"target: line 2: found "0,1;0,5" with decimal commas, allowed are decimal points: "0.1; 0.5""#);
+        insta::assert_snapshot!(refused("0,1 0,5\n"), @r#"target: line 1: found "0,1 0,5" with decimal commas, allowed are decimal points: "0.1; 0.5""#);
+        insta::assert_snapshot!(refused("0.1,-1"), @r#"target: line 1: found "0.1,-1", allowed are a period in s and an acceleration in g, periods rising"#);
     }
 
     #[test]

@@ -97,6 +97,27 @@ mod tests {
         assert_eq!(TargetFit::of(&scene, &target, &[]), None);
     }
 
+    /// "At least 79 %" of thirty periods was 78 % on others: a target that is twice as high within one per cent of a period has half.
+    #[test]
+    fn issue_the_least_share_is_that_of_all_periods() {
+        let scene: Scene = serde_json::from_str(SCENE).expect("a scene");
+        let narrow = [
+            [0.0, 0.1],
+            [3.0, 0.1],
+            [3.01, 0.2],
+            [3.02, 0.1],
+            [10.0, 0.1],
+        ];
+        let target = DesignSpectrum::Table(narrow.to_vec());
+        let motion = flat(1.0, 1.0, (&scene, &target));
+        let fit = TargetFit::of(&scene, &target, &[&motion]).expect("a motion");
+        let (share, period) = fit.least();
+        assert!((share - 0.5).abs() < 1e-12, "{share} at {period} s");
+        // Next to each other they are no further apart than a hundredth.
+        let close = |two: &[f64]| two[1] < 1.0101 * two[0] || (two[0] < 0.21 && two[1] > 0.79);
+        assert!(fit.periods.windows(2).all(close), "{:?}", fit.periods);
+    }
+
     /// Between the ranges of two periods forty times apart nothing is asked for.
     #[test]
     fn limit_periods_of_no_structure_do_not_count() {

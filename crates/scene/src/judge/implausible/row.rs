@@ -96,7 +96,7 @@ fn doubt_the_law(prepared: &Simulation, index: usize, contact: &Contact, doubts:
         reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
         approach_speed: SPEED,
     };
-    let duration = FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.duration);
+    let duration = FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.force_duration);
     doubts.unless_far(
         (duration <= LONGEST, duration / LONGEST),
         format!("contacts[{index}].law.{}", contact.law.name()),
