@@ -1,5 +1,7 @@
 //! Plain text of at most 80 columns, but for a long path: numbers, paragraphs, tables, and tables side by side.
 
+use pounding::scene::Implausible;
+
 pub(crate) use pounding::text::{milliseconds, percent, short};
 
 /// Columns of a terminal.
@@ -17,6 +19,12 @@ pub(crate) fn paragraph(label: &str, text: &str) -> String {
         .collect();
     let indent = " ".repeat(LABEL);
     format!("{label:LABEL$}{}\n", broken.join(&format!("\n{indent}")))
+}
+
+/// What looks wrong, which stands before every answer; `None` if nothing does.
+pub(crate) fn unusual(found: &[Implausible]) -> Option<String> {
+    let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
+    (!lines.is_empty()).then(|| paragraph("Unusual", &lines.join("\n")))
 }
 
 /// A line in pieces of so many letters; a longer word stays whole.

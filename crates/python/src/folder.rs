@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use pounding_report::{AssessmentReport, ScalingAsked};
 use pounding_scene::lines::{Line, Watched, failed, lines_of};
 use pounding_scene::{
-    DesignSpectrum, Error, Method, ScaleTo, Scaling, Scene, Separation, Suite,
+    DesignSpectrum, Error, Implausible, Method, ScaleTo, Scaling, Scene, Separation, Suite,
 };
 use pounding_text::json_text;
 use pyo3::prelude::*;
@@ -109,6 +109,12 @@ impl Assessment {
         self.report.to_csv()
     }
 
+    /// What looks wrong in the scene and in its records.
+    fn unusual(&self) -> Vec<String> {
+        let unusual = self.report.unusual();
+        unusual.iter().map(ToString::to_string).collect()
+    }
+
     /// Whether the gaps are enough, in sentences.
     fn answers(&self) -> Vec<String> {
         self.report.answers()
@@ -140,8 +146,8 @@ impl Assessment {
     }
 }
 
-/// Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what is said of
-/// records that are left out, or whose direction nothing tells.
+/// Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
+/// and what is said of records that are left out, or whose direction nothing tells.
 #[pyfunction]
 #[pyo3(signature = (text, path, folder, progress=None))]
 pub(crate) fn required_gap(
@@ -161,7 +167,7 @@ pub(crate) fn required_gap(
             &BOTH,
             watched(watch, &|of| watch.step(1, of as u64)),
             |_| Ok::<_, Error>((apart.clone(), ())),
-            |prepared, ()| prepared.separations(),
+            |prepared, ()| Ok((prepared.separations()?, prepared.doubts())),
         )?;
         let said = [
             vec![suite.counts()],
@@ -171,16 +177,31 @@ pub(crate) fn required_gap(
         Ok((scene, lines.lines, said.concat()))
     })?;
     let (scene, lines, said) = found.or_refused(py)?;
+    let said = [unusual(&lines), said].concat();
     Ok((gaps(&scene, &lines), said))
 }
 
+/// The widths under a motion in one direction, and what looks wrong.
+type Widths = Line<(Vec<Separation>, Vec<Implausible>)>;
+
+/// What looks wrong, a sentence for each kind; gaps are not those of the scene.
+fn unusual(lines: &[Widths]) -> Vec<String> {
+    let found = lines
+        .iter()
+        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    Implausible::lines(found.flat_map(|(line, (_, doubts))| {
+        let doubts = doubts.iter().filter(|one| !one.place.ends_with(".gap_m"));
+        doubts.map(|doubt| (line.motion.as_str(), doubt))
+    }))
+}
+
 /// The widths as columns.
-fn gaps(scene: &Scene, lines: &[Line<Vec<Separation>>]) -> Table {
+fn gaps(scene: &Scene, lines: &[Widths]) -> Table {
     let rows = || {
         let found = lines
             .iter()
             .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
-        found.flat_map(|(line, gaps)| gaps.iter().map(move |gap| (line, gap)))
+        found.flat_map(|(line, (gaps, _))| gaps.iter().map(move |gap| (line, gap)))
     };
     let name = |side: usize| {
         let names = rows().map(|(_, gap)| scene.structures[gap.left + side].name().to_owned());

@@ -12,7 +12,7 @@ use crate::waiting::wait;
 /// Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 ///
 /// `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-/// reasons, and what is said of those whose direction nothing tells.
+/// reasons, what is said of those whose direction nothing tells, and what looks wrong.
 #[pyfunction]
 #[pyo3(signature = (text, path, progress=None))]
 pub(crate) fn sweep(
@@ -29,8 +29,9 @@ pub(crate) fn sweep(
         let of = sweep.n_runs();
         let columns = sweep.table(&|runs| watch.step(runs, of));
         let columns = columns.ok_or("stopped")?;
+        let unusual = sweep.unusual().iter().map(ToString::to_string).collect();
         let remarks = sweep.suite().map(|suite| suite.said(true));
-        Ok((columns, remarks.unwrap_or_default()))
+        Ok((columns, [unusual, remarks.unwrap_or_default()].concat()))
     })?;
     let (columns, remarks) = ran.or_refused(py)?;
     let columns = columns.into_iter().map(|(name, column)| {

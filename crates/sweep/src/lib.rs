@@ -89,7 +89,9 @@ pub use spread::{Between, Grid, Spacing, Spread};
 pub use summary::{Exceedance, SummaryTable, SummedCell, SummedColumn};
 pub use summary_file::{Summary, SummaryError};
 
-use pounding_scene::{Error, Method, PairQuantity, Quantity, Scene, Suite};
+use pounding_scene::{
+    Error, Implausible, Method, PairQuantity, Quantity, Scene, Simulation, Suite,
+};
 
 /// A sweep whose file, scene and records were read, and whose values were tried.
 #[derive(Debug)]
@@ -223,6 +225,31 @@ impl Sweep {
     /// Whether a summary goes beside the table, which has rows.
     pub fn has_summary_beside(&self) -> bool {
         self.summary.is_some() && self.without_rows().is_none()
+    }
+
+    /// What looks wrong in the motions, and in the row with the first values of grids and lists and the medians of what is sampled.
+    pub fn unusual(&self) -> Vec<Implausible> {
+        let of_row = self.first_row().map_or_else(Vec::new, |row| row.doubts());
+        let of_row = of_row.iter().filter(|one| one.is_of_row());
+        let of_motions = self.motions.unusual.iter();
+        let of_motions = of_motions.map(|(name, one)| (name.as_str(), one));
+        Implausible::gathered(of_motions.chain(of_row.map(|one| ("", one))))
+    }
+
+    /// The row with typical values under the first motion; `None` if it cannot be prepared.
+    fn first_row(&self) -> Option<Simulation> {
+        let mut value = self.scene.clone();
+        for (axis, setting) in self.plan.axes().iter().zip(self.plan.typical()) {
+            axis.put(setting, &mut value);
+        }
+        let scene = trial::scene_of(&value).ok()?;
+        let (scene, motion) = self.motions.shake(0, scene).ok()?;
+        Simulation::shaken(&scene, motion).ok()
+    }
+
+    /// What is said of pounding if the scene has no contact; `None` if it has one.
+    pub fn says_no_contact(&self) -> Option<&'static str> {
+        self.first_row()?.floors().says_no_contact()
     }
 
     /// Returns the records of folders, and what of them is left out; `None` if the scene's own record shakes it.

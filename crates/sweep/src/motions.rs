@@ -7,7 +7,7 @@ use super::SweepError;
 use super::file::SweepFile;
 use super::plan::Axis;
 use pounding_scene::{
-    Error, GroundMotion, RecordUse, Scene, SceneError, SharedMotion, Source, Suite,
+    Error, GroundMotion, Implausible, RecordUse, Scene, SceneError, SharedMotion, Source, Suite,
 };
 
 /// One ground motion in one direction.
@@ -54,6 +54,8 @@ impl Differs {
 #[derive(Debug, Clone)]
 pub(super) struct Motions {
     pub(super) all: Vec<Shaking>,
+    /// What looks wrong in each, by its name.
+    pub(super) unusual: Vec<(String, Implausible)>,
     /// The records of folders, with what is left out; `None` for a scene's own.
     pub(super) suite: Option<Suite>,
     /// Files that were read, those left out included.
@@ -83,6 +85,7 @@ impl Motions {
         let directions = file.directions.map_or(&own[..], |all| all.reversed());
         let mut motions = Self {
             all: Vec::new(),
+            unusual: Vec::new(),
             suite: None,
             files: Vec::new(),
             replace: file.records.is_some(),
@@ -137,6 +140,9 @@ impl Motions {
     }
 
     fn add(&mut self, name: &str, record: RecordUse, motion: GroundMotion) {
+        let doubts = motion.doubts(&record, self.differs == Differs::Nothing);
+        let named = doubts.into_iter().map(|doubt| (name.to_owned(), doubt));
+        self.unusual.extend(named);
         let origin = motion.origin.as_ref();
         let sha256 = origin.map(|origin| origin.sha256.clone());
         let mut motion = SharedMotion::from(motion);

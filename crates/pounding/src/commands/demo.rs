@@ -4,7 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Report, direction_sentences, other_direction};
+use pounding::report::{Report, other_direction};
 
 use crate::folder::Out;
 use crate::progress::Waiting;
@@ -51,13 +51,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     let _waiting = Waiting::new("running and drawing");
     let report = Report::of(&prepared, true).map_err(message)?;
     let other = other_direction(&prepared);
-    let both = direction_sentences(&prepared, &report.review().outcome, &other);
-    let report = report.with_directions(both.clone(), other.ok());
+    let report = report.with_other_direction(other);
     out.write(&report.files())?;
+    let answer = report.directions().map(summary::direction::text);
     Ok(format!(
         "{}\n{}\n{}\n{}",
-        summary::direction::text(&both),
-        summary::brief(&prepared, report.review()),
+        answer.unwrap_or_default(),
+        summary::brief(&prepared, report.review(), &report.notices()),
         paragraph(
             "Results",
             &results.join("report.html").display().to_string()

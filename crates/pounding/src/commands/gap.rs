@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use pounding::scene::{
-    Error, RequiredGap, Rule, RuleAssessment, Scene, Separation, Simulation, Structure, Suite,
+    Error, Floors, Implausible, RequiredGap, Rule, RuleAssessment, Scene, Separation, Structure,
+    Suite,
 };
 use pounding::text::{Cell, csv_text, digits, json_text, rounded_up};
 use serde_json::json;
@@ -50,8 +51,8 @@ pub(crate) struct Arguments {
     declared: Declared,
 }
 
-/// The widths under one motion in one direction.
-type Line = suite::Line<Vec<Separation>>;
+/// The widths under one motion in one direction, and what looks wrong.
+type Line = suite::Line<(Vec<Separation>, Vec<Implausible>)>;
 
 /// The widths under every record.
 pub(crate) fn run(args: &Arguments) -> Result<String, String> {
@@ -67,7 +68,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     }
     let apart = scene.apart();
     let records = suite::read(&args.records, &args.declared, &scene)?;
-    let ran = suite::lines(&apart, &records, &[false, true], Simulation::separations)?;
+    let ran = suite::lines(&apart, &records, &[false, true], |prepared| {
+        Ok((prepared.separations()?, prepared.doubts()))
+    })?;
     let lines = &ran.lines;
     ran.answer(if args.json {
         json_of(&scene, &records, lines)
@@ -82,6 +85,39 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     })
 }
 
+/// The widths of a line, if it was not refused.
+fn widths_of(line: &Line) -> Option<&Vec<Separation>> {
+    line.found.as_ref().ok().map(|(widths, _)| widths)
+}
+
+/// What looks wrong in the scene and in its records, a line for each kind. Gaps are not those of the scene.
+fn unusual(lines: &[Line]) -> Vec<Implausible> {
+    let found = lines
+        .iter()
+        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    let all = found.flat_map(|(line, (_, doubts))| {
+        let doubts = doubts.iter().filter(|one| !one.place.ends_with(".gap_m"));
+        doubts.map(|doubt| (line.motion.as_str(), doubt))
+    });
+    Implausible::gathered(all)
+}
+
+/// That floors stand beside columns, which no width here keeps apart.
+fn at_columns(scene: &Scene) -> Option<String> {
+    let floors = Floors::of(scene).ok()?;
+    let all = floors.at_columns();
+    let first = floors.all()[all.first()?.floor].name.clone();
+    let more = match all.len() - 1 {
+        0 => "faces".into(),
+        n => format!("and {n} more face"),
+    };
+    let text = format!(
+        "{first} {more} columns of a neighbour between its floors: a floor that hits a column can bring a building down. The widths below \
+         keep floors apart that face floors, and no others"
+    );
+    Some(paragraph("Warnings", &text))
+}
+
 /// Names of the neighbours of a gap.
 fn names(scene: &Scene, left: usize) -> [&str; 2] {
     [left, left + 1].map(|index| scene.structures[index].name())
@@ -89,9 +125,11 @@ fn names(scene: &Scene, left: usize) -> [&str; 2] {
 
 /// A table per gap, and what of the rules is too narrow.
 fn text(scene: &Scene, lines: &[Line], records: &str) -> String {
-    let found = |line: &Line| line.found.as_ref().ok().map(Vec::len);
-    let n_gaps = lines.iter().find_map(found).unwrap_or(0);
-    let mut parts = vec![paragraph("Scene", &scene.name)];
+    let n_gaps = lines.iter().find_map(|line| Some(widths_of(line)?.len()));
+    let n_gaps = n_gaps.unwrap_or(0);
+    let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
+    parts.extend(at_columns(scene));
+    parts.push(paragraph("Scene", &scene.name));
     parts.extend((0..n_gaps).map(|gap| of_gap(scene, lines, gap)));
     parts.push(records.into());
     let levels = has_storeys(scene).then_some(LEVELS);
@@ -110,7 +148,7 @@ const TRAVELS: &str = "The ground travels along the row (`arrivals_s`): it is in
 
 const NOTES: &str = "Needs: the largest closing of the gap while every structure stands alone, by the exact method. Rules: from the \
                      peak displacements of both structures under the same record; EC 8 is SRSS, 0.7 times that where \
-                     both heights are given and the same; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
+                     all floors of both are level by the heights given; ASCE 7 is SRSS of the displacements of the time history; DDC takes elastic \
                      periods and damping. * marks what is too narrow.";
 
 /// The table of one gap.
@@ -119,7 +157,7 @@ fn of_gap(scene: &Scene, lines: &[Line], gap: usize) -> String {
     let mut rows = Vec::new();
     let mut left = gap;
     for line in lines {
-        let Some(separation) = line.found.as_ref().ok().and_then(|found| found.get(gap)) else {
+        let Some(separation) = widths_of(line).and_then(|found| found.get(gap)) else {
             continue;
         };
         left = separation.left;
@@ -255,9 +293,7 @@ fn width(rule: Rule, one: &Separation) -> f64 {
 
 /// One row per motion, direction and gap, in SI units.
 fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
-    let found = lines
-        .iter()
-        .find_map(|line| line.found.as_ref().ok()?.first());
+    let found = lines.iter().find_map(|line| widths_of(line)?.first());
     let names_of_numbers = found
         .into_iter()
         .flat_map(Separation::numbers)
@@ -285,7 +321,7 @@ fn csv_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         row
     };
     let rows = lines.iter().flat_map(|line| match &line.found {
-        Ok(found) => found.iter().map(|one| row(line, one)).collect(),
+        Ok((found, _)) => found.iter().map(|one| row(line, one)).collect(),
         Err(reason) => vec![refused(&line.motion, line.reversed.into(), reason)],
     });
     let left_out = records.left_out.iter();
@@ -306,13 +342,14 @@ fn json_of(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
         let mut motion =
             json!({"record": line.motion, "event": line.event + 1, "reversed": line.reversed});
         match &line.found {
-            Ok(found) => motion["gaps"] = found.iter().map(separation).collect(),
+            Ok((found, _)) => motion["gaps"] = found.iter().map(separation).collect(),
             Err(reason) => motion["refused"] = json!(reason),
         }
         motion
     };
     json_text(&json!({
         "scene": scene,
+        "unusual": unusual(lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))

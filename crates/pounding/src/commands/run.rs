@@ -5,8 +5,8 @@ mod effects;
 
 use std::path::{Path, PathBuf};
 
-use pounding::report::{Report, Summary, direction_sentences, other_direction};
-use pounding::scene::{Effects, Error, Implausible, Review, RunResult, SceneError, Simulation};
+use pounding::report::{BothDirections, Report, Summary, other_direction};
+use pounding::scene::{Effects, Error, Implausible, Review, SceneError, Simulation};
 use pounding::solver::LedgerError;
 
 use super::declared::Declared;
@@ -177,25 +177,23 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
     })?;
     let unread = args.shown.json && args.results.out.is_none();
     let other = (!unread && !args.shown.one_direction).then(|| other_direction(&prepared));
-    let sentences = |outcome: &RunResult| {
-        let other = other.as_ref()?;
-        Some(direction_sentences(&prepared, outcome, other))
-    };
     let Some(out) = out else {
         let review = prepared.review(measure).map_err(failed)?;
-        let both = sentences(&review.outcome);
-        let text = printed(args, &prepared, effects, &review);
-        return Ok(with_answer(args, both.as_ref(), text));
+        let both = other.map(|other| BothDirections::of(&prepared, &review, other));
+        return Ok(answer(args, (&prepared, effects), &review, both.as_ref()));
     };
     let report = Report::of(&prepared, measure).map_err(failed)?;
-    let both = sentences(&report.review().outcome);
     let mut report = report.with_effects(effects.clone());
-    if let Some(both) = both.clone() {
-        report = report.with_directions(both, other.and_then(Result::ok));
+    if let Some(other) = other {
+        report = report.with_other_direction(other);
     }
     out.write(&report.files())?;
-    let text = printed(args, &prepared, effects, report.review());
-    let text = with_answer(args, both.as_ref(), text);
+    let text = answer(
+        args,
+        (&prepared, effects),
+        report.review(),
+        report.directions(),
+    );
     let page = out.path().join("report.html");
     Ok(if args.shown.json {
         text
@@ -216,9 +214,8 @@ const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whate
 fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> String {
     let mut doubts = prepared.doubts();
     // A record and a duration are no reasons to fail.
-    let is_of_row = |place: &str| place.starts_with("structures") || place.starts_with("contacts");
-    doubts.retain(|doubt| is_of_row(&doubt.place));
-    let doubts = Implausible::lines(&doubts);
+    doubts.retain(Implausible::is_of_row);
+    let doubts = Implausible::lines(doubts.iter().map(|one| ("", one)));
     // JSON has the parts of one refusal; `check --json` has what is unusual.
     if doubts.is_empty() || args.shown.json {
         message
@@ -227,34 +224,30 @@ fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> Stri
     }
 }
 
-/// The sentences of both directions before what is printed of a run; JSON has them inside.
-fn with_answer(args: &Arguments, both: Option<&[String; 2]>, text: String) -> String {
-    match both {
-        Some(both) if !args.shown.json => format!("{}\n{text}", summary::direction::text(both)),
-        Some(_) | None => text,
-    }
-}
-
-/// What is printed of a run.
-fn printed(
+/// What is printed of a run: what is unusual, what both directions do, and the run itself; JSON has them inside.
+fn answer(
     args: &Arguments,
-    prepared: &Simulation,
-    effects: Option<Effects>,
+    (prepared, effects): (&Simulation, Option<Effects>),
     review: &Review,
+    both: Option<&BothDirections>,
 ) -> String {
     if args.shown.json {
         let summary = Summary::of(prepared, review);
         return Summary { effects, ..summary }.to_json();
     }
+    let notices = both.map_or_else(|| review.notices(), |both| both.notices.clone());
     let run = if args.shown.details {
-        summary::details(prepared, review)
+        summary::details(prepared, review, &notices)
     } else {
-        summary::brief(prepared, review)
+        summary::brief(prepared, review, &notices)
     };
-    match effects {
-        Some(effects) => format!("{run}\n{}", effects::text(prepared, &effects)),
-        None => run,
-    }
+    let effects = effects.map(|effects| effects::text(prepared, &effects));
+    let first = [
+        summary::unusual(prepared),
+        both.map(summary::direction::text),
+    ];
+    let parts = first.into_iter().flatten().chain([run]).chain(effects);
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 /// The message of a scene that is refused; of what `--force` prints all the same, with a hint at it.

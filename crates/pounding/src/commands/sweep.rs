@@ -18,7 +18,7 @@ pub(super) use joined::{answer, result};
 use super::Failure;
 use super::suite::{STOPPED, stop_when_asked};
 use crate::progress::{Counter, Waiting};
-use crate::text::{paragraph, percent};
+use crate::text::{paragraph, percent, unusual};
 use crate::{new_file, say};
 
 const EXAMPLES: &str = "\
@@ -146,7 +146,13 @@ pub(crate) fn run(args: &Arguments) -> Result<String, Failure> {
 
 /// Joins what has run, and says what it was.
 fn end(args: &Arguments, sweep: &Sweep, parts: Parts, out: &Path) -> Result<String, Failure> {
-    let mut lines = vec![paragraph("Sweep", &runs(sweep, &parts))];
+    let mut lines: Vec<String> = unusual(&sweep.unusual()).into_iter().collect();
+    lines.push(paragraph("Sweep", &runs(sweep, &parts)));
+    lines.extend(
+        sweep
+            .says_no_contact()
+            .map(|said| paragraph("Contact", said)),
+    );
     lines.extend(
         sweep
             .suite()
@@ -236,8 +242,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     } = &accuracy.rows;
     if accuracy.method == Method::EXACT {
         return Ok(format!(
-            "{}: for so many runs nothing that keeps {} of a sample of them within it costs less. It has no errors but those of \
-             rounding; none were measured. All columns: {}",
+            "{}: by the estimate of their costs nothing that keeps {} of a sample of the runs within it is cheaper. It has no errors but those \
+             of rounding; none were measured. All columns: {}",
             chosen(accuracy),
             percent(SweepAccuracy::SHARE),
             path.display()
@@ -248,8 +254,8 @@ fn measured(accuracy: &SweepAccuracy, out: &Path) -> Result<String, String> {
     let worst = worst.map_or("", |column| column.name.as_str());
     let short = if accuracy.within < SweepAccuracy::SHARE {
         format!(
-            " That is less than {} of them, as in the sample that chose the method: ask for a smaller error, or leave out a number that \
-             counts whole things.",
+            " In the sample that chose the method {} were; here fewer are. Ask for a smaller error, take the exact method, or leave out a number \
+             that counts whole things.",
             percent(SweepAccuracy::SHARE)
         )
     } else {

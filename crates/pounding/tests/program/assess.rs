@@ -139,7 +139,9 @@ fn issue_a_far_scale_is_warned_of() {
     );
     let all = assess(&work, &["--scale", "pga=3g"]);
     assert!(
-        all.stdout.contains("Caution: 2 of 2 motions are scaled")
+        all.stdout
+            .starts_with("Unusual   2 motions, the farthest off")
+            && all.stdout.contains("a scale factor")
             && all
                 .stdout
                 .contains("scaled by less than 0.25 or more than 4"),

@@ -82,6 +82,11 @@ class Assessment:
         return dict(self._facts)
 
     @property
+    def unusual(self) -> list[str]:
+        """Values of the scene and of its records that are far from usual, a sentence for each kind: look at them first."""
+        return self._native.unusual()
+
+    @property
     def answers(self) -> list[str]:
         """Whether the gaps are enough, in sentences."""
         return self._native.answers()
@@ -132,6 +137,7 @@ class Assessment:
 
     def __repr__(self) -> str:
         parts = [
+            ("Unusual", self.unusual),
             ("Answer", self.sentences),
             ("Motions", self.motions),
             ("Warnings", self.warnings),
@@ -140,6 +146,7 @@ class Assessment:
         return "\n".join(line for title, lines in parts if lines for line in [title, *(f"  {one}" for one in lines)])
 
     def _repr_html_(self) -> str:
+        unusual = "".join(f"<li>Unusual: {escape(one)}</li>" for one in self.unusual)
         answers = "".join(f"<p>{escape(answer)}</p>" for answer in [*self.sentences, "; ".join(self.motions)])
         notices = "".join(f"<li>{escape(notice)}</li>" for notice in [*self.warnings, *self.remarks])
-        return f"{answers}<ul>{notices}</ul>"
+        return f"<ul>{unusual}</ul>{answers}<ul>{notices}</ul>"

@@ -53,6 +53,10 @@ class Assessment:
         """
         The motions in a few lines.
         """
+    def unusual(self, /) -> list[str]:
+        """
+        What looks wrong in the scene and in its records.
+        """
     def warnings(self, /) -> list[str]:
         """
         What to know before believing them.
@@ -142,9 +146,9 @@ class Run:
     """
     What a run of a scene leaves behind.
     """
-    def directions(self, /) -> list[str]:
+    def directions(self, /) -> tuple[list[str], list[str]]:
         """
-        The same of both directions of shaking, the worse one first; the other direction runs now.
+        The same of both directions of shaking, the worse one first, and what to know of both; the other direction runs now.
         """
     @property
     def duration(self, /) -> float:
@@ -183,6 +187,10 @@ class Run:
     def table(self, /, name: str) -> Table:
         """
         The table `peaks`, `pairs` or `impacts`.
+        """
+    def unusual(self, /) -> list[str]:
+        """
+        What looks wrong in the scene and in its record, a sentence for each kind.
         """
 
 @final
@@ -252,8 +260,8 @@ def periods_between(first: SupportsFloat | SupportsIndex, last: SupportsFloat | 
 
 def required_gap(text: str, path: str | PathLike[str], folder: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str]]:
     """
-    Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what is said of
-    records that are left out, or whose direction nothing tells.
+    Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
+    and what is said of records that are left out, or whose direction nothing tells.
     """
 
 def run(text: str, path: str | PathLike[str], record: Record | None = None, measure: bool = True, full: bool = False, force: bool = False) -> Run:
@@ -268,12 +276,12 @@ def sketch_scene(text: str, path: str | PathLike[str]) -> str:
     The row of a scene as SVG.
     """
 
-def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], str | None]:
+def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str], str | None, list[str]]:
     """
     Runs a sweep, in the words of its file as JSON or TOML, with all cores; `path` is its file, from whose folder others are named.
 
     `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
-    reasons, and what is said of those whose direction nothing tells.
+    reasons, what is said of those whose direction nothing tells, and what looks wrong.
     """
 
 def words_of(text: str, path: str | PathLike[str]) -> str:

@@ -62,9 +62,13 @@ class Run:
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before believing the numbers, the most harmful first; then values that are far from usual."""
-        unusual = [f"{one['place']}: found {one['found']}, usual is {one['usual']}" for one in self.summary["unusual"]]
-        return [*self._native.notices(), *unusual]
+        """What to know before believing the numbers: values that are far from usual, then the most harmful first."""
+        return [*self.unusual, *self._native.notices()]
+
+    @property
+    def unusual(self) -> list[str]:
+        """Values of the scene and of its record that are far from usual, a sentence for each kind."""
+        return self._native.unusual()
 
     def _warn(self) -> None:
         for notice in self.warnings:
@@ -147,8 +151,15 @@ class Run:
         return self._native.sentence()
 
     def directions(self) -> list[str]:
-        """The same for both directions of shaking, the worse one first: the other direction runs now."""
-        return self._native.directions()
+        """The same for both directions of shaking, the one that is worse for the buildings first: the other direction runs now.
+
+        What the other direction adds to :attr:`warnings` are warnings of the class :class:`PoundingWarning`.
+        """
+        sentences, notices = self._native.directions()
+        for notice in notices:
+            if notice not in self.warnings:
+                warnings.warn(notice, PoundingWarning, stacklevel=2)
+        return sentences
 
     def plot(self) -> Figure:
         """Displacements and openings over time, by matplotlib."""
@@ -214,11 +225,16 @@ class Run:
         return _again, (self.scene, self._record, self._options)
 
     def __repr__(self) -> str:
+        unusual = "".join(f"Unusual: {one}\n" for one in self.unusual)
+        return f"{unusual}{self._line()}"
+
+    def _line(self) -> str:
         return f"Run of {self.summary['scene']['name']!r}, {self._native.duration:g} s: {self.sentence}"
 
     def _repr_html_(self) -> str:
-        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self.warnings)
-        return f"<p>{escape(repr(self))}</p>{self._native.sketch()}<ul>{notices}</ul>"
+        unusual = "".join(f"<li>Unusual: {escape(one)}</li>" for one in self.unusual)
+        notices = "".join(f"<li>{escape(notice)}</li>" for notice in self._native.notices())
+        return f"<ul>{unusual}</ul><p>{escape(self._line())}</p>{self._native.sketch()}<ul>{notices}</ul>"
 
 
 def written(

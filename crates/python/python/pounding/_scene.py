@@ -273,7 +273,7 @@ class Scene:
     ) -> Assessment:
         """Says under many records whether the gaps are enough, and what touching does: both directions, exact method.
 
-        What harms the answer, and what is said of records that are left out, are warnings of the class :class:`PoundingWarning`.
+        What is unusual, what harms the answer, and what is said of records that are left out, are warnings of the class :class:`PoundingWarning`.
 
         Parameters
         ----------
@@ -299,7 +299,7 @@ class Scene:
                 self._text, Path(self._path), folder, scale, spectrum, list(stiffness), shown(progress)
             )
         found = Assessment(native)
-        for one in [*found.warnings, *found.remarks]:
+        for one in [*found.unusual, *found.warnings, *found.remarks]:
             warnings.warn(one, PoundingWarning, stacklevel=2)
         return found
 
@@ -312,7 +312,7 @@ class Scene:
         """Which gaps nothing closes, under every record in both directions, by the exact method.
 
         The gaps and laws of the scene do not matter. A row for each motion, direction and gap: what is needed [m], when [s], the peaks of
-        both neighbours alone [m], and what the rules of codes ask for [m]. Records that are left out are warnings.
+        both neighbours alone [m], and what the rules of codes ask for [m]. What is unusual and records that are left out are warnings.
 
         Parameters
         ----------

@@ -29,6 +29,8 @@ pub(super) fn json(report: &AssessmentReport) -> Value {
     json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
+        "unusual": report.unusual(),
+        "cautions": report.cautions(),
         "answers": report.answers(),
         "proposals": report.proposals(),
         "neighbour": report.prior_json(),

@@ -2,13 +2,13 @@
 
 use pounding_scene::{Distribution, FloorAssessment, GapAssessment};
 
-use pounding_text::{millimetres, two_decimals, two_digits};
+use pounding_text::{millimetres, millimetres_up, two_decimals, two_digits};
 
 use super::AssessmentReport;
 use crate::animation::Animation;
 use crate::figures::Illustration;
 use crate::page::markup::{Cell, NONE, escaped, facts, list, short, table};
-use crate::page::{BEFORE, beside, boxed, document, illustrated};
+use crate::page::{BEFORE, UNUSUAL, beside, boxed, document, illustrated, sentence};
 
 pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> String {
     let title = escaped(&report.scene.name);
@@ -25,6 +25,14 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
         format!(
             "<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n",
             escaped(&lead(report))
+        ),
+        boxed(
+            UNUSUAL,
+            &report
+                .unusual()
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>(),
         ),
         verdict(report),
         beside(&[
@@ -93,15 +101,20 @@ fn verdict(report: &AssessmentReport) -> String {
     };
     let answers = report.answers();
     let first = answers.first().map_or("", String::as_str);
-    let more: Vec<String> = report
-        .before()
-        .into_iter()
-        .chain(answers.iter().skip(1).cloned())
+    let more: Vec<String> = answers
+        .iter()
+        .skip(1)
+        .cloned()
         .chain(report.proposals())
         .chain(report.consequences())
         .collect();
     format!(
-        "<div class=\"verdict{touch}\">\n<p><strong>{}</strong></p>\n{}</div>\n",
+        "<div class=\"verdict{touch}\">\n{}<p><strong>{}</strong></p>\n{}</div>\n",
+        report
+            .before()
+            .iter()
+            .map(|one| format!("<p>{}</p>\n", escaped(one)))
+            .collect::<String>(),
         escaped(first),
         list(&more)
     )
@@ -109,6 +122,10 @@ fn verdict(report: &AssessmentReport) -> String {
 
 fn width(of: f64) -> Cell {
     Cell::new(millimetres(of))
+}
+
+fn needed(of: f64) -> Cell {
+    Cell::new(millimetres_up(of))
 }
 
 fn gaps(report: &AssessmentReport) -> String {
@@ -119,9 +136,9 @@ fn gaps(report: &AssessmentReport) -> String {
             Cell::new(format!("{left} – {right}")),
             Cell::known(gap.own.map(millimetres)),
             Cell::new(report.of_cases(gap.touching)),
-            width(gap.required.median()),
-            width(gap.required.p84()),
-            width(gap.required.largest()),
+            needed(gap.required.median()),
+            needed(gap.required.p84()),
+            needed(gap.required.largest()),
             Cell::known(dispersion.map(two_decimals)),
             width(gap.proposal()),
         ]
@@ -147,7 +164,9 @@ fn gaps(report: &AssessmentReport) -> String {
 fn touching(report: &AssessmentReport) -> String {
     let hit = report.hit();
     if hit.is_empty() {
-        return "<p>Nothing touches.</p>\n".into();
+        let why = report.floors.says_no_contact();
+        let why = why.map_or_else(|| "Nothing touches.".into(), sentence);
+        return format!("<p>{why}</p>\n");
     }
     let [from, to] = report.stiffness.map(pounding_text::digits);
     let range = |of: &Option<[Distribution; 2]>, unit: f64| match of {
@@ -234,9 +253,12 @@ fn bumpers(report: &AssessmentReport) -> String {
             vec![Cell::new(name), both(&one.drift), both(&one.acceleration)]
         })
         .collect();
+    let said = escaped(&report.bumper_says().join(" "));
+    if effect.is_too_thin() {
+        return format!("<h2>Bumpers in the gaps</h2>\n<p>{said}</p>\n");
+    }
     format!(
-        "<h2>Bumpers in the gaps</h2>\n<p>{}</p>\n{}<p class=\"soft\">With bumpers over without, median / 84 % of the {} runs that touch.</p>\n{}",
-        escaped(&report.bumper_says().join(" ")),
+        "<h2>Bumpers in the gaps</h2>\n<p>{said}</p>\n{}<p class=\"soft\">With bumpers over without, median / 84 % of the {} runs that touch.</p>\n{}",
         table(
             &[
                 "Pair",
@@ -335,7 +357,7 @@ fn motions(report: &AssessmentReport) -> String {
             vec![
                 Cell::new(format!("{}{reversed}", one.name)),
                 Cell::new(short(one.run.scale)),
-                width(one.run.widest_gap()),
+                needed(one.run.widest_gap()),
                 Cell::new(one.run.collisions().to_string()),
             ]
         })

@@ -1,7 +1,7 @@
 //! What an assessment says in sentences, for the terminal and the page.
 
 use pounding_scene::{Distribution, FloorAssessment, GapAssessment, PairAssessment, WORSE};
-use pounding_text::{digits, millimetres, rounded_up, two_decimals, two_digits};
+use pounding_text::{digits, millimetres, millimetres_up, percent, two_decimals, two_digits};
 
 use super::AssessmentReport;
 
@@ -40,22 +40,23 @@ impl AssessmentReport {
         )
     }
 
-    /// The answer in full: what it leaves out, the gaps, what is proposed, and what touching does.
+    /// The answer in full: what it leaves out and rests on, the gaps, what is proposed, and what touching does.
     pub fn sentences(&self) -> Vec<String> {
         let answers = self.before().into_iter().chain(self.answers());
         let more = self.proposals().into_iter().chain(self.consequences());
         answers.chain(more).collect()
     }
 
-    /// Says before the answer how many records of the folder may be missing in it.
-    pub fn before(&self) -> Option<String> {
+    /// Says before the answer how many records of the folder may be missing in it, and what it rests on and should not.
+    pub fn before(&self) -> Vec<String> {
         let n = self.folder.n_unusable;
         let are = if n == 1 {
             "record of the folder is"
         } else {
             "records of the folder are"
         };
-        (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."))
+        let missing = (n > 0).then(|| format!("{n} {are} missing here, for reasons given below."));
+        missing.into_iter().chain(self.cautions()).collect()
     }
 
     /// The motions in a few lines: how many, of how many events, and how strong they are beside what was asked for.
@@ -133,9 +134,10 @@ impl AssessmentReport {
                 "{left} and {right} need {most} mm for 84 % of the {samples}s, {all} mm for all."
             ),
             Some(own) if gap.touching == 0 => format!(
-                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.",
+                "{} mm is enough between {left} and {right}: they touch in none of {runs} runs, and need {} mm at most.{}",
                 millimetres(own),
-                rounded_up(1e3 * gap.required.largest(), 1)
+                millimetres_up(gap.required.largest()),
+                margin(own, gap)
             ),
             // Buildings that stand alone need less; one that is pushed by its other neighbour may need more.
             Some(own) if own >= gap.required.largest() => format!(
@@ -190,7 +192,6 @@ impl AssessmentReport {
             widths.join(", "),
             n + 1
         )];
-        said.extend(self.cautions());
         said.extend(self.bumper_says());
         said
     }
@@ -227,11 +228,29 @@ impl AssessmentReport {
     }
 }
 
-/// So many storeys.
-fn storeys(count: usize) -> String {
+/// How much wider a gap is than the widest needed, if that is less than the spread of the widths from run to run, the standard
+/// deviation of their logarithms: then another motion of the kind may well need more.
+fn margin(own: f64, gap: &GapAssessment) -> String {
+    let more = own / gap.required.largest();
+    match gap.required.dispersion() {
+        Some(spread) if libm::log(more) < spread => format!(
+            " The margin of {} is less than the spread of the widths (σ ln {}): another motion may well need more.",
+            percent(more - 1.0),
+            two_decimals(spread)
+        ),
+        Some(_) => String::new(),
+        None => format!(
+            " The margin is {}, and one event tells no spread: another motion may well need more.",
+            percent(more - 1.0)
+        ),
+    }
+}
+
+/// So many storeys that get worse.
+fn get_worse(count: usize) -> String {
     match count {
-        1 => "one storey".into(),
-        n => format!("{n} storeys"),
+        1 => "one storey gets worse".into(),
+        n => format!("{n} storeys get worse"),
     }
 }
 
@@ -274,9 +293,9 @@ impl AssessmentReport {
         if let Some((floor, one)) = worse.first() {
             let Worst { what, ratio, .. } = Worst::of(one);
             said.push(format!(
-                "When they touch, {} get worse by more than 10 %; {} most: its {what} becomes up to {} times as large in 84 % of those \
+                "When they touch, {} by more than 10 %; {} most: its {what} becomes up to {} times as large in 84 % of those \
                  {}s, and {} times in the median.",
-                storeys(worse.len()),
+                get_worse(worse.len()),
                 self.floor_name(*floor),
                 two_decimals(ratio.p84()),
                 self.sample(),

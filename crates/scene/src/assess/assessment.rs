@@ -246,13 +246,8 @@ impl<'r> Row<'r> {
     /// A floor in the runs in which something touches its building, each with its case.
     fn hits(&self, floor: usize) -> Vec<([usize; 2], &AssessedFloor)> {
         let building = self.floors.all()[floor].structure;
-        let hits = |run: &AssessedRun| {
-            let facing = self.floors.facing().iter().zip(&run.pairs);
-            let touching = facing.filter(|(_, pair)| pair.collisions > 0);
-            let mut sides = touching.flat_map(|(one, _)| [one.left, one.right]);
-            sides.any(|side| self.floors.all()[side].structure == building)
-        };
-        let hit = self.runs.iter().filter(|one| hits(one.run));
+        let hit = self.runs.iter();
+        let hit = hit.filter(|one| one.run.hits(self.floors, building));
         hit.map(|one| (one.case(), &one.run.floors[floor]))
             .collect()
     }

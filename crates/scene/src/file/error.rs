@@ -1,8 +1,9 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pounding_motion::{Quantity, ReadError};
 use pounding_solver::{LedgerError, RunError};
 
+use crate::file::fault::FOR_A_BACKSLASH;
 use crate::{Fault, SceneError};
 
 /// What can go wrong between a file and a result; each names place, found and allowed.
@@ -18,7 +19,11 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A record file that cannot be read.
-    #[error("record.file: {} cannot be read (it is looked for from the folder of the scene's file): {source}", path.display())]
+    #[error(
+        "record.file: {} cannot be read (it is looked for from the folder of the scene's file): {source}{}",
+        path.display(),
+        of_escapes(path)
+    )]
     NoRecord {
         /// The file.
         path: PathBuf,
@@ -122,6 +127,18 @@ fn named_quantity(quantity: Quantity) -> &'static str {
         Quantity::Displacement => "displacement",
         Quantity::Spectrum => "spectrum",
     }
+}
+
+/// That a name has a letter which nobody types, such as the line break that `"records\new.csv"` has.
+fn of_escapes(path: &Path) -> String {
+    let is_escape = path.to_string_lossy().chars().any(char::is_control);
+    let hint = is_escape.then(|| {
+        format!(
+            "; in double quotes a backslash begins an escape: write {}",
+            FOR_A_BACKSLASH[0]
+        )
+    });
+    hint.unwrap_or_default()
 }
 
 /// What is wrong with a record file, with the fields of a scene that say what it leaves out.

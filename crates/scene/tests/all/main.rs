@@ -5,6 +5,7 @@ mod effects;
 mod errors;
 mod extremes;
 mod floors;
+mod judged;
 mod lean;
 mod mirrored;
 mod numbers;

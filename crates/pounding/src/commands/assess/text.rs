@@ -2,19 +2,20 @@
 
 use pounding::report::AssessmentReport;
 use pounding::scene::{Distribution, FloorAssessment, GapAssessment};
-use pounding::text::{millimetres, two_decimals, two_digits};
+use pounding::text::{millimetres, millimetres_up, two_decimals, two_digits};
 
 use crate::commands::declared::by_options;
-use crate::text::{NONE, paragraph, short, table};
+use crate::text::{NONE, paragraph, short, table, unusual};
 
 /// Most lines of a table on the first screen.
 const MOST: usize = 6;
 
 pub(super) fn text(report: &AssessmentReport, details: bool) -> String {
-    let mut parts = vec![
+    let mut parts: Vec<String> = unusual(&report.unusual()).into_iter().collect();
+    parts.extend([
         paragraph("Answer", &report.sentences().join("\n")),
         paragraph("Motions", &report.shaking().join("\n")),
-    ];
+    ]);
     let warnings = report.warnings();
     if !warnings.is_empty() {
         parts.push(paragraph("Warnings", &warnings.join("\n")));
@@ -58,9 +59,9 @@ fn gaps(report: &AssessmentReport) -> String {
             format!("{left} – {right}"),
             gap.own.map_or(NONE.into(), millimetres),
             format!("{} of {}", gap.touching, report.assessment().cases),
-            millimetres(gap.required.median()),
-            millimetres(gap.required.p84()),
-            millimetres(gap.required.largest()),
+            millimetres_up(gap.required.median()),
+            millimetres_up(gap.required.p84()),
+            millimetres_up(gap.required.largest()),
             gap.required.dispersion().map_or(NONE.into(), two_decimals),
             millimetres(gap.proposal()),
         ]
@@ -198,7 +199,7 @@ fn runs(report: &AssessmentReport) -> String {
         vec![
             format!("{}{reversed}", one.name),
             short(one.run.scale),
-            millimetres(one.run.widest_gap()),
+            millimetres_up(one.run.widest_gap()),
             one.run.collisions().to_string(),
         ]
     };

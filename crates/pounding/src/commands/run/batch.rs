@@ -156,17 +156,14 @@ fn files(scene: &Scene, records: &Suite, lines: &[Line]) -> BTreeMap<String, Vec
 }
 
 fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
-    let mut parts = vec![
+    let mut parts: Vec<String> = crate::text::unusual(&unusual(lines)).into_iter().collect();
+    parts.extend([
         paragraph("Scene", &scene.name),
         runs(scene, lines),
         paragraph("Result", &result(lines)),
-    ];
+    ]);
     parts.extend(effects::text(lines));
     parts.push(suite::records(records, lines, true));
-    let unusual = unusual(lines);
-    if !unusual.is_empty() {
-        parts.push(paragraph("Unusual", &unusual.join("\n")));
-    }
     let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
     let several = found.into_iter().any(|found| found.pairs.len() > 1);
     let notes = if several {
@@ -178,25 +175,15 @@ fn text(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     parts.join("\n")
 }
 
-/// What looks wrong: of the scene once, of a record with its name.
-fn unusual(lines: &[Line]) -> Vec<String> {
-    let mut said: Vec<String> = Vec::new();
-    for line in lines {
-        let doubts = line.found.iter().flat_map(|found| &found.unusual);
-        let named = |doubt: &Implausible| match doubt.place.as_str() {
-            "record" => Implausible {
-                place: line.motion.clone(),
-                ..doubt.clone()
-            },
-            _ => doubt.clone(),
-        };
-        for one in Implausible::lines(&doubts.map(named).collect::<Vec<_>>()) {
-            if !said.contains(&one) {
-                said.push(one);
-            }
-        }
-    }
-    said
+/// What looks wrong in the scene and in its records, a line for each kind.
+fn unusual(lines: &[Line]) -> Vec<Implausible> {
+    let found = lines
+        .iter()
+        .filter_map(|line| Some((line, line.found.as_ref().ok()?)));
+    Implausible::gathered(found.flat_map(|(line, found)| {
+        let doubts = found.unusual.iter();
+        doubts.map(|doubt| (line.motion.as_str(), doubt))
+    }))
 }
 
 const OF_PAIRS: &str = "Below a record, the pair of the largest impulse; leaning: in a touch of more than 0.25 s, which is a push and no blow.";
@@ -264,7 +251,11 @@ fn between(pair: &PairSummary) -> String {
 
 /// Under how many motions they touch, and where hardest.
 fn result(lines: &[Line]) -> String {
-    let found = lines.iter().filter(|line| line.found.is_ok()).count();
+    let found = lines.iter().filter_map(|line| line.found.as_ref().ok());
+    if let Some(said) = found.clone().find_map(|one| one.floors.says_no_contact()) {
+        return said.into();
+    }
+    let found = found.count();
     let hits = lines.iter().filter_map(|line| {
         let hardest = line.found.as_ref().ok()?.hardest()?;
         Some((line, hardest, hardest.largest?.impulse_n_s))

@@ -19,8 +19,8 @@ pub(super) fn doubt(prepared: &Simulation, doubts: &mut Doubts) {
     let scene = prepared.scene();
     doubt_the_levels(prepared, doubts);
     for (index, contact) in scene.contacts.iter().flatten().enumerate() {
-        doubts.unless(
-            contact.gap_m <= WIDEST,
+        doubts.unless_far(
+            (contact.gap_m <= WIDEST, contact.gap_m),
             format!("contacts[{index}].gap_m"),
             (
                 format!("{} m", digits(contact.gap_m)),
@@ -96,9 +96,9 @@ fn doubt_the_law(prepared: &Simulation, index: usize, contact: &Contact, doubts:
         reduced_mass: reduced_mass(inverse(facing.left), inverse(facing.right)),
         approach_speed: SPEED,
     };
-    let duration = FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.duration);
-    doubts.unless(
-        duration <= LONGEST,
+    let duration = FreeImpact::of(&contact.law, &pair).map_or(0.0, |free| free.force_duration);
+    doubts.unless_far(
+        (duration <= LONGEST, duration / LONGEST),
         format!("contacts[{index}].law.{}", contact.law.name()),
         (
             format!(

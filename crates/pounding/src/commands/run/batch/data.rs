@@ -185,6 +185,7 @@ pub(super) fn json(scene: &Scene, records: &Suite, lines: &[Line]) -> String {
     json_text(&json!({
         "schema_version": SCHEMA_VERSION,
         "scene": scene,
+        "unusual": super::unusual(lines),
         "motions": lines.iter().map(line).collect::<Vec<_>>(),
         "left_out": records.left_out_json(),
     }))
