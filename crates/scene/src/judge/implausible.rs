@@ -3,6 +3,7 @@
 mod row;
 mod storeys;
 
+use std::collections::HashMap;
 use std::fmt;
 
 use pounding_motion::{Direction, Unusual};
@@ -40,11 +41,12 @@ impl Implausible {
     /// A line each, of those that say the same of several places one.
     pub fn lines(all: &[Self]) -> Vec<String> {
         let mut groups: Vec<(&Self, usize)> = Vec::new();
+        let mut known = HashMap::new();
         for one in all {
-            let alike = |(other, _): &&mut (&Self, usize)| {
-                (&one.found, &one.usual) == (&other.found, &other.usual)
-            };
-            match groups.iter_mut().find(alike) {
+            let group = *known
+                .entry((&one.found, &one.usual))
+                .or_insert(groups.len());
+            match groups.get_mut(group) {
                 Some((_, count)) => *count += 1,
                 None => groups.push((one, 1)),
             }
@@ -87,7 +89,10 @@ impl Simulation {
         let mut doubts = Doubts::default();
         self.doubt_the_record(&mut doubts);
         let scene = self.scene();
+        let mut firsts = HashMap::new();
         for (index, structure) in scene.structures.iter().enumerate() {
+            let name = structure.name();
+            let first = *firsts.entry(name).or_insert(index);
             let kind = match structure {
                 Structure::Sdof(sdof) => {
                     doubt_a_structure(index, sdof, &mut doubts);
@@ -99,18 +104,11 @@ impl Simulation {
                 }
                 Structure::Wall => continue,
             };
-            let before = &scene.structures[..index];
-            let name = structure.name();
-            let first = before.iter().position(|other| other.name() == name);
             doubts.unless(
-                first.is_none(),
+                first == index,
                 format!("structures[{index}].{kind}.name"),
                 (
-                    format!(
-                        "\"{}\", as structures[{}] is called",
-                        name,
-                        first.unwrap_or(0)
-                    ),
+                    format!("\"{name}\", as structures[{first}] is called"),
                     "names that differ, by which results tell structures",
                 ),
             );
