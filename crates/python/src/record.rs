@@ -242,7 +242,10 @@ impl Record {
         let rows = || {
             let of_ratio = |one: &Spectrum| {
                 let ratio = one.damping_ratio;
-                one.values.clone().into_iter().map(move |values| (ratio, values))
+                one.values
+                    .clone()
+                    .into_iter()
+                    .map(move |values| (ratio, values))
             };
             spectra.iter().flat_map(of_ratio)
         };

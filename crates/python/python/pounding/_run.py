@@ -15,6 +15,7 @@ import numpy as np
 from . import _pounding
 from ._errors import PoundingWarning
 from ._tables import Floats, frame, view
+from ._words import visible, warn
 
 if TYPE_CHECKING:
     import pandas
@@ -64,11 +65,11 @@ class Run:
     def warnings(self) -> list[str]:
         """What to know before believing the numbers, the most harmful first; then values that are far from usual."""
         unusual = [f"{one['place']}: found {one['found']}, usual is {one['usual']}" for one in self.summary["unusual"]]
-        return [*self._native.notices(), *unusual]
+        return [visible(one) for one in [*self._native.notices(), *unusual]]
 
     def _warn(self) -> None:
         for notice in self.warnings:
-            warnings.warn(notice, PoundingWarning, stacklevel=3)
+            warn(notice, stacklevel=3)
 
     def table(self, name: str) -> _pounding.Table:
         """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, such as ``polars.DataFrame(…)``."""
@@ -144,11 +145,11 @@ class Run:
     @property
     def sentence(self) -> str:
         """How often floors touch, and how hard."""
-        return self._native.sentence()
+        return visible(self._native.sentence())
 
     def directions(self) -> list[str]:
         """The same for both directions of shaking, the worse one first: the other direction runs now."""
-        return self._native.directions()
+        return [visible(one) for one in self._native.directions()]
 
     def plot(self) -> Figure:
         """Displacements and openings over time, by matplotlib."""
