@@ -70,13 +70,13 @@ impl<T> OrRefused<T> for Result<T, Error> {
 
 /// Whether it is of a file that is not there.
 fn is_missing(error: &Error) -> bool {
-    match error {
-        Error::InFile { source, .. } => is_missing(source),
-        Error::Unreadable { source, .. } | Error::NoRecord { source, .. } => {
-            source.kind() == ErrorKind::NotFound
-        }
-        _ => false,
+    if let Error::InFile { source, .. } = error {
+        return is_missing(source);
     }
+    matches!(
+        error,
+        Error::Unreadable { source, .. } | Error::NoRecord { source, .. } if source.kind() == ErrorKind::NotFound
+    )
 }
 
 impl<T> OrRefused<T> for Result<T, String> {

@@ -31,6 +31,7 @@ mod suites;
 mod summaries;
 mod sweep_refusals;
 mod sweeps;
+mod written;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -36,7 +36,7 @@ fn issue_a_figure_is_drawn_through_many_periods() {
 fn issue_more_values_than_anybody_waits_for_are_refused() {
     let folder = folder("motion_issues_many");
     fs::write(folder.join("record.csv"), crate::quiet(40)).expect("a disk");
-    let ratios = vec!["0.05"; 11].join(",");
+    let ratios = ["0.05"; 11].join(",");
     let many = [
         "spectrum",
         "record.csv",

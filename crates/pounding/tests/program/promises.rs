@@ -11,7 +11,7 @@ use crate::sweeps::{sweep, with_sweep};
 use crate::{Ended, folder, pounding};
 
 /// Files of a folder, and of those in it, with their bytes.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+pub(crate) fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
         let path = entry.path();
@@ -26,7 +26,7 @@ fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 /// The towers with a contact that other programs know.
-fn springs() -> String {
+pub(crate) fn springs() -> String {
     TOWERS.replace(
         "law.stereomechanical.restitution = 0.6",
         "law.linear_spring.impact_stiffness_n_per_m = 1e8",
@@ -383,72 +383,6 @@ fn issue_control_characters_are_spelt() {
     assert_eq!(pounding(&folder, &["sweep", "sweep.toml"]).code, 0);
     let table = fs::read_to_string(folder.join("sweep.toml.csv")).expect("a table");
     assert!(table.contains(",'=1+1: peak_displacement_m,"), "{table}");
-}
-
-/// Files of results held them as they were, and a reader who looked at one with `cat` obeyed a name.
-#[test]
-fn issue_no_file_of_text_steers_a_terminal() {
-    let folder = suite("promises_written");
-    let named = springs()
-        .replace("name = \"towers\"", "name = \"\\u001B[31mred\\u0007\"")
-        .replace("\"left\"", "\"\\u202Etfel\\u0000\"")
-        .replace("\"right\"", "\"\\u200Fright\\u009B2J\"");
-    assert_ne!(named, springs());
-    fs::write(folder.join("scene.toml"), &named).expect("a disk");
-    fs::write(
-        folder.join("sweep.toml"),
-        "scene = \"scene.toml\"\nsummary = {}\nvary = [{ field = \"contacts[0].gap_m\", values = [0.01, 0.02] }]\n",
-    )
-    .expect("a disk");
-    for command in [
-        "run scene.toml --out one",
-        "run scene.toml --records records --effects --out several",
-        "assess scene.toml --records records --out assessed",
-        "sweep sweep.toml --out runs.csv",
-        "export --opensees scene.toml --out check.py",
-        "motion convert scene.toml motion.csv",
-    ] {
-        let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
-        assert_eq!(ended.code, 0, "{command}: {}", ended.stderr);
-    }
-    let (mut looked_at, mut spelt) = (0, 0);
-    for (path, bytes) in contents(&folder) {
-        let is_input = path.contains("records/") || path.ends_with(".toml");
-        if is_input || path.ends_with(".png") {
-            continue;
-        }
-        let text = String::from_utf8(bytes).expect("text");
-        let steers = |letter: char| pounding::text::steers(letter);
-        assert_eq!(text.find(steers), None, "{path}");
-        looked_at += 1;
-        spelt += usize::from(text.contains("\\u202etfel\\u0000"));
-    }
-    assert!(looked_at > 15 && spelt > 8, "{spelt} of {looked_at}");
-}
-
-/// A message was as long as the path that it named.
-#[test]
-fn issue_a_path_of_a_megabyte_is_not_repeated() {
-    let folder = suite("promises_path");
-    let path = "deep/".repeat(200_000);
-    fs::write(
-        folder.join("scene.toml"),
-        TOWERS.replace("records/column.txt", &path),
-    )
-    .expect("a disk");
-    for command in ["run scene.toml", "run scene.toml --json"] {
-        let ended = pounding(&folder, &command.split(' ').collect::<Vec<_>>());
-        assert_eq!(ended.code, 1);
-        assert!(ended.stderr.len() < 10_000, "{}", ended.stderr.len());
-        assert!(
-            ended.stderr.contains("letters are left out"),
-            "{}",
-            ended.stderr
-        );
-        if command.ends_with("--json") {
-            serde_json::from_str::<Value>(&ended.stderr).expect("JSON");
-        }
-    }
 }
 
 /// SIGTERM, as a job's end sends it, lost what was finished.

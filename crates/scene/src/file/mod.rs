@@ -94,9 +94,12 @@ const PERIODS_AFTER_RECORD: f64 = 2.0;
 
 impl Scene {
     /// Duration of the run \[s\] under a record of some duration \[s\].
+    ///
+    /// # Panics
+    /// Never: only who has a deadline gives up.
     pub fn duration_under(&self, record: f64) -> f64 {
         let found = self.duration_within(record, Patience::ENDLESS);
-        found.expect("whoever waits for ever is never tired of it")
+        found.expect("there is no deadline")
     }
 
     /// The same, as long as somebody waits.

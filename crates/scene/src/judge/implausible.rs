@@ -3,7 +3,7 @@
 mod row;
 mod storeys;
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::fmt;
 
 use pounding_motion::{Direction, Unusual};
@@ -41,7 +41,7 @@ impl Implausible {
     /// A line each, of those that say the same of several places one.
     pub fn lines(all: &[Self]) -> Vec<String> {
         let mut groups: Vec<(&Self, usize)> = Vec::new();
-        let mut known = HashMap::new();
+        let mut known = BTreeMap::new();
         for one in all {
             let group = *known
                 .entry((&one.found, &one.usual))
@@ -89,7 +89,7 @@ impl Simulation {
         let mut doubts = Doubts::default();
         self.doubt_the_record(&mut doubts);
         let scene = self.scene();
-        let mut firsts = HashMap::new();
+        let mut firsts = BTreeMap::new();
         for (index, structure) in scene.structures.iter().enumerate() {
             let name = structure.name();
             let first = *firsts.entry(name).or_insert(index);

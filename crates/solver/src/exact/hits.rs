@@ -162,3 +162,13 @@ impl<R: Recorder> Run<'_, R> {
         self.contacts[pair].restitution().is_some() && self.touches_now(pair, time)
     }
 }
+
+impl Contact {
+    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
+    pub(super) fn push(&mut self, jump: f64) {
+        self.rate += jump;
+        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
+            self.link = Link::Touching(self.phase());
+        }
+    }
+}

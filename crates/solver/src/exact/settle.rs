@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exact::contact::{Contact, Gap, Link};
+use crate::exact::contact::{Gap, Link};
 use crate::exact::hits::Hit;
 use crate::exact::noise::clean;
 use crate::exact::rounding::noise;
@@ -440,15 +440,5 @@ impl<R: Recorder> Run<'_, R> {
     fn regroup(&mut self) {
         self.groups
             .update(&self.members, &self.contacts, &self.pair_right_of);
-    }
-}
-
-impl Contact {
-    /// Changes the rate by a jump; a compliant pair may turn from one phase to the other.
-    fn push(&mut self, jump: f64) {
-        self.rate += jump;
-        if matches!(self.link, Link::Touching(_)) && jump.abs() > 0.0 {
-            self.link = Link::Touching(self.phase());
-        }
     }
 }
