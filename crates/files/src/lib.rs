@@ -28,8 +28,8 @@ mod same;
 
 pub use folder::{Others, ResultFolder, ResultNames};
 pub use lock::{Lock, LockError, Users};
-pub use new_file::{Existing, NewFile, hidden, leftovers, sync, sync_folder, write};
-pub use read::{Length, read, read_stream};
+pub use new_file::{Existing, NewFile, hidden, sync, sync_folder, tidy, write};
+pub use read::{Length, holds, read, read_stream};
 pub use same::input_at;
 
 use std::path::Path;

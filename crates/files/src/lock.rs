@@ -37,6 +37,18 @@ pub enum LockError {
         /// Who has it.
         holder: String,
     },
+    /// The system refuses the lock, for another reason than that the disk has none.
+    #[error(
+        "{}: found no lock ({source}), allowed is a lock that keeps other processes off; let whoever runs this disk mend it, or name \
+         an output on another disk",
+        path.display()
+    )]
+    Refused {
+        /// The file of the lock.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
     /// The system refuses the file of the lock.
     #[error("{}: {source}", path.display())]
     File {
@@ -100,7 +112,12 @@ impl Lock {
                         holder: holder(file),
                     });
                 }
-                Err(TryLockError::Error(_)) => return Ok(Self { path, file: None }),
+                Err(TryLockError::Error(source)) if source.kind() == io::ErrorKind::Unsupported => {
+                    return Ok(Self { path, file: None });
+                }
+                Err(TryLockError::Error(source)) => {
+                    return Err(LockError::Refused { path, source });
+                }
             }
             // The last one may have deleted the file between the opening and the lock.
             if is_at(&file, &path).map_err(fault)? {
@@ -130,7 +147,8 @@ impl Drop for Lock {
     }
 }
 
-fn is_at(file: &File, path: &Path) -> io::Result<bool> {
+/// Whether a file is still what lies at a path.
+pub(crate) fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     match Handle::from_path(path) {
         Ok(there) => Ok(there == Handle::from_file(file.try_clone()?)?),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
@@ -205,6 +223,22 @@ mod tests {
         assert!(!one.is_kept());
         drop(one);
         assert!(Lock::of(&output, Users::One).unwrap().is_kept());
+    }
+
+    /// A disk whose locks fail counted as one without locks: two processes could write one table, and nobody said so.
+    #[test]
+    fn issue_a_lock_that_fails_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("table.csv");
+        // ENOLCK and EACCES of Linux, and one that no system names.
+        for number in [37, 13, 9999] {
+            let refused = |_: &File| {
+                let error = io::Error::from_raw_os_error(number);
+                Err(TryLockError::Error(error))
+            };
+            let said = Lock::by(&output, refused).unwrap_err().to_string();
+            assert!(said.contains("found no lock"), "{said}");
+        }
     }
 
     /// The file comes and goes, and still there is one at a time.

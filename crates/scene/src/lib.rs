@@ -102,8 +102,8 @@ pub use simulation::{
     side_by_side,
 };
 pub use spectrum::{
-    SpectralValues, Spectrum, SpectrumError, periods_between, response_spectrum,
-    response_spectrum_watched, scaled_to_sa,
+    SpectralValues, Spectrum, SpectrumError, periods_between, response_spectra, response_spectrum,
+    scaled_to_sa,
 };
 pub use statistics::wilson;
 pub use suite::lines;

@@ -96,17 +96,12 @@ impl Motions {
             differs,
         };
         let Some(records) = &file.records else {
-            let name = own_name(&record.source);
             if let Source::File(file) = &record.source {
                 motions.files.push(of_scene.join(&file.file));
             }
-            let use_of = |reversed| RecordUse {
-                reversed,
-                ..record.clone()
-            };
-            for record in directions.iter().map(|reversed| use_of(*reversed)) {
+            for record in in_directions(&record, directions) {
                 let motion = GroundMotion::of(&record, of_scene, &scene.name)?;
-                motions.add(&name, record, motion);
+                motions.add(&own_name(&record.source), record, motion);
             }
             return Ok(motions);
         };
@@ -120,11 +115,7 @@ impl Motions {
         }
         let suite = Suite::of(&paths, &record.declared())?;
         for motion in &suite.motions {
-            for reversed in directions {
-                let record = RecordUse {
-                    reversed: *reversed,
-                    ..record.clone()
-                };
+            for record in in_directions(&record, directions) {
                 let (record, used) = motion.used_as(&record, &scene.name)?;
                 motions.add(&motion.name, record, used);
             }
@@ -221,6 +212,15 @@ impl Shaking {
         };
         motion.map(SharedMotion::from)
     }
+}
+
+/// The use of a record in some directions: whether it is reversed.
+fn in_directions(record: &RecordUse, directions: &[bool]) -> Vec<RecordUse> {
+    let use_of = |reversed: &bool| RecordUse {
+        reversed: *reversed,
+        ..record.clone()
+    };
+    directions.iter().map(use_of).collect()
 }
 
 /// Name of a scene's own motion.

@@ -26,15 +26,15 @@
 //! - [`short`], [`digits`] and [`plain`]: four digits, seven digits, a number as its user wrote it.
 //! - [`rounded_up`] and [`rounded_down`]: numbers that promise something.
 //! - [`Cell`] with [`csv_text`], and [`json_text`]: tables and files without NaN.
-//! - [`visible`]: what goes to a terminal, without what would steer it.
+//! - [`visible`] and [`message`]: text that people read, without what would steer their terminal.
 
 mod cell;
 mod refusal;
 mod visible;
 
-pub use cell::{Cell, csv_text, json_text, no_formula, to_csv};
+pub use cell::{Cell, csv_text, harmless, json_text, to_csv};
 pub use refusal::{Refusal, refusal_json};
-pub use visible::visible;
+pub use visible::{message, steers, visible};
 
 /// A number as a message repeats it: as it was written where that is short, else with seven significant digits; never the
 /// 309 digits of 1.7e308.

@@ -1,9 +1,9 @@
 //! `pounding demo`: a scene, its record and its results, with nothing needed.
 
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
+use pounding::files::holds;
 use pounding::report::{Report, other_direction};
 
 use crate::folder::Out;
@@ -75,9 +75,9 @@ pub(crate) fn run(args: &Arguments) -> Result<String, String> {
 
 /// Writes a file that is not there, or leaves one that is as it should be.
 fn write(path: &Path, text: &str) -> Result<(), String> {
-    match fs::read(path) {
-        Ok(found) if found == text.as_bytes() => Ok(()),
-        Ok(_) => Err(format!(
+    match holds(path, text.as_bytes()) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(format!(
             "{}: found another file, allowed is none or that of the demo; name another folder: pounding demo FOLDER",
             path.display()
         )),

@@ -212,12 +212,15 @@ const EFFECTS_ARE_EXACT: &str = "; --effects always uses the exact method, whate
 
 /// Why a run failed, with what looks wrong in its scene: that may be the reason.
 fn with_doubts(args: &Arguments, message: String, prepared: &Simulation) -> String {
+    // JSON has the parts of one refusal; `check --json` has what is unusual.
+    if args.shown.json {
+        return message;
+    }
     let mut doubts = prepared.doubts();
     // A record and a duration are no reasons to fail.
     doubts.retain(Implausible::is_of_row);
     let doubts = Implausible::lines(doubts.iter().map(|one| ("", one)));
-    // JSON has the parts of one refusal; `check --json` has what is unusual.
-    if doubts.is_empty() || args.shown.json {
+    if doubts.is_empty() {
         message
     } else {
         format!("{message}; unusual in this scene: {}", doubts.join("; "))

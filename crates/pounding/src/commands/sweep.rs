@@ -4,7 +4,6 @@ mod joined;
 mod summed;
 mod task;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use pounding::scene::Method;
@@ -88,9 +87,7 @@ fn announce(sweep: &Sweep, parts: &Parts) {
     if let Some(why) = sweep.alone_because().filter(|_| sweep.is_long()) {
         say(&format!("runs go one at a time: {why}"));
     }
-    if !parts.is_locked() {
-        say("this disk knows no locks: let no other process write the same table");
-    }
+    new_file::say_if_unlocked(parts.is_locked());
     for damaged in parts.damaged() {
         say(&format!("run again: {damaged}"));
     }
@@ -225,7 +222,7 @@ fn keep_errors(sweep: &Sweep, out: &Path, overwrite: bool) -> Result<(), String>
         return Ok(());
     };
     let path = errors_beside(out);
-    let is_ours = fs::read(&path).is_ok_and(|found| found == accuracy.csv().as_bytes());
+    let is_ours = pounding::files::holds(&path, accuracy.csv().as_bytes()).unwrap_or(false);
     new_file::check(&path, sweep.inputs(), overwrite || is_ours)
 }
 

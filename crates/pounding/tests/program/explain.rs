@@ -32,7 +32,7 @@ fn issue_words_of_newcomers_are_explained() {
         ("damper", "not modelled"),
         ("lanes", "vector"),
     ] {
-        let said = printed(&pounding(&folder, &["explain", word])).replace("\n", " ");
+        let said = printed(&pounding(&folder, &["explain", word])).replace('\n', " ");
         let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(said.contains(says), "{word}: {said}");
     }

@@ -33,7 +33,7 @@ contacts = [{ gap_m = 0.05, levels = [1], law.stereomechanical.restitution = 0.5
 fn record(speed: f64, factor: f64) -> String {
     let sample = |index: u32| {
         let time = 0.01 * f64::from(index);
-        let envelope = (time / 2.0).min(1.0) * (-0.25 * (time - 2.0).max(0.0)).exp();
+        let envelope = (time / 2.0).min(1.0) * libm::exp(-0.25 * (time - 2.0).max(0.0));
         let sum = libm::sin(6.0 * speed * time) + libm::sin(13.0 * time + 0.5 * time * time);
         format!("{time:.2},{:.9}\n", factor * envelope * sum)
     };
@@ -260,11 +260,8 @@ fn issue_floors_beside_columns_are_not_silent() {
 /// Without contacts "nothing touches … Warnings none" was said, and nothing had been looked for.
 #[test]
 fn issue_without_contacts_nothing_is_said_of_pounding() {
-    let apart: String = TWO
-        .lines()
-        .filter(|line| !line.starts_with("contacts"))
-        .map(|line| format!("{line}\n"))
-        .collect();
+    let apart = TWO.lines().filter(|line| !line.starts_with("contacts"));
+    let apart = apart.collect::<Vec<_>>().join("\n");
     let work = workplace("unusual_apart", &apart, false);
     let none = "no contact is modelled, so that nothing is said about pounding";
     let runs: [&[&str]; 3] = [

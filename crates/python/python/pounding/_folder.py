@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _pounding
 from ._record import Record, read
+from ._words import visible
 
 if TYPE_CHECKING:
     import pandas
@@ -89,27 +90,27 @@ class Assessment:
     @property
     def answers(self) -> list[str]:
         """Whether the gaps are enough, in sentences."""
-        return self._native.answers()
+        return [visible(one) for one in self._native.answers()]
 
     @property
     def sentences(self) -> list[str]:
         """The answer in full: whether the gaps are enough, what is proposed, and what touching does."""
-        return self._native.sentences()
+        return [visible(one) for one in self._native.sentences()]
 
     @property
     def motions(self) -> list[str]:
         """The motions in a few lines: how many, of how many events, how scaled."""
-        return self._native.shaking()
+        return [visible(one) for one in self._native.shaking()]
 
     @property
     def warnings(self) -> list[str]:
         """What to know before believing it."""
-        return self._native.warnings()
+        return [visible(one) for one in self._native.warnings()]
 
     @property
     def remarks(self) -> list[str]:
         """Records that are left out, or whose direction nothing tells."""
-        return self._native.remarks()
+        return [visible(one) for one in self._native.remarks()]
 
     @property
     def table(self) -> pandas.DataFrame:

@@ -7,7 +7,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, SupportsFloat, SupportsIndex, final
 
-__all__ = ["Array", "Assessment", "Record", "Run", "Table", "advise", "assess", "certify", "check_scene", "effects", "laws", "opensees", "periods_between", "required_gap", "run", "sketch_scene", "sweep", "words_of", "write_files"]
+__all__ = ["Array", "Assessment", "Record", "Run", "Table", "advise", "assess", "certify", "check_scene", "effects", "laws", "opensees", "periods_between", "read_words", "required_gap", "run", "sketch_scene", "sweep", "visible", "words_of", "write_files"]
 
 @final
 class Array:
@@ -258,6 +258,11 @@ def periods_between(first: SupportsFloat | SupportsIndex, last: SupportsFloat | 
     Periods from one to another [s], in equal ratios.
     """
 
+def read_words(path: str | PathLike[str]) -> str:
+    """
+    The text of a JSON or TOML file, read within the bounds of the program.
+    """
+
 def required_gap(text: str, path: str | PathLike[str], folder: str | PathLike[str], progress: Any | None = None) -> tuple[Table, list[str]]:
     """
     Which gaps a row needs under a folder of records, in both directions: a row for each motion, direction and gap; and what looks wrong,
@@ -282,6 +287,11 @@ def sweep(text: str, path: str | PathLike[str], progress: Any | None = None) -> 
 
     `progress` is called with the number of runs that are done, and of all. Returns the table, the records that were left out with their
     reasons, what is said of those whose direction nothing tells, and what looks wrong.
+    """
+
+def visible(text: str) -> str:
+    """
+    Text for people: letters that steer a terminal, or the direction of writing, are spelt.
     """
 
 def words_of(text: str, path: str | PathLike[str]) -> str:

@@ -15,6 +15,7 @@ import numpy as np
 from . import _pounding
 from ._errors import PoundingWarning
 from ._tables import Floats, frame, view
+from ._words import visible, warn
 
 if TYPE_CHECKING:
     import pandas
@@ -63,7 +64,7 @@ class Run:
     @property
     def warnings(self) -> list[str]:
         """What to know before believing the numbers: values that are far from usual, then the most harmful first."""
-        return [*self.unusual, *self._native.notices()]
+        return [visible(one) for one in [*self.unusual, *self._native.notices()]]
 
     @property
     def unusual(self) -> list[str]:
@@ -72,7 +73,7 @@ class Run:
 
     def _warn(self) -> None:
         for notice in self.warnings:
-            warnings.warn(notice, PoundingWarning, stacklevel=3)
+            warn(notice, stacklevel=3)
 
     def table(self, name: str) -> _pounding.Table:
         """The table ``"peaks"``, ``"pairs"`` or ``"impacts"`` for every reader of Arrow, such as ``polars.DataFrame(…)``."""
@@ -148,7 +149,7 @@ class Run:
     @property
     def sentence(self) -> str:
         """How often floors touch, and how hard."""
-        return self._native.sentence()
+        return visible(self._native.sentence())
 
     def directions(self) -> list[str]:
         """The same for both directions of shaking, the one that is worse for the buildings first: the other direction runs now.
@@ -157,9 +158,9 @@ class Run:
         """
         sentences, notices = self._native.directions()
         for notice in notices:
-            if notice not in self.warnings:
-                warnings.warn(notice, PoundingWarning, stacklevel=2)
-        return sentences
+            if visible(notice) not in self.warnings:
+                warn(notice, stacklevel=2)
+        return [visible(one) for one in sentences]
 
     def plot(self) -> Figure:
         """Displacements and openings over time, by matplotlib."""

@@ -26,14 +26,7 @@ pub(super) fn html(report: &AssessmentReport, figures: &[Illustration]) -> Strin
             "<h1>{title}: is the gap enough?</h1>\n<p>{}</p>\n",
             escaped(&lead(report))
         ),
-        boxed(
-            UNUSUAL,
-            &report
-                .unusual()
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>(),
-        ),
+        unusual(report),
         verdict(report),
         beside(&[
             report
@@ -93,12 +86,20 @@ fn lead(report: &AssessmentReport) -> String {
     )
 }
 
+fn unusual(report: &AssessmentReport) -> String {
+    let all: Vec<String> = report.unusual().iter().map(ToString::to_string).collect();
+    boxed(UNUSUAL, &all)
+}
+
 fn verdict(report: &AssessmentReport) -> String {
     let touch = if report.hit().is_empty() {
         ""
     } else {
         " touch"
     };
+    let before = report.before().into_iter();
+    let before = before.map(|one| format!("<p>{}</p>\n", escaped(&one)));
+    let before: Vec<String> = before.collect();
     let answers = report.answers();
     let first = answers.first().map_or("", String::as_str);
     let more: Vec<String> = answers
@@ -110,11 +111,7 @@ fn verdict(report: &AssessmentReport) -> String {
         .collect();
     format!(
         "<div class=\"verdict{touch}\">\n{}<p><strong>{}</strong></p>\n{}</div>\n",
-        report
-            .before()
-            .iter()
-            .map(|one| format!("<p>{}</p>\n", escaped(one)))
-            .collect::<String>(),
+        before.concat(),
         escaped(first),
         list(&more)
     )

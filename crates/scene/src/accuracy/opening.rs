@@ -57,7 +57,9 @@ impl Simulation {
             stop,
             progress,
         } = options.into();
-        scene.check().map_err(|source| in_scene(scene, source))?;
+        let patience = scene.budget.begin();
+        let checked = scene.check_within(patience);
+        checked.map_err(|source| in_scene(scene, source))?;
         let motion = if let Some(motion) = motion {
             motion
         } else {
@@ -73,11 +75,11 @@ impl Simulation {
                 error,
                 quantity: QuantityGroup::All,
             };
-            let exact = Self::prepared(&exact, motion, stop)?;
+            let exact = Self::prepared(&exact, motion, stop, patience)?;
             let advice = advise(&exact, goal, progress.unwrap_or(&|_| ()))?;
             exact.advised(advice)?
         } else {
-            Self::prepared(scene, motion, stop)?
+            Self::prepared(scene, motion, stop, patience)?
         };
         if force {
             Ok(simulation)

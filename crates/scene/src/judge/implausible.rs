@@ -4,6 +4,7 @@ mod motion;
 mod row;
 mod storeys;
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -58,9 +59,11 @@ const RECORD: &str = "record";
 
 /// What looks wrong of one kind, in one place or several.
 struct Kind<'d> {
-    /// Places, or names of ground motions, each once.
-    places: Vec<&'d str>,
+    /// Places, or names of ground motions.
+    places: BTreeSet<&'d str>,
     worst: &'d Implausible,
+    /// Its place, or the name of its motion.
+    at: &'d str,
     differ: bool,
 }
 
@@ -85,20 +88,17 @@ impl Implausible {
             };
             let Some(kind) = kinds.iter_mut().find(alike) else {
                 kinds.push(Kind {
-                    places: vec![place],
+                    places: BTreeSet::from([place]),
                     worst: one,
+                    at: place,
                     differ: false,
                 });
                 continue;
             };
             kind.differ |= kind.worst.found != one.found;
-            if !kind.places.contains(&place) {
-                kind.places.push(place);
-            }
+            kind.places.insert(place);
             if one.far > kind.worst.far {
-                kind.worst = one;
-                let at = kind.places.iter().position(|other| *other == place);
-                kind.places.swap(0, at.unwrap_or(0));
+                (kind.worst, kind.at) = (one, place);
             }
         }
         kinds.iter().map(Kind::said).collect()
@@ -113,7 +113,7 @@ impl Implausible {
 
 impl Kind<'_> {
     fn said(&self) -> Implausible {
-        let (first, n) = (self.places[0], self.places.len());
+        let (first, n) = (self.at, self.places.len());
         let (is_motion, worst) = (first != self.worst.place, self.worst);
         let place = match (n, is_motion) {
             (1, _) => first.into(),
@@ -168,7 +168,10 @@ impl Simulation {
         let mut doubts = Doubts::default();
         self.doubt_the_record(&mut doubts);
         let scene = self.scene();
+        let mut firsts = BTreeMap::new();
         for (index, structure) in scene.structures.iter().enumerate() {
+            let name = structure.name();
+            let first = *firsts.entry(name).or_insert(index);
             let kind = match structure {
                 Structure::Sdof(sdof) => {
                     doubt_a_structure(index, sdof, &mut doubts);
@@ -180,18 +183,11 @@ impl Simulation {
                 }
                 Structure::Wall => continue,
             };
-            let before = &scene.structures[..index];
-            let name = structure.name();
-            let first = before.iter().position(|other| other.name() == name);
             doubts.unless(
-                first.is_none(),
+                first == index,
                 format!("structures[{index}].{kind}.name"),
                 (
-                    format!(
-                        "\"{}\", as structures[{}] is called",
-                        name,
-                        first.unwrap_or(0)
-                    ),
+                    format!("\"{name}\", as structures[{first}] is called"),
                     "names that differ, by which results tell structures",
                 ),
             );

@@ -13,6 +13,7 @@ mod values;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use crate::file::budget::Patience;
 use crate::file::check;
 use crate::ground_motion::SharedMotion;
 use crate::simulation::floors::{Floor, Floors};
@@ -82,14 +83,16 @@ impl Simulation {
         scene: &Scene,
         motion: SharedMotion,
         stop: Option<&'static AtomicBool>,
+        patience: Patience,
     ) -> Result<Self, Error> {
         let in_scene = |source| in_scene(scene, source);
+        let duration = scene.duration_within(motion.record.duration(), patience);
         let scene = &Scene {
-            duration_s: Some(scene.duration_under(motion.record.duration())),
+            duration_s: Some(duration.map_err(in_scene)?),
             ..scene.clone()
         };
         scene.check_method().map_err(in_scene)?;
-        let (floors, model) = modelled(scene).map_err(in_scene)?;
+        let (floors, model) = modelled(scene, patience).map_err(in_scene)?;
         let prepared = Self {
             scene: scene.clone(),
             advice: None,
@@ -106,6 +109,7 @@ impl Simulation {
         };
         let settings = prepared.integrator.check();
         settings.map_err(|error| prepared.ended(error))?;
+        patience.look().map_err(in_scene)?;
         Ok(prepared)
     }
 
@@ -150,7 +154,7 @@ impl Simulation {
     pub fn variant(&self, scene: &Scene, record: Record) -> Result<Self, Error> {
         let in_scene = |source| in_scene(scene, source);
         scene.check().map_err(in_scene)?;
-        let (floors, model) = modelled(scene).map_err(in_scene)?;
+        let (floors, model) = modelled(scene, Patience::ENDLESS).map_err(in_scene)?;
         let varied = Self {
             scene: scene.clone(),
             floors,
@@ -324,10 +328,12 @@ impl Simulation {
 }
 
 /// The floors of a checked scene, and the leanest row of them.
-fn modelled(scene: &Scene) -> Result<(Floors, Model), SceneError> {
+fn modelled(scene: &Scene, patience: Patience) -> Result<(Floors, Model), SceneError> {
     let floors = Floors::of(scene)?;
+    patience.look()?;
     let model =
         Model::new(scene, &floors).map_err(|error| SceneError::of_model(error, scene, &floors))?;
+    patience.look()?;
     Ok((floors, model))
 }
 

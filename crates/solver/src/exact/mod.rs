@@ -107,6 +107,8 @@ struct Run<'a, R> {
     /// End of the run, on that clock.
     end: f64,
     members: Vec<Member>,
+    /// How many of them are walls.
+    walls: usize,
     contacts: Vec<Contact>,
     /// Node on the left of every pair.
     lefts: Vec<usize>,
@@ -143,6 +145,8 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
 ) -> Result<Work, RunError> {
     settings.check()?;
     let n = row.nodes().len();
+    let guard = clock.within(budget).begin(n);
+    guard.wait(0.0)?;
     let mut pair_right_of = vec![None; n];
     for (index, pair) in row.pairs().iter().enumerate() {
         pair_right_of[pair.left] = Some(index);
@@ -167,6 +171,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         .collect();
     let contacts: Vec<_> = row.pairs().iter().map(contact).collect();
     let groups = Groups::new(&members, &contacts, &pair_right_of);
+    guard.wait(0.0)?;
     let mut run = Run {
         settings,
         excitation,
@@ -177,6 +182,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         end: clock.time(clock.n_steps),
         buildings: buildings(&members),
         settled: vec![false; contacts.len()],
+        walls: members.iter().filter(|member| member.is_wall()).count(),
         members,
         contacts,
         lefts: row.pairs().iter().map(|pair| pair.left).collect(),
@@ -186,7 +192,7 @@ pub(crate) fn run<Column: Hysteretic, R: Recorder>(
         groups,
         landed: vec![true; n],
         chain: Chain::default(),
-        guard: clock.within(budget).begin(n),
+        guard,
         tried: 0,
         work: Work::default(),
         recorder,
@@ -234,7 +240,7 @@ impl<R: Recorder> Run<'_, R> {
                 return Err(RunError::NoProgress { time, events });
             }
             self.work.events += 1;
-            self.land_all(time);
+            self.land_all(time)?;
             now = self.fly(time);
             self.go_on(now)?;
         }
@@ -310,14 +316,16 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Ends every piece that ends at this instant, and those of the pairs that touch then.
-    fn land_all(&mut self, time: f64) {
+    fn land_all(&mut self, time: f64) -> Result<(), RunError> {
         for first in 0..self.bodies.len() {
             if self.groups.body_of[first] == first && self.bodies[first].end <= time {
+                self.guard.wait(time)?;
                 self.land(first, time);
             }
         }
         for pair in 0..self.contacts.len() {
             if self.contacts[pair].meets <= time {
+                self.guard.wait(time)?;
                 let left = self.lefts[pair];
                 let rate = self.contacts[pair].rate_at_touch(self.clock);
                 self.land(self.groups.body_of[left], time);
@@ -326,7 +334,7 @@ impl<R: Recorder> Run<'_, R> {
                 self.report_touch(pair, time);
             }
         }
-        self.land_touching(time);
+        self.land_touching(time)
     }
 
     fn report_touch(&mut self, pair: usize, time: f64) {
@@ -349,9 +357,10 @@ impl<R: Recorder> Run<'_, R> {
     }
 
     /// Ends the pieces of neighbours whose gap is closed to what has landed: they take part in what happens now.
-    fn land_touching(&mut self, time: f64) {
+    fn land_touching(&mut self, time: f64) -> Result<(), RunError> {
         let mut grown = true;
         while grown {
+            self.guard.wait(time)?;
             grown = false;
             for pair in 0..self.contacts.len() {
                 let (contact, left) = (&self.contacts[pair], self.lefts[pair]);
@@ -363,6 +372,7 @@ impl<R: Recorder> Run<'_, R> {
                 }
             }
         }
+        Ok(())
     }
 
     /// Resolves what happens at this instant and sends everything that landed on its next piece.
@@ -370,6 +380,7 @@ impl<R: Recorder> Run<'_, R> {
         self.resolve(time)?;
         for first in 0..self.bodies.len() {
             if self.groups.body_of[first] == first && self.landed[first] {
+                self.guard.wait(time)?;
                 self.launch(first, time)?;
             }
         }
@@ -377,6 +388,7 @@ impl<R: Recorder> Run<'_, R> {
         for pair in 0..self.contacts.len() {
             let left = self.lefts[pair];
             if self.landed[left] || self.landed[left + 1] {
+                self.guard.wait(time)?;
                 self.look_ahead(pair, time);
             }
         }
@@ -388,6 +400,7 @@ impl<R: Recorder> Run<'_, R> {
     fn part_roots(&mut self, time: f64) -> Result<(), RunError> {
         for pair in 0..self.contacts.len() {
             while let Some(first) = self.conflict(pair) {
+                self.guard.wait(time)?;
                 self.land(first, time);
                 self.launch(first, time)?;
             }
