@@ -139,7 +139,8 @@ fn values(own: &[u8]) -> impl Iterator<Item = f64> + '_ {
 }
 
 fn list(own: &[u8]) -> String {
-    values(own).map(|value| format!("{value}\n")).collect()
+    let values: Vec<String> = values(own).map(|value| value.to_string()).collect();
+    values.join("\n")
 }
 
 fn csv(own: &[u8]) -> String {

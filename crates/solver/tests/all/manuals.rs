@@ -168,7 +168,7 @@ fn reference_a_block_on_a_spring_scale_of_ansys_vm83() {
     is(at, 0.689, 6e-3);
 }
 
-/// code_aster SDND101 (V5.01.101): 100 kg on 1e4 N/m meet a stop of 1e6 N/m with 1 m/s: an oscillator on both springs for half a swing.
+/// `code_aster` SDND101 (V5.01.101): 100 kg on 1e4 N/m meet a stop of 1e6 N/m with 1 m/s: an oscillator on both springs for half a swing.
 #[test]
 fn reference_an_oscillator_at_a_stop_of_code_aster_sdnd101() {
     let striking = Node {
@@ -188,7 +188,7 @@ fn reference_an_oscillator_at_a_stop_of_code_aster_sdnd101() {
     is(one.peak_force.expect("a spring has one"), 9950.372, 5e-4);
 }
 
-/// code_aster V5.01.108, A and B: 1 kg under 10 m/s² goes towards a stop 2 m away with 1 m/s; the stop has 100 N/m, and in B a dashpot of
+/// `code_aster` V5.01.108, A and B: 1 kg under 10 m/s² goes towards a stop 2 m away with 1 m/s; the stop has 100 N/m, and in B a dashpot of
 /// 5 N·s/m that does not pull.
 #[test]
 fn reference_a_mass_on_a_damped_stop_of_code_aster_108() {
