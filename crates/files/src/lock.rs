@@ -5,8 +5,7 @@ use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use same_file::Handle;
-
+use crate::same::is_at;
 use crate::{folder_of, hidden};
 
 /// How many processes may work on an output at a time.
@@ -144,15 +143,6 @@ impl Drop for Lock {
         if is_last && is_at(file, &self.path).unwrap_or(false) {
             let _ = fs::remove_file(&self.path);
         }
-    }
-}
-
-/// Whether a file is still what lies at a path.
-pub(crate) fn is_at(file: &File, path: &Path) -> io::Result<bool> {
-    match Handle::from_path(path) {
-        Ok(there) => Ok(there == Handle::from_file(file.try_clone()?)?),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
-        Err(error) => Err(error),
     }
 }
 

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-use crate::folder_of;
-use crate::lock::is_at;
+use crate::same::is_at;
+use crate::{folder_of, hidden};
 
 /// What becomes of a file that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -161,15 +161,6 @@ pub fn sync_folder(folder: &Path) -> io::Result<()> {
         }
         synced => synced,
     }
-}
-
-/// A hidden name beside a file.
-pub fn hidden(path: &Path, end: &str) -> PathBuf {
-    let mut name = OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(".");
-    name.push(end);
-    path.with_file_name(name)
 }
 
 /// Deletes what was begun beside a file and is not being written: a process that was ended by a signal leaves it. Where it cannot be
